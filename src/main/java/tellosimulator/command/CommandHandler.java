@@ -1,0 +1,171 @@
+package tellosimulator.command;
+
+import java.util.Optional;
+import tellosimulator.command.CommandParser.Parsed;
+import tellosimulator.profile.Behaviour;
+import tellosimulator.profile.Profile;
+import tellosimulator.time.SimTime;
+
+/**
+ * Turns texts into commands, in the order in which the drone checks them: form, busy, range,
+ * motors; what is left is up to the {@link CommandTarget}. For the simulation thread. Whatever the
+ * text is, it never throws.
+ */
+public final class CommandHandler {
+
+  /** First byte of the app's binary protocol, which is off in SDK mode. Measured: TelloPy 50. */
+  private static final char APP_PROTOCOL = '\u00cc';
+
+  /** How the app asks for a connection. Measured: TelloPy 50. */
+  private static final String APP_REQUEST = "conn_req";
+
+  private final Profile profile;
+  private final Behaviour behaviour;
+  private final CommandParser parser;
+  private final Retransmission retransmission = new Retransmission();
+  private final CommandTarget target;
+  private final OperatorSession session;
+  private final Outbox outbox;
+  private final CommandObserver observer;
+
+  private CommandHandler(Builder parts) {
+    this.profile = parts.profile;
+    this.behaviour = parts.behaviour;
+    this.parser = new CommandParser(profile);
+    this.target = parts.target;
+    this.session = parts.session;
+    this.outbox = parts.outbox;
+    this.observer = parts.observer;
+  }
+
+  public static Builder of(Profile profile, Behaviour behaviour) {
+    return new Builder(profile, behaviour);
+  }
+
+  /** Takes one datagram. */
+  public void handle(Peer peer, String datagram, SimTime now) {
+    outbox.flush(now);
+    String header = profile.hasPads() ? Retransmission.header(datagram) : "";
+    String text = withoutHeader(datagram, header);
+    if (ignored(peer, text)) {
+      return;
+    }
+    session.heard(peer, now);
+    target.linkAlive();
+    Optional<Responder> original =
+        header.isEmpty() ? Optional.empty() : retransmission.original(peer, header, text);
+    if (original.isPresent()) {
+      original.get().alsoAnswer(header);
+    } else {
+      Responder responder = new Responder(peer, text, header, outbox, observer);
+      if (!header.isEmpty()) {
+        retransmission.remember(header, text, responder);
+      }
+      carryOut(text, responder);
+    }
+    outbox.flush(now);
+  }
+
+  /** Forgets SDK mode and everything that waits, as without power. */
+  public void powerOff() {
+    session.close();
+    outbox.clear();
+    retransmission.forgetAll();
+  }
+
+  private static String withoutHeader(String datagram, String header) {
+    boolean tooLong = datagram.length() > WireText.LONGEST;
+    String text = datagram.substring(header.length());
+    return tooLong ? text : WireText.trimmed(text);
+  }
+
+  private boolean ignored(Peer peer, String text) {
+    boolean app =
+        text.startsWith(APP_REQUEST) || (!text.isEmpty() && text.charAt(0) == APP_PROTOCOL);
+    if (app) {
+      observer.ignored(peer, text, "it belongs to the app's binary protocol");
+      return true;
+    }
+    if (!session.link().sdkMode() && !text.equals(CommandSyntax.COMMAND.verb())) {
+      observer.ignored(peer, text, "the drone waits for `command` first");
+      return true;
+    }
+    return false;
+  }
+
+  private void carryOut(String text, Responder responder) {
+    observer.received(responder.peer(), text);
+    Optional<Parsed> parsed = parser.parse(text);
+    if (parsed.isEmpty()) {
+      responder.refuse(Reply.unknown(echo(text)), parser.explain(text));
+      return;
+    }
+    target.commandArrived();
+    Optional<Refusal> refusal = refusal(parsed.get());
+    if (refusal.isPresent()) {
+      responder.refuse(refusal.get().reply(), refusal.get().reason());
+      return;
+    }
+    parsed.get().command().on(target, responder);
+  }
+
+  private Optional<Refusal> refusal(Parsed parsed) {
+    CommandSyntax syntax = parsed.syntax();
+    Optional<String> running = target.running();
+    if (running.isPresent() && !syntax.busyRule().allows(behaviour)) {
+      return running.map(words -> new Refusal(Reply.NOT_JOYSTICK, words));
+    }
+    Optional<Refusal> complaint = parsed.complaint();
+    if (complaint.isPresent()) {
+      return complaint;
+    }
+    return syntax.needsFlight() && !target.flying()
+        ? Optional.of(new Refusal(Reply.MOTOR_STOP, "the drone does not fly, its motors are off"))
+        : Optional.empty();
+  }
+
+  private String echo(String text) {
+    String cut = text.length() > WireText.LONGEST ? text.substring(0, WireText.LONGEST) : text;
+    int blank = cut.indexOf(' ');
+    return profile.echoesFirstWord(behaviour) && blank >= 0 ? cut.substring(0, blank) : cut;
+  }
+
+  /** Gathers the handler's neighbours. */
+  public static final class Builder {
+    private final Profile profile;
+    private final Behaviour behaviour;
+    private CommandTarget target;
+    private OperatorSession session;
+    private Outbox outbox;
+    private CommandObserver observer;
+
+    private Builder(Profile profile, Behaviour behaviour) {
+      this.profile = profile;
+      this.behaviour = behaviour;
+    }
+
+    public Builder target(CommandTarget value) {
+      target = value;
+      return this;
+    }
+
+    public Builder session(OperatorSession value) {
+      session = value;
+      return this;
+    }
+
+    public Builder outbox(Outbox value) {
+      outbox = value;
+      return this;
+    }
+
+    public Builder observer(CommandObserver value) {
+      observer = value;
+      return this;
+    }
+
+    public CommandHandler build() {
+      return new CommandHandler(this);
+    }
+  }
+}

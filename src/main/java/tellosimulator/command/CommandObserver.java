@@ -1,0 +1,24 @@
+package tellosimulator.command;
+
+/** Is told what happens between operators and drone. Called on the simulation thread. */
+public interface CommandObserver {
+
+  /** A text arrived that is taken for a command; its answer follows separately. */
+  void received(Peer peer, String text);
+
+  /** Something arrived that the drone does not react to. */
+  void ignored(Peer peer, String text, String reason);
+
+  /** A reply to {@code text} was given. */
+  void replied(Peer peer, String text, Reply reply);
+
+  /**
+   * {@code text} was refused.
+   *
+   * @param reason why, in plain words that follow "refused: "
+   */
+  void refused(Peer peer, String text, Reply reply, String reason);
+
+  /** {@code peer} became the operator, to whom state and video go. */
+  void operatorChanged(Peer peer);
+}

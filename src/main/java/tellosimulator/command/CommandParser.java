@@ -1,0 +1,82 @@
+package tellosimulator.command;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import tellosimulator.profile.Profile;
+
+/** Finds the row of the table that a text is written after. Immutable; for any thread. */
+final class CommandParser {
+
+  private final Map<String, List<CommandSyntax>> byFirstWord;
+
+  CommandParser(Profile profile) {
+    byFirstWord =
+        Stream.of(CommandSyntax.values())
+            .filter(syntax -> syntax.knownTo(profile))
+            .collect(Collectors.groupingBy(syntax -> words(syntax.verb()).get(0)));
+  }
+
+  /**
+   * A text that is a command, though its values may be out of range.
+   *
+   * @param arguments the words after the verb
+   */
+  record Parsed(CommandSyntax syntax, Arguments arguments) {
+
+    Optional<Refusal> complaint() {
+      return syntax.complaint(arguments);
+    }
+
+    Command command() {
+      return syntax.command(arguments);
+    }
+  }
+
+  /** The command that {@code text} is; empty if it is unknown. */
+  Optional<Parsed> parse(String text) {
+    if (text.length() > WireText.LONGEST) {
+      return Optional.empty();
+    }
+    List<String> words = words(text);
+    return byFirstWord.getOrDefault(words.get(0), List.of()).stream()
+        .filter(syntax -> syntax.matches(words))
+        .findFirst()
+        .map(syntax -> new Parsed(syntax, syntax.arguments(words)));
+  }
+
+  /** Why {@code text} is unknown, in plain words that follow "refused: ". */
+  String explain(String text) {
+    if (text.length() > WireText.LONGEST) {
+      return "it is longer than " + WireText.LONGEST + " bytes";
+    }
+    String first = words(text).get(0);
+    List<CommandSyntax> candidates = byFirstWord.getOrDefault(first, List.of());
+    if (!candidates.isEmpty()) {
+      return "expected "
+          + candidates.stream()
+              .map(syntax -> "`" + syntax.usage() + "`")
+              .collect(Collectors.joining(" or "))
+          + ", words separated by one blank and numbers in plain digits";
+    }
+    String lower = first.toLowerCase(java.util.Locale.ROOT);
+    return byFirstWord.containsKey(lower)
+        ? "commands are written in small letters: `" + lower + "`"
+        : "this drone has no such command";
+  }
+
+  /** The words between single blanks; two blanks in a row give an empty word. */
+  private static List<String> words(String text) {
+    List<String> words = new ArrayList<>();
+    int start = 0;
+    for (int blank = text.indexOf(' '); blank >= 0; blank = text.indexOf(' ', start)) {
+      words.add(text.substring(start, blank));
+      start = blank + 1;
+    }
+    words.add(text.substring(start));
+    return words;
+  }
+}

@@ -1,0 +1,393 @@
+package tellosimulator.command;
+
+import static tellosimulator.command.Parameter.choice;
+import static tellosimulator.command.Parameter.number;
+import static tellosimulator.command.Parameter.word;
+import static tellosimulator.command.Row.row;
+import static tellosimulator.profile.Sdk.SDK_1_3;
+import static tellosimulator.profile.Sdk.SDK_2_0;
+import static tellosimulator.profile.Sdk.SDK_3_0;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Function;
+import tellosimulator.profile.Profile;
+import tellosimulator.profile.Sdk;
+
+/**
+ * The table of all commands: a row says how a command is written, when it is known, what its
+ * parameters may be, what happens while another command runs, and which record it becomes.
+ *
+ * <p>A new command is a row here, a record in {@link Command} and a method in {@link
+ * CommandTarget}. {@code docs/protocol.md} is generated from these rows.
+ */
+public enum CommandSyntax {
+  COMMAND(
+      row("command", SDK_1_3).whileBusy(BusyRule.READ).from("SDK 1.3 guide; FHNW report"),
+      a -> new Command.EnterSdkMode()),
+  TAKEOFF(
+      row("takeoff", SDK_1_3).answers("`ok` on arrival").from("FHNW report; DJITelloPy 60"),
+      a -> new Command.Takeoff()),
+  LAND(
+      row("land", SDK_1_3).flight().whileBusy(BusyRule.LAND).from("FHNW report; oh-tello B7"),
+      a -> new Command.Land()),
+  STREAM_ON(row("streamon", SDK_1_3).from("SDK 2.0 guide"), a -> new Command.Stream(true)),
+  STREAM_OFF(row("streamoff", SDK_1_3).from("SDK 2.0 guide"), a -> new Command.Stream(false)),
+  EMERGENCY(
+      row("emergency", SDK_1_3)
+          .whileBusy(BusyRule.ALLOWED)
+          .answers("none")
+          .from("FHNW report; Tello-Python 85"),
+      a -> new Command.Emergency()),
+  STOP(
+      row("stop", SDK_2_0)
+          .whileBusy(BusyRule.ALLOWED)
+          .answers("`ok` at once, `forced stop` when the drone stands still")
+          .from("FHNW report; tello-asyncio 13"),
+      a -> new Command.Stop()),
+  UP(move("up"), a -> new Command.Move(Direction.UP, a.metres(0))),
+  DOWN(move("down"), a -> new Command.Move(Direction.DOWN, a.metres(0))),
+  LEFT(move("left"), a -> new Command.Move(Direction.LEFT, a.metres(0))),
+  RIGHT(move("right"), a -> new Command.Move(Direction.RIGHT, a.metres(0))),
+  FORWARD(move("forward"), a -> new Command.Move(Direction.FORWARD, a.metres(0))),
+  BACK(move("back"), a -> new Command.Move(Direction.BACK, a.metres(0))),
+  CW(turn("cw"), a -> new Command.Turn(a.heading(0))),
+  CCW(turn("ccw"), a -> new Command.Turn(-a.heading(0))),
+  FLIP(
+      row("flip", SDK_1_3)
+          .with(choice("direction", FlipWords.all()))
+          .flight()
+          .from("FHNW report; DJITelloPy 224"),
+      a -> new Command.Flip(FlipWords.direction(a.word(0)))),
+  GO(
+      row("go", SDK_1_3)
+          .with(cm("x"), cm("y"), cm("z"), number("speed", "cm/s", 10, 100))
+          .flight()
+          .rule(GeometryRules::go)
+          .from("FHNW report; DJITelloPy 191, 236"),
+      a -> new Command.Go(a.point(0), a.metres(3))),
+  GO_TO_PAD(
+      row("go", SDK_2_0)
+          .with(cm("x"), cm("y"), cm("z"), number("speed", "cm/s", 10, 100), pad("mid"))
+          .flight()
+          .from("SDK 2.0 guide; tello-asyncio 4"),
+      a -> new Command.GoToPad(a.point(0), a.metres(3), a.pad(4))),
+  CURVE(
+      row("curve", SDK_1_3)
+          .with(cm("x1"), cm("y1"), cm("z1"), cm("x2"), cm("y2"), cm("z2"), curveSpeed())
+          .flight()
+          .rule(GeometryRules::curve)
+          .from("FHNW report; SDK 2.0 guide"),
+      a -> new Command.Curve(GeometryRules.arc(a), a.metres(6))),
+  CURVE_OVER_PAD(
+      row("curve", SDK_2_0)
+          .with(
+              cm("x1"), cm("y1"), cm("z1"), cm("x2"), cm("y2"), cm("z2"), curveSpeed(), pad("mid"))
+          .flight()
+          .from("SDK 2.0 guide; pad guides"),
+      a -> new Command.CurveOverPad(a.point(0), a.point(3), a.metres(6), a.pad(7))),
+  JUMP(
+      row("jump", SDK_2_0)
+          .with(
+              cm("x"),
+              cm("y"),
+              cm("z"),
+              number("speed", "cm/s", 10, 100),
+              number("yaw", "degrees"),
+              pad("mid1"),
+              pad("mid2"))
+          .flight()
+          .from("SDK 2.0 guide; pad guides"),
+      a ->
+          new Command.Jump(
+              new Command.GoToPad(a.point(0), a.metres(3), a.pad(5)), a.heading(4), a.pad(6))),
+  SPEED(
+      row("speed", SDK_1_3).with(number("x", "cm/s", 10, 100)).from("FHNW report; decided"),
+      a -> new Command.SetSpeed(a.metres(0))),
+  RC(
+      row("rc", SDK_1_3)
+          .with(stick("a"), stick("b"), stick("c"), stick("d"))
+          .whileBusy(BusyRule.ALLOWED)
+          .outOfRange(Reply.OUT_OF_RANGE)
+          .answers("none")
+          .from("FHNW report"),
+      a -> new Command.Rc(new Sticks(a.number(0), a.number(1), a.number(2), a.number(3)))),
+  WIFI(
+      row("wifi", SDK_1_3)
+          .with(word("ssid"), word("password"))
+          .from("SDK 2.0 guide; decided for a simulator"),
+      a -> new Command.SetNetwork(Reply.OK)),
+  MON(row("mon", SDK_2_0).from("SDK 2.0 guide"), a -> new Command.DetectPads(true)),
+  MOFF(row("moff", SDK_2_0).from("SDK 2.0 guide"), a -> new Command.DetectPads(false)),
+  MDIRECTION(
+      row("mdirection", SDK_2_0).with(choice("x", "0", "1", "2")).from("SDK 2.0 guide"),
+      a -> new Command.SetPadDirection(a.integer(0))),
+  AP(
+      row("ap", SDK_2_0)
+          .with(word("ssid"), word("password"))
+          .answers("`ok`; behaviour `measured`: `OK,drone will reboot in 3s`")
+          .from("jtS3Helper notes; decided for a simulator"),
+      a -> new Command.SetNetwork(Reply.WILL_REBOOT)),
+  READ_SPEED(read("speed?", SDK_1_3, "`100.0`, cm/s"), readOf(Reading.SPEED)),
+  READ_BATTERY(read("battery?", SDK_1_3, "`76`, percent"), readOf(Reading.BATTERY)),
+  READ_TIME(read("time?", SDK_1_3, "`24s`, motor time since power-on"), readOf(Reading.TIME)),
+  READ_WIFI(read("wifi?", SDK_1_3, "`90`, signal to noise"), readOf(Reading.WIFI)),
+  READ_SDK(read("sdk?", SDK_2_0, "`20`; profile `tt`: `30`"), readOf(Reading.SDK)),
+  READ_SERIAL(
+      row("sn?", SDK_2_0)
+          .whileBusy(BusyRule.READ)
+          .answers("`0TQSIMUL000001`, 14 bytes, no line end")
+          .from("FHNW report; Multi-Tello-Formation 5"),
+      readOf(Reading.SERIAL_NUMBER)),
+  READ_HEIGHT(read("height?", SDK_1_3, "`15dm`"), readOf(Reading.HEIGHT)),
+  READ_TEMPERATURE(read("temp?", SDK_1_3, "`85~88C`"), readOf(Reading.TEMPERATURE)),
+  READ_ATTITUDE(read("attitude?", SDK_1_3, "`pitch:0;roll:-1;yaw:0;`"), readOf(Reading.ATTITUDE)),
+  READ_BAROMETER(read("baro?", SDK_1_3, "`-102.865509`, m"), readOf(Reading.BAROMETER)),
+  READ_ACCELERATION(
+      read("acceleration?", SDK_1_3, "`agx:-5.00;agy:7.00;agz:-999.00;`, 0.001 g"),
+      readOf(Reading.ACCELERATION)),
+  READ_TOF(read("tof?", SDK_1_3, "`875mm`"), readOf(Reading.TOF)),
+  READ_PAD(read("mid?", SDK_2_0, "`-1`, the pad's id"), readOf(Reading.PAD)),
+  MOTOR_ON(row("motoron", SDK_3_0).from("SDK 3.0 guide"), a -> new Command.SpinMotors(true)),
+  MOTOR_OFF(row("motoroff", SDK_3_0).from("SDK 3.0 guide"), a -> new Command.SpinMotors(false)),
+  THROW_FLY(
+      row("throwfly", SDK_3_0).answers("`ok` on arrival").from("SDK 3.0 guide"),
+      a -> new Command.Takeoff()),
+  REBOOT(row("reboot", SDK_3_0).answers("none").from("SDK 3.0 guide"), a -> new Command.Reboot()),
+  WIFI_CHANNEL(
+      row("wifisetchannel", SDK_3_0)
+          .with(number("channel", "", 1, 14))
+          .answers("`ok`; behaviour `measured`: `OK,drone will reboot in 3s`")
+          .from("SDK 3.0 guide; decided for a simulator"),
+      a -> new Command.SetNetwork(Reply.WILL_REBOOT)),
+  PORT(
+      row("port", SDK_3_0)
+          .with(number("state", "", 1025, 65535), number("video", "", 1025, 65535))
+          .from("SDK 3.0 guide; DJITelloPy 150"),
+      a -> new Command.SetPorts(a.integer(0), a.integer(1))),
+  SET_FPS(
+      row("setfps", SDK_3_0).with(choice("x", "high", "middle", "low")).from("SDK 3.0 guide"),
+      a -> new Command.SetVideo(VideoOption.FRAMES_PER_SECOND, VideoWords.fps(a.word(0)))),
+  SET_BIT_RATE(
+      row("setbitrate", SDK_3_0)
+          .with(choice("n", "0", "1", "2", "3", "4", "5"))
+          .from("SDK 3.0 guide; DJITelloPy 144"),
+      a -> new Command.SetVideo(VideoOption.BIT_RATE, a.integer(0))),
+  SET_RESOLUTION(
+      row("setresolution", SDK_3_0).with(choice("x", "high", "low")).from("SDK 3.0 guide"),
+      a -> new Command.SetVideo(VideoOption.LINES, VideoWords.lines(a.word(0)))),
+  MULTI_WIFI(
+      row("multiwifi", SDK_3_0)
+          .with(word("ssid"), word("password"))
+          .from("SDK 3.0 guide; decided for a simulator"),
+      a -> new Command.SetNetwork(Reply.OK)),
+  DOWN_VISION(
+      row("downvision", SDK_3_0).with(choice("x", "0", "1")).from("DJITelloPy 92, 140, 213"),
+      a -> new Command.SetVideo(VideoOption.DOWNWARD, a.integer(0))),
+  KEEP_ALIVE(row("keepalive", SDK_3_0).from("DJITelloPy 92"), acknowledge("ok")),
+  READ_ACTIVATION(
+      row("active?", SDK_3_0).whileBusy(BusyRule.READ).from("DJITelloPy 92"),
+      readOf(Reading.ACTIVATION)),
+  READ_HARDWARE(read("hardware?", SDK_3_0, "`RMTT`"), readOf(Reading.HARDWARE)),
+  READ_WIFI_VERSION(read("wifiversion?", SDK_3_0, "`wifiv1.0.0.0`"), readOf(Reading.WIFI_VERSION)),
+  READ_AP(read("ap?", SDK_3_0, "name and password, here none"), readOf(Reading.JOINED_NETWORK)),
+  READ_SSID(read("ssid?", SDK_3_0, "own name and password"), readOf(Reading.OWN_NETWORK)),
+  BOARD_LED(board("EXT led", "led").with(rgb("r"), rgb("g"), rgb("b")), acknowledge("led ok")),
+  BOARD_LED_BREATHE(
+      board("EXT led br", "led").with(hertz(), rgb("r"), rgb("g"), rgb("b")),
+      acknowledge("led ok")),
+  BOARD_LED_BLINK(
+      board("EXT led bl", "led")
+          .with(hertz(), rgb("r1"), rgb("g1"), rgb("b1"), rgb("r2"), rgb("g2"), rgb("b2")),
+      acknowledge("led ok")),
+  BOARD_MATRIX(board("EXT mled g", "matrix").with(word("pattern")), acknowledge("matrix ok")),
+  BOARD_MATRIX_MOVE(
+      board("EXT mled", "matrix")
+          .with(choice("direction", "l", "r", "u", "d"), colour(), hertz(), word("text")),
+      acknowledge("matrix ok")),
+  BOARD_MATRIX_CHARACTER(
+      board("EXT mled s", "matrix").with(colour(), word("character")), acknowledge("matrix ok")),
+  BOARD_MATRIX_BOOT(board("EXT mled sg", "matrix").with(word("pattern")), acknowledge("matrix ok")),
+  BOARD_MATRIX_CLEAR(board("EXT mled sc", "matrix"), acknowledge("matrix ok")),
+  BOARD_MATRIX_LIGHT(
+      board("EXT mled sl", "matrix").with(number("n", "", 0, 255)), acknowledge("matrix ok")),
+  BOARD_TOF(
+      row("EXT tof?", SDK_3_0)
+          .whileBusy(BusyRule.READ)
+          .answers("`tof 875`, mm; `tof 8192` out of range")
+          .from("SDK 3.0 guide"),
+      readOf(Reading.BOARD_TOF)),
+  BOARD_VERSION(
+      row("EXT version?", SDK_3_0)
+          .whileBusy(BusyRule.READ)
+          .answers("`esp32v1.0.0.0`")
+          .from("SDK 3.0 guide"),
+      readOf(Reading.BOARD_VERSION));
+
+  private final Row row;
+  private final List<String> verbWords;
+  private final Function<Arguments, Command> record;
+
+  CommandSyntax(Row row, Function<Arguments, Command> record) {
+    this.row = row;
+    this.verbWords = List.of(row.verb().split(" ", -1));
+    this.record = record;
+  }
+
+  /** The fixed words that it begins with. */
+  public String verb() {
+    return row.verb();
+  }
+
+  /** The SDK that brought it. */
+  public Sdk since() {
+    return row.since();
+  }
+
+  /** What happens while another command runs. */
+  public BusyRule busyRule() {
+    return row.traits().busy();
+  }
+
+  /** Whether it needs motors that carry the drone. */
+  public boolean needsFlight() {
+    return row.traits().flight();
+  }
+
+  /** The successful reply, for people. */
+  public String success() {
+    return row.success();
+  }
+
+  /** Where its behaviour is known from, for people. */
+  public String source() {
+    return row.source();
+  }
+
+  /** How it is written, with the names of its parameters. */
+  public String usage() {
+    StringBuilder usage = new StringBuilder(row.verb());
+    row.parameters().forEach(parameter -> usage.append(' ').append(parameter.name()));
+    return usage.toString();
+  }
+
+  /** The parameters and their allowed values, for people. */
+  public String ranges() {
+    StringBuilder ranges = new StringBuilder();
+    for (Parameter parameter : row.parameters()) {
+      ranges.append(ranges.isEmpty() ? "" : "; ");
+      ranges.append(parameter.name()).append(": ").append(parameter.allowed());
+    }
+    return ranges.toString();
+  }
+
+  /** The reply to a parameter out of its range. */
+  public Reply outOfRange() {
+    return row.traits().outOfRange();
+  }
+
+  boolean knownTo(Profile profile) {
+    return profile.knows(row.since());
+  }
+
+  /** Whether these words are this command with the right number and form of parameters. */
+  boolean matches(List<String> words) {
+    int verbLength = verbWords.size();
+    if (words.size() != verbLength + row.parameters().size()
+        || !words.subList(0, verbLength).equals(verbWords)) {
+      return false;
+    }
+    for (int i = 0; i < row.parameters().size(); i++) {
+      if (!row.parameters().get(i).isForm(words.get(verbLength + i))) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  /** The words after the verb. */
+  Arguments arguments(List<String> words) {
+    return new Arguments(words.subList(verbWords.size(), words.size()));
+  }
+
+  /** What is wrong with the values; empty if nothing is. */
+  Optional<Refusal> complaint(Arguments arguments) {
+    for (int i = 0; i < row.parameters().size(); i++) {
+      Optional<String> complaint = row.parameters().get(i).complaint(arguments.word(i));
+      if (complaint.isPresent()) {
+        return complaint.map(reason -> new Refusal(outOfRange(), reason));
+      }
+    }
+    return row.rule().apply(arguments);
+  }
+
+  /** The command; the values must be without complaint. */
+  Command command(Arguments arguments) {
+    return record.apply(arguments);
+  }
+
+  private static Row move(String verb) {
+    return row(verb, SDK_1_3)
+        .with(number("x", "cm", 20, 500))
+        .flight()
+        .from("FHNW report; SDK 2.0 guide");
+  }
+
+  private static Row turn(String verb) {
+    return row(verb, SDK_1_3)
+        .with(number("x", "degrees"))
+        .flight()
+        .from("FHNW report: the range is not checked");
+  }
+
+  private static Row read(String verb, Sdk since, String reply) {
+    return row(verb, since)
+        .whileBusy(BusyRule.READ)
+        .answers(reply + ", then CR LF")
+        .from(since == SDK_3_0 ? "SDK 3.0 guide" : "FHNW report; TelloSwift");
+  }
+
+  private static Row board(String verb, String part) {
+    return row(verb, SDK_3_0)
+        .whileBusy(BusyRule.READ)
+        .outOfRange(new Reply(part + " error"))
+        .answers("`" + part + " ok` at once")
+        .from("SDK 3.0 guide; RoboMaster SDK");
+  }
+
+  private static Function<Arguments, Command> readOf(Reading reading) {
+    return a -> new Command.Read(reading);
+  }
+
+  private static Function<Arguments, Command> acknowledge(String reply) {
+    return a -> new Command.Acknowledge(new Reply(reply));
+  }
+
+  private static Parameter cm(String name) {
+    return number(name, "cm", -500, 500);
+  }
+
+  private static Parameter curveSpeed() {
+    return number("speed", "cm/s", 10, 60);
+  }
+
+  private static Parameter stick(String name) {
+    return number(name, "", -100, 100);
+  }
+
+  private static Parameter pad(String name) {
+    return choice(name, "m1", "m2", "m3", "m4", "m5", "m6", "m7", "m8", "m-1", "m-2");
+  }
+
+  private static Parameter rgb(String name) {
+    return number(name, "", 0, 255);
+  }
+
+  private static Parameter hertz() {
+    return number("t", "Hz", 0.1, 2.5);
+  }
+
+  private static Parameter colour() {
+    return choice("colour", "r", "b", "p");
+  }
+}

@@ -1,0 +1,61 @@
+package tellosimulator.command;
+
+import java.util.Optional;
+import tellosimulator.math.Arc;
+import tellosimulator.math.Vec3;
+
+/** What must hold of the points of {@code go} and {@code curve} taken together. */
+final class GeometryRules {
+
+  /** Half the edge of the cube in which a goal is too near [m], its faces included. Report. */
+  private static final double TOO_NEAR = 0.20;
+
+  /** Smallest radius of a curve [m]. Report. */
+  private static final double SMALLEST_RADIUS = 0.5;
+
+  /** Largest radius of a curve [m]. Report. */
+  private static final double LARGEST_RADIUS = 10;
+
+  private GeometryRules() {}
+
+  static Optional<Refusal> go(Arguments arguments) {
+    return tooNear("x, y and z", arguments.point(0));
+  }
+
+  static Optional<Refusal> curve(Arguments arguments) {
+    return tooNear("x1, y1 and z1", arguments.point(0))
+        .or(() -> tooNear("x2, y2 and z2", arguments.point(3)))
+        .or(() -> radius(Arc.through(arguments.point(0), arguments.point(3))));
+  }
+
+  /** The arc of a curve whose points have passed {@link #curve}. */
+  static Arc arc(Arguments arguments) {
+    return Arc.through(arguments.point(0), arguments.point(3)).orElseThrow();
+  }
+
+  private static Optional<Refusal> tooNear(String names, Vec3 point) {
+    boolean near =
+        Math.abs(point.x()) <= TOO_NEAR
+            && Math.abs(point.y()) <= TOO_NEAR
+            && Math.abs(point.z()) <= TOO_NEAR;
+    return near
+        ? Optional.of(
+            new Refusal(
+                Reply.OUT_OF_RANGE,
+                names + " are all within ±20 cm, one of them must be further away"))
+        : Optional.empty();
+  }
+
+  private static Optional<Refusal> radius(Optional<Arc> arc) {
+    if (arc.isEmpty()) {
+      return Optional.of(
+          new Refusal(Reply.RADIUS, "the three points lie on one line, no circle passes them"));
+    }
+    double radius = arc.get().radius();
+    if (radius >= SMALLEST_RADIUS && radius <= LARGEST_RADIUS) {
+      return Optional.empty();
+    }
+    String reason = "the radius is %.2f m, allowed is 0.5 to 10 m".formatted(radius);
+    return Optional.of(new Refusal(Reply.RADIUS, reason));
+  }
+}

@@ -1,0 +1,114 @@
+package tellosimulator.command;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.regex.Pattern;
+
+/** One parameter of a command: what a word in its place must look like. */
+sealed interface Parameter {
+
+  /** As a guide would write it. */
+  String name();
+
+  /** The allowed values in plain words. */
+  String allowed();
+
+  /** Whether a word has the right form at all; if not, the command is unknown. */
+  boolean isForm(String word);
+
+  /** What is wrong with a word of the right form; empty if nothing is. */
+  Optional<String> complaint(String word);
+
+  /** A number without a range. */
+  static Parameter number(String name, String unit) {
+    return new Numeric(name, unit, Double.NEGATIVE_INFINITY, Double.POSITIVE_INFINITY);
+  }
+
+  /** A number within a range, both ends included. */
+  static Parameter number(String name, String unit, double least, double most) {
+    return new Numeric(name, unit, least, most);
+  }
+
+  /** One of a few words. */
+  static Parameter choice(String name, String... words) {
+    return new Choice(name, List.of(words));
+  }
+
+  /** Any word. */
+  static Parameter word(String name) {
+    return new Word(name);
+  }
+
+  /** A number in decimal digits. */
+  record Numeric(String name, String unit, double least, double most) implements Parameter {
+
+    /** Decided: ASCII digits, at most 15 characters, no exponent, no plus sign. */
+    private static final Pattern FORM = Pattern.compile("-?[0-9]+(\\.[0-9]+)?");
+
+    private static final int LONGEST = 15;
+
+    @Override
+    public String allowed() {
+      String range = least == Double.NEGATIVE_INFINITY ? "any" : text(least) + " to " + text(most);
+      return unit.isEmpty() ? range : range + " " + unit;
+    }
+
+    @Override
+    public boolean isForm(String word) {
+      return word.length() <= LONGEST && FORM.matcher(word).matches();
+    }
+
+    @Override
+    public Optional<String> complaint(String word) {
+      double value = Double.parseDouble(word);
+      return value >= least && value <= most
+          ? Optional.empty()
+          : Optional.of(name + " is " + word + ", allowed is " + allowed());
+    }
+
+    private static String text(double value) {
+      return value == Math.rint(value) ? Long.toString((long) value) : Double.toString(value);
+    }
+  }
+
+  /** One of a few words; another word is out of range. */
+  record Choice(String name, List<String> words) implements Parameter {
+
+    @Override
+    public String allowed() {
+      return String.join(", ", words);
+    }
+
+    @Override
+    public boolean isForm(String word) {
+      return true;
+    }
+
+    @Override
+    public Optional<String> complaint(String word) {
+      return words.contains(word)
+          ? Optional.empty()
+          : Optional.of(
+              name + " is " + WireText.printable(word) + ", allowed is one of " + allowed());
+    }
+  }
+
+  /** Any word. */
+  record Word(String name) implements Parameter {
+
+    @Override
+    public String allowed() {
+      return "any word";
+    }
+
+    @Override
+    public boolean isForm(String word) {
+      return true;
+    }
+
+    @Override
+    public Optional<String> complaint(String word) {
+      return Optional.empty();
+    }
+  }
+}

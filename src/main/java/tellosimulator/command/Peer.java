@@ -1,0 +1,23 @@
+package tellosimulator.command;
+
+import java.net.InetSocketAddress;
+
+/**
+ * Who sent a command, and which of the drone's own addresses it was sent to, from which the replies
+ * must leave.
+ *
+ * @param address the sender
+ * @param via the local address and port that received it
+ */
+public record Peer(InetSocketAddress address, InetSocketAddress via) {
+
+  /** The sender's host as a client writes it, without a port. */
+  public String host() {
+    return address.getAddress().getHostAddress();
+  }
+
+  @Override
+  public String toString() {
+    return host() + ":" + address.getPort();
+  }
+}

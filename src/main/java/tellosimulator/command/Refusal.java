@@ -1,0 +1,9 @@
+package tellosimulator.command;
+
+/**
+ * Why a command is not carried out.
+ *
+ * @param reply what the drone sends
+ * @param reason in plain words that follow "refused: "
+ */
+record Refusal(Reply reply, String reason) {}

@@ -1,0 +1,52 @@
+package tellosimulator.command;
+
+import java.nio.charset.StandardCharsets;
+
+/** Bytes of the wire as text and back, without loss: one character a byte (ISO-8859-1). */
+public final class WireText {
+
+  /** Longest datagram that can be a command, and longest echo [bytes]. Decided, no source. */
+  public static final int LONGEST = 1024;
+
+  private static final int LONGEST_SHOWN = 80;
+
+  private WireText() {}
+
+  public static String decode(byte[] bytes, int length) {
+    return new String(bytes, 0, length, StandardCharsets.ISO_8859_1);
+  }
+
+  public static byte[] encode(String text) {
+    return text.getBytes(StandardCharsets.ISO_8859_1);
+  }
+
+  /** The text without any trailing CR, LF and NUL and without one trailing blank. */
+  static String trimmed(String text) {
+    int end = text.length();
+    boolean blankDropped = false;
+    while (end > 0) {
+      char last = text.charAt(end - 1);
+      boolean blank = last == ' ' && !blankDropped;
+      if (!blank && last != '\r' && last != '\n' && last != '\0') {
+        break;
+      }
+      blankDropped |= blank;
+      end--;
+    }
+    return text.substring(0, end);
+  }
+
+  /** The text in a form that harms no terminal and no log: escaped and cut. */
+  public static String printable(String text) {
+    StringBuilder out = new StringBuilder();
+    for (int i = 0; i < text.length(); i++) {
+      if (out.length() >= LONGEST_SHOWN) {
+        return out.append("… (").append(text.length()).append(" bytes)").toString();
+      }
+      char c = text.charAt(i);
+      boolean plain = c >= ' ' && c < 0x7f;
+      out.append(plain ? Character.toString(c) : String.format("\\x%02x", (int) c));
+    }
+    return out.toString();
+  }
+}

@@ -1,0 +1,175 @@
+package tellosimulator.controller;
+
+import tellosimulator.controller.Maneuver.Sensed;
+import tellosimulator.math.Frames;
+import tellosimulator.math.Vec3;
+import tellosimulator.model.DroneSpec;
+import tellosimulator.model.Motion;
+import tellosimulator.physics.Setpoint;
+import tellosimulator.profile.Behaviour;
+
+/**
+ * Flies the present maneuver, with the sticks of {@code rc} on top, and says when it is over. For
+ * one drone and the simulation thread.
+ */
+final class Autopilot {
+
+  /** What has become of a maneuver. */
+  enum Outcome {
+    RUNNING,
+    ARRIVED,
+    /** Something stood in the way for a second. Decided. */
+    HELD,
+    /** The drone did not come to rest. */
+    RESTLESS
+  }
+
+  /** How far the drone may hang behind its target before the target waits [m]. */
+  private static final double LEASH = 0.3;
+
+  /** How long it leans against something before it gives up [s]. Decided. */
+  private static final double LEANING = 1;
+
+  /** A target that is missed by less is where the next maneuver starts from [m, rad]. */
+  private static final double ON_TARGET = 0.02;
+
+  private final Behaviour behaviour;
+  private final RcSteering rc;
+  private final Settling settling = new Settling();
+  private Maneuver maneuver;
+  private Setpoint setpoint = new Setpoint.MotorsOff();
+  private Vec3 shift = Vec3.ZERO;
+  private double turn;
+  private double leaning;
+
+  Autopilot(Behaviour behaviour, RcSteering rc) {
+    this.behaviour = behaviour;
+    this.rc = rc;
+    this.maneuver = new Parked();
+  }
+
+  void fly(Maneuver next) {
+    maneuver = next;
+    shift = Vec3.ZERO;
+    turn = 0;
+    leaning = 0;
+    settling.restart();
+  }
+
+  /** Motors off. */
+  void park() {
+    fly(new Parked());
+    setpoint = new Setpoint.MotorsOff();
+    rc.still();
+  }
+
+  Maneuver maneuver() {
+    return maneuver;
+  }
+
+  Setpoint setpoint() {
+    return setpoint;
+  }
+
+  /** Where a maneuver starts: the last target if the drone is on it, else where it is. */
+  Vec3 basePosition(Motion motion) {
+    return setpoint instanceof Setpoint.Track track
+            && track.position().distanceTo(motion.position()) < ON_TARGET
+        ? track.position()
+        : motion.position();
+  }
+
+  /** The heading from which a maneuver starts [rad]. */
+  double baseHeading(Motion motion) {
+    double heading = motion.attitude().heading();
+    return setpoint instanceof Setpoint.Track track
+            && Math.abs(Frames.wrapped(track.heading().angle() - heading)) < ON_TARGET
+        ? Frames.wrapped(track.heading().angle())
+        : heading;
+  }
+
+  /** Sets the target for the next step. */
+  void steer(Motion motion, boolean onGround, double seconds) {
+    boolean blocked = lag(motion).norm() > LEASH;
+    Setpoint planned = maneuver.advance(new Sensed(motion, blocked, onGround), seconds);
+    setpoint = planned instanceof Setpoint.Track track ? steered(track, motion, seconds) : planned;
+  }
+
+  /** Looks at what the step has made of the target. */
+  void observe(Motion motion, Vec3 contactNormal, double seconds) {
+    boolean leans = lag(motion).dot(contactNormal) < 0;
+    leaning = leans ? leaning + seconds : 0;
+    if (maneuver.planned()) {
+      settling.observe(setpoint, motion, seconds);
+    }
+  }
+
+  Outcome outcome() {
+    if (leaning >= LEANING) {
+      return Outcome.HELD;
+    }
+    if (settling.settled()) {
+      return Outcome.ARRIVED;
+    }
+    return settling.givenUp() ? Outcome.RESTLESS : Outcome.RUNNING;
+  }
+
+  private Vec3 lag(Motion motion) {
+    return setpoint instanceof Setpoint.Track track
+        ? track.position().minus(motion.position())
+        : Vec3.ZERO;
+  }
+
+  private Setpoint steered(Setpoint.Track track, Motion motion, double seconds) {
+    if (!maneuver.steerable() || (rc.atRest() && shift.equals(Vec3.ZERO) && turn == 0)) {
+      return withinHeights(track);
+    }
+    turn += rc.yawRate() * seconds;
+    double heading = track.heading().angle() + turn;
+    Vec3 velocity = rc.velocity().turned(heading);
+    Vec3 lag = lag(motion);
+    boolean runsAway = lag.norm() > LEASH && lag.dot(velocity) > 0;
+    if (!runsAway) {
+      shift = shift.plusScaled(velocity, seconds);
+    }
+    return withinHeights(
+        new Setpoint.Track(
+            track.position().plus(shift),
+            track.velocity().plus(velocity),
+            track.acceleration().plus(rc.acceleration().turned(heading)),
+            new Setpoint.Heading(heading, track.heading().rate() + rc.yawRate())));
+  }
+
+  private Setpoint.Track withinHeights(Setpoint.Track track) {
+    double height = track.position().z();
+    double allowed = Math.max(behaviour.lowestHover(), Math.min(DroneSpec.MAX_HEIGHT, height));
+    if (maneuver.leavesHoverHeights() || height == allowed) {
+      return track;
+    }
+    shift = shift.plusScaled(Vec3.UP, allowed - height);
+    return new Setpoint.Track(
+        track.position().withZ(allowed),
+        track.velocity().horizontal(),
+        track.acceleration().horizontal(),
+        track.heading());
+  }
+
+  /** Motors off. Has no end. */
+  private static final class Parked implements Maneuver {
+
+    @Override
+    public Setpoint advance(Sensed sensed, double seconds) {
+      return new Setpoint.MotorsOff();
+    }
+
+    @Override
+    public boolean planned() {
+      return false;
+    }
+
+    @Override
+    public String progress() {
+      return "standing";
+    }
+  }
+}

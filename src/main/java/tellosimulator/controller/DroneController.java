@@ -1,0 +1,424 @@
+package tellosimulator.controller;
+
+import java.util.Optional;
+import tellosimulator.command.Command;
+import tellosimulator.command.CommandTarget;
+import tellosimulator.command.Direction;
+import tellosimulator.command.OperatorSession;
+import tellosimulator.command.Reply;
+import tellosimulator.command.Responder;
+import tellosimulator.controller.FlightEvent.Fell;
+import tellosimulator.controller.FlightEvent.Note;
+import tellosimulator.math.Arc;
+import tellosimulator.math.Vec3;
+import tellosimulator.model.DroneModel;
+import tellosimulator.model.DroneSpec;
+import tellosimulator.model.FlightPhase;
+import tellosimulator.model.PadMode;
+import tellosimulator.model.VideoSettings;
+import tellosimulator.physics.Setpoint;
+import tellosimulator.profile.Sdk;
+import tellosimulator.sensor.SeededNoise.Channel;
+import tellosimulator.time.SimTime;
+import tellosimulator.world.Collision;
+import tellosimulator.world.Room;
+
+/**
+ * Carries out the commands of one drone: all flight logic, but for how a maneuver is flown. For the
+ * simulation thread.
+ */
+public final class DroneController implements CommandTarget {
+
+  /** Battery percentage at which a takeoff is refused. Assumed. */
+  private static final int TOO_LOW_TO_START = 10;
+
+  /** Battery percentage that a flip needs. Measured: DJITelloPy issue 224. */
+  private static final int ENOUGH_FOR_FLIP = 50;
+
+  private final Wiring wiring;
+  private final DroneModel model;
+  private final OperatorSession session;
+  private final FlightObserver observer;
+  private final Flight flight;
+  private final Restart restart = new Restart();
+  private SimTime now = SimTime.ZERO;
+  private double speed = DroneSpec.DEFAULT_SPEED;
+  private long moves;
+
+  public DroneController(Wiring wiring) {
+    this.wiring = wiring;
+    this.model = wiring.model();
+    this.session = wiring.session();
+    this.observer = wiring.observer();
+    this.flight = new Flight(model, wiring.behaviour(), observer);
+  }
+
+  // --- what the simulation calls in a step ---
+
+  /** Sets the targets of the step that ends at {@code time}. */
+  public void plan(SimTime time) {
+    now = time;
+    if (model.phase() != FlightPhase.OFF) {
+      flight.plan(time);
+    }
+  }
+
+  /** What the motors shall achieve in this step. */
+  public Setpoint setpoint() {
+    return flight.setpoint();
+  }
+
+  /** Something stopped the drone. */
+  public void touch(Collision collision) {
+    flight.touch(collision);
+  }
+
+  /** Ends what has come to its end, and answers. */
+  public void finish() {
+    flight.finish();
+  }
+
+  /** Safety landing, low battery, restart. */
+  public void watchOver() {
+    flight.watchOver();
+    restart.advance(now, this::powerOff, this::powerOn);
+  }
+
+  /** Whether something moves, or somebody waits for time to pass. */
+  public boolean busy() {
+    return flight.busy() || restart.pending();
+  }
+
+  // --- what people do to the drone ---
+
+  public void powerOn() {
+    if (model.phase() == FlightPhase.OFF) {
+      flight.reset();
+      model.powerOn(now);
+      restart.forget();
+      observer.happened(new Note("is on and waits for commands"));
+    }
+  }
+
+  /** Power goes: in the air the drone falls. */
+  public void powerOff() {
+    if (model.phase() == FlightPhase.OFF) {
+      return;
+    }
+    if (flight.flying()) {
+      observer.happened(new Fell("it was switched off"));
+    }
+    flight.reset();
+    speed = DroneSpec.DEFAULT_SPEED;
+    model.powerOff();
+    wiring.forgetLink().run();
+    restart.forget();
+    observer.happened(new Note("is off"));
+  }
+
+  /** Back to the start, as if it had just been put there. */
+  public void reset() {
+    flight.reset();
+    model.reset();
+    speed = DroneSpec.DEFAULT_SPEED;
+    observer.happened(new Note("was put back to its start"));
+  }
+
+  // --- CommandTarget ---
+
+  @Override
+  public Optional<String> running() {
+    return flight.running();
+  }
+
+  @Override
+  public boolean flying() {
+    return flight.flying();
+  }
+
+  @Override
+  public void linkAlive() {
+    flight.contact();
+  }
+
+  @Override
+  public void commandArrived() {
+    flight.cancelSafetyLanding();
+  }
+
+  @Override
+  public void enterSdkMode(Command.EnterSdkMode command, Responder responder) {
+    if (session.open(responder.peer(), now)) {
+      wiring.operatorChanged().accept(responder.peer());
+    }
+    responder.reply(Reply.OK);
+  }
+
+  @Override
+  public void takeoff(Command.Takeoff command, Responder responder) {
+    int percent = model.battery().percent();
+    if (flight.flying()) {
+      responder.refuse(Reply.ERROR, "the drone flies already");
+    } else if (model.phase() == FlightPhase.CRASHED) {
+      responder.refuse(Reply.MOTOR_STOP, "the drone has crashed, reset it first");
+    } else if (model.battery().empty()) {
+      responder.refuse(Reply.MOTOR_STOP, "the battery is empty");
+    } else if (percent <= TOO_LOW_TO_START) {
+      responder.refuse(
+          Reply.ERROR, "the battery is at " + percent + " %, a takeoff needs more than 10 %");
+    } else if (!model.resting()) {
+      responder.refuse(Reply.ERROR, "the drone is still falling");
+    } else if (!model.upright()) {
+      responder.refuse(Reply.ERROR, "the drone lies on its back, reset it first");
+    } else {
+      flight.takeoff(Task.of(responder));
+    }
+  }
+
+  @Override
+  public void land(Command.Land command, Responder responder) {
+    flight.interrupt(Reply.AUTO_LAND, "`land` cut it off");
+    flight.land(Task.of(responder));
+  }
+
+  @Override
+  public void stop(Command.Stop command, Responder responder) {
+    if (!flight.flying()) {
+      responder.refuse(Reply.ERROR, "the drone does not fly");
+    } else if (!landsForBattery(responder)) {
+      responder.reply(Reply.OK);
+      flight.stop(responder);
+    }
+  }
+
+  @Override
+  public void emergency(Command.Emergency command, Responder responder) {
+    if (model.phase() == FlightPhase.IDLING) {
+      model.setPhase(FlightPhase.GROUNDED);
+    }
+    if (flight.flying()) {
+      flight.motorsOff(FlightPhase.FALLING, true);
+      observer.happened(new Fell("`emergency` stopped its motors"));
+      if (model.resting()) {
+        model.setPhase(FlightPhase.GROUNDED);
+      }
+    }
+  }
+
+  @Override
+  public void move(Command.Move command, Responder responder) {
+    if (landsForBattery(responder)) {
+      return;
+    }
+    Vec3 way = command.direction().unit().times(command.distance());
+    Vec3 goal = goal(way);
+    boolean stoppedShort =
+        command.direction() == Direction.DOWN
+            && flight.basePosition().z() - command.distance() < wiring.behaviour().lowestHover();
+    boolean silent = stoppedShort && !wiring.behaviour().answersLowDown();
+    if (silent) {
+      observer.happened(
+          new Note("sinks no lower than 28 cm and never answers `" + responder.text() + "`"));
+    }
+    flight.fly(pathTo(goal, speed), silent ? Task.NOBODY : Task.of(responder));
+  }
+
+  @Override
+  public void go(Command.Go command, Responder responder) {
+    if (!landsForBattery(responder)) {
+      flight.fly(pathTo(goal(command.way()), command.speed()), Task.of(responder));
+    }
+  }
+
+  @Override
+  public void curve(Command.Curve command, Responder responder) {
+    if (landsForBattery(responder)) {
+      return;
+    }
+    Arc arc = command.arc();
+    double heading = flight.baseHeading();
+    Path path = new Path.Curve(flight.basePosition(), arc, heading);
+    flight.fly(new PathFlight(path, command.speed(), heading), Task.of(responder));
+  }
+
+  @Override
+  public void turn(Command.Turn command, Responder responder) {
+    if (landsForBattery(responder)) {
+      return;
+    }
+    double miss = miss(Channel.MOVE_HEADING, wiring.behaviour().headingSigma());
+    moves++;
+    flight.fly(
+        new Turn(flight.basePosition(), flight.baseHeading(), command.angle() + miss),
+        Task.of(responder));
+  }
+
+  @Override
+  public void flip(Command.Flip command, Responder responder) {
+    int percent = model.battery().percent();
+    if (landsForBattery(responder)) {
+      return;
+    }
+    if (percent < ENOUGH_FOR_FLIP) {
+      responder.refuse(
+          Reply.ERROR, "the battery is at " + percent + " %, a flip needs at least 50 %");
+      return;
+    }
+    flight.fly(
+        new Flip(flight.basePosition(), flight.baseHeading(), command.direction().unit()),
+        Task.of(responder));
+  }
+
+  @Override
+  public void goToPad(Command.GoToPad command, Responder responder) {
+    refusePad(responder, command.pad().word());
+  }
+
+  @Override
+  public void curveOverPad(Command.CurveOverPad command, Responder responder) {
+    refusePad(responder, command.pad().word());
+  }
+
+  @Override
+  public void jump(Command.Jump command, Responder responder) {
+    refusePad(responder, command.leg().pad().word());
+  }
+
+  @Override
+  public void setSpeed(Command.SetSpeed command, Responder responder) {
+    speed = command.speed();
+    responder.reply(Reply.OK);
+  }
+
+  @Override
+  public void rc(Command.Rc command, Responder responder) {
+    flight.steer(command.sticks());
+  }
+
+  @Override
+  public void setNetwork(Command.SetNetwork command, Responder responder) {
+    if (wiring.behaviour().restartsForNetwork()) {
+      responder.reply(command.done());
+      restart.schedule(now, Restart.NOTICE);
+      return;
+    }
+    observer.happened(new Note("joins no network, because it is simulated"));
+    responder.reply(Reply.OK);
+  }
+
+  @Override
+  public void detectPads(Command.DetectPads command, Responder responder) {
+    boolean both = wiring.profile().sdk() == Sdk.SDK_2_0;
+    PadMode mode = both ? PadMode.BOTH : PadMode.DOWN;
+    model.setPads(command.on() ? mode : PadMode.OFF);
+    responder.reply(Reply.OK);
+  }
+
+  @Override
+  public void setPadDirection(Command.SetPadDirection command, Responder responder) {
+    if (model.pads() == PadMode.OFF) {
+      responder.refuse(Reply.ERROR, "pad detection is off, send `mon` first");
+      return;
+    }
+    PadMode[] modes = {PadMode.DOWN, PadMode.FORWARD, PadMode.BOTH};
+    model.setPads(modes[command.direction()]);
+    responder.reply(Reply.OK);
+  }
+
+  @Override
+  public void stream(Command.Stream command, Responder responder) {
+    model.setVideo(model.video().withOn(command.on()));
+    responder.reply(Reply.OK);
+  }
+
+  @Override
+  public void setVideo(Command.SetVideo command, Responder responder) {
+    VideoSettings video = model.video();
+    int value = command.value();
+    model.setVideo(
+        switch (command.option()) {
+          case FRAMES_PER_SECOND -> video.withFramesPerSecond(value);
+          case BIT_RATE -> video.withMegabits(value);
+          case LINES -> video.withLines(value);
+          case DOWNWARD -> video.withDownward(value == 1);
+        });
+    responder.reply(Reply.OK);
+  }
+
+  @Override
+  public void setPorts(Command.SetPorts command, Responder responder) {
+    session.setPorts(command.statePort(), command.videoPort());
+    responder.reply(Reply.OK);
+  }
+
+  @Override
+  public void spinMotors(Command.SpinMotors command, Responder responder) {
+    FlightPhase wanted = command.on() ? FlightPhase.IDLING : FlightPhase.GROUNDED;
+    boolean standing = model.phase() == FlightPhase.GROUNDED || model.phase() == FlightPhase.IDLING;
+    if (standing && model.upright()) {
+      model.setPhase(wanted);
+      responder.reply(Reply.OK);
+    } else {
+      responder.refuse(Reply.ERROR, "the drone does not stand on the ground");
+    }
+  }
+
+  @Override
+  public void reboot(Command.Reboot command, Responder responder) {
+    restart.schedule(now, 0);
+  }
+
+  @Override
+  public void acknowledge(Command.Acknowledge command, Responder responder) {
+    responder.reply(command.reply());
+  }
+
+  @Override
+  public void read(Command.Read command, Responder responder) {
+    responder.reply(wiring.reads().reply(command.reading(), model, speed, now));
+  }
+
+  private Vec3 goal(Vec3 way) {
+    double sigma = wiring.behaviour().positionSigma();
+    Vec3 miss =
+        new Vec3(
+            miss(Channel.MOVE_X, sigma), miss(Channel.MOVE_Y, sigma), miss(Channel.MOVE_Z, sigma));
+    moves++;
+    Vec3 goal = flight.basePosition().plus(way.turned(flight.baseHeading())).plus(miss);
+    double lowest = wiring.behaviour().lowestHover();
+    return goal.withZ(Math.max(lowest, Math.min(DroneSpec.MAX_HEIGHT, goal.z())));
+  }
+
+  private double miss(Channel channel, double sigma) {
+    return sigma == 0 ? 0 : sigma * wiring.noise().gaussian(channel, moves);
+  }
+
+  private Maneuver pathTo(Vec3 goal, double limit) {
+    return new PathFlight(
+        Path.Line.between(flight.basePosition(), goal), limit, flight.baseHeading());
+  }
+
+  private boolean landsForBattery(Responder responder) {
+    if (flight.landsForBattery()) {
+      responder.refuse(Reply.AUTO_LAND, "the drone lands because of its battery");
+    }
+    return flight.landsForBattery();
+  }
+
+  private static void refusePad(Responder responder, String pad) {
+    responder.refuse(Reply.NO_VALID_MARKER, "the drone does not see the pad " + pad);
+  }
+
+  /** Its room changed: it stays inside. */
+  public void moveInto(Room room) {
+    Vec3 position = model.motion().position();
+    Vec3 inside = room.nearestInside(position, DroneSpec.HULL);
+    if (!inside.equals(position)) {
+      boolean resting = model.resting();
+      model.setMotion(model.motion().heldAt(inside, Vec3.ZERO));
+      if (resting) {
+        model.rest();
+      }
+    }
+  }
+}

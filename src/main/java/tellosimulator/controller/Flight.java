@@ -1,0 +1,300 @@
+package tellosimulator.controller;
+
+import java.util.Optional;
+import tellosimulator.command.Reply;
+import tellosimulator.command.Responder;
+import tellosimulator.command.Sticks;
+import tellosimulator.controller.FlightEvent.Crashed;
+import tellosimulator.controller.FlightEvent.Fell;
+import tellosimulator.controller.FlightEvent.Landed;
+import tellosimulator.controller.FlightEvent.LandingCancelled;
+import tellosimulator.controller.FlightEvent.LandsByItself;
+import tellosimulator.controller.FlightEvent.TookOff;
+import tellosimulator.math.Vec3;
+import tellosimulator.model.DroneModel;
+import tellosimulator.model.DroneSpec;
+import tellosimulator.model.FlightPhase;
+import tellosimulator.physics.Setpoint;
+import tellosimulator.profile.Behaviour;
+import tellosimulator.time.SimTime;
+import tellosimulator.world.Collision;
+import tellosimulator.world.Surface;
+
+/**
+ * What one drone is doing in the air, from one maneuver to the next, and who waits for it: takeoff,
+ * landing, crash, and the landings that nobody commanded. For the simulation thread.
+ */
+final class Flight {
+
+  /** Battery percentage at which it lands by itself. Assumed. */
+  private static final int LOW_BATTERY = 5;
+
+  /** Silence after which it lands by itself [s]. Documented: SDK 2.0 User Guide. */
+  private static final double SILENCE = 15;
+
+  private static final double STEP = SimTime.STEP;
+
+  private final DroneModel model;
+  private final Behaviour behaviour;
+  private final FlightObserver observer;
+  private final RcSteering rc;
+  private final Autopilot autopilot;
+  private final ForcedStop forcedStop = new ForcedStop();
+  private SimTime now = SimTime.ZERO;
+  private SimTime lastContact = SimTime.ZERO;
+  private Task task = Task.NOBODY;
+  private Optional<Collision> touching = Optional.empty();
+  private boolean landingForSilence;
+  private boolean landingForBattery;
+  private boolean softFall;
+  private double fallFrom;
+
+  Flight(DroneModel model, Behaviour behaviour, FlightObserver observer) {
+    this.model = model;
+    this.behaviour = behaviour;
+    this.observer = observer;
+    this.rc = new RcSteering(behaviour);
+    this.autopilot = new Autopilot(behaviour, rc);
+  }
+
+  // --- what others ask ---
+
+  boolean flying() {
+    return model.phase().flying();
+  }
+
+  boolean landsForBattery() {
+    return landingForBattery;
+  }
+
+  /** What runs and how far it is; empty if nobody waits for anything. */
+  Optional<String> running() {
+    return task == Task.NOBODY
+        ? Optional.empty()
+        : Optional.of(
+            "`%s` is still running, %s".formatted(task.text(), autopilot.maneuver().progress()));
+  }
+
+  /** Whether something moves, or somebody waits for time to pass. */
+  boolean busy() {
+    boolean moves = flying() && (!rc.atRest() || landingForSilence || landingForBattery);
+    boolean falls = !flying() && !model.resting();
+    return task != Task.NOBODY || moves || falls || forcedStop.pending();
+  }
+
+  Setpoint setpoint() {
+    return autopilot.setpoint();
+  }
+
+  Vec3 basePosition() {
+    return autopilot.basePosition(model.motion());
+  }
+
+  double baseHeading() {
+    return autopilot.baseHeading(model.motion());
+  }
+
+  // --- what commands do ---
+
+  void contact() {
+    lastContact = now;
+  }
+
+  /** A command arrived: a safety landing ends, the drone hovers. */
+  void cancelSafetyLanding() {
+    if (landingForSilence) {
+      observer.happened(new LandingCancelled());
+      hover();
+    }
+  }
+
+  void steer(Sticks sticks) {
+    rc.set(sticks, now);
+  }
+
+  void fly(Maneuver maneuver, Task newTask) {
+    landingForSilence = false;
+    landingForBattery = false;
+    task = newTask;
+    model.setPhase(FlightPhase.FLYING);
+    autopilot.fly(maneuver);
+  }
+
+  void takeoff(Task newTask) {
+    fly(new Takeoff(model.motion().position(), baseHeading(), behaviour), newTask);
+    model.countTakeoff();
+    model.setPhase(FlightPhase.TAKING_OFF);
+    observer.happened(new TookOff());
+  }
+
+  void land(Task newTask) {
+    fly(new Landing(basePosition(), baseHeading()), newTask);
+    model.setPhase(FlightPhase.LANDING);
+  }
+
+  /** Brakes and stays. */
+  void hover() {
+    Vec3 velocity = model.motion().velocity();
+    Vec3 position = velocity.norm() < 0.05 ? basePosition() : model.motion().position();
+    fly(new Hover(position, velocity, baseHeading()), Task.NOBODY);
+  }
+
+  /** Brakes, and answers the second time when it stands still. */
+  void stop(Responder responder) {
+    hover();
+    forcedStop.expect(responder, now);
+  }
+
+  /** Cuts off what runs, with an answer. */
+  void interrupt(Reply reply, String reason) {
+    Task interrupted = task;
+    task = Task.NOBODY;
+    interrupted.failed(reply, reason);
+  }
+
+  /** Stops the motors, whatever the drone is doing; nobody is answered. */
+  void motorsOff(FlightPhase phase, boolean soft) {
+    softFall = soft;
+    fallFrom = model.motion().position().z();
+    task = Task.NOBODY;
+    landingForSilence = false;
+    landingForBattery = false;
+    forcedStop.forget();
+    autopilot.park();
+    model.setPhase(phase);
+  }
+
+  /** Forgets everything, as reset and power-off do. */
+  void reset() {
+    boolean powered = model.phase() != FlightPhase.OFF;
+    motorsOff(powered ? FlightPhase.GROUNDED : FlightPhase.OFF, true);
+    rc.centre();
+    touching = Optional.empty();
+    lastContact = now;
+  }
+
+  // --- what happens in a step ---
+
+  /** Sets the targets of the step that ends at {@code time}. */
+  void plan(SimTime time) {
+    now = time;
+    rc.follow(now, STEP);
+    autopilot.steer(model.motion(), onGround(), STEP);
+    touching = Optional.empty();
+  }
+
+  /** Something stopped the drone. */
+  void touch(Collision collision) {
+    touching = Optional.of(collision);
+    if (tooHard(collision)) {
+      crash(collision);
+    }
+    if (!flying() && collision.surface() == Surface.FLOOR) {
+      comeToRest();
+    }
+  }
+
+  /** Ends what has come to its end. */
+  void finish() {
+    if (flying()) {
+      autopilot.observe(
+          model.motion(),
+          touching
+              .filter(collision -> collision.surface() != Surface.FLOOR)
+              .map(Collision::normal)
+              .orElse(Vec3.ZERO),
+          STEP);
+      switch (autopilot.outcome()) {
+        case ARRIVED -> arrived();
+        case HELD -> gaveUp("it was held by " + obstacle() + " for a second");
+        case RESTLESS -> gaveUp("it did not come to rest");
+        case RUNNING -> {}
+      }
+    }
+    forcedStop.report(now, model.motion(), task == Task.NOBODY);
+  }
+
+  /** Lands if the battery or a silent operator asks for it. */
+  void watchOver() {
+    if (task != Task.NOBODY) {
+      lastContact = now;
+    }
+    if (!flying()) {
+      return;
+    }
+    if (model.battery().empty()) {
+      interrupt(Reply.MOTOR_STOP, "the battery is empty");
+      motorsOff(FlightPhase.FALLING, false);
+      observer.happened(new Fell("the battery is empty"));
+    } else if (model.battery().percent() <= LOW_BATTERY && !landing()) {
+      String reason = "the battery is at " + model.battery().percent() + " %";
+      interrupt(Reply.AUTO_LAND, reason);
+      land(Task.NOBODY);
+      landingForBattery = true;
+      observer.happened(new LandsByItself(reason));
+    } else if (now.since(lastContact) >= SILENCE && !landing()) {
+      land(Task.NOBODY);
+      landingForSilence = true;
+      observer.happened(new LandsByItself("no command came for 15 s"));
+    }
+  }
+
+  private boolean landing() {
+    return model.phase() == FlightPhase.LANDING;
+  }
+
+  private boolean onGround() {
+    return touching.filter(collision -> collision.surface() == Surface.FLOOR).isPresent();
+  }
+
+  private String obstacle() {
+    return touching.map(collision -> collision.surface().words()).orElse("something");
+  }
+
+  private void arrived() {
+    Task finished = task;
+    if (landing()) {
+      motorsOff(FlightPhase.GROUNDED, true);
+      comeToRest();
+      observer.happened(new Landed());
+    } else {
+      hover();
+    }
+    finished.done();
+  }
+
+  private void gaveUp(String reason) {
+    if (task == Task.NOBODY) {
+      return;
+    }
+    Task failed = task;
+    hover();
+    failed.failed(Reply.ERROR, reason);
+  }
+
+  private boolean tooHard(Collision collision) {
+    if (model.phase() == FlightPhase.CRASHED) {
+      return false;
+    }
+    boolean falls = !flying() && collision.surface() == Surface.FLOOR;
+    return falls
+        ? !softFall && fallFrom > DroneSpec.HARMLESS_FALL
+        : collision.speed() > DroneSpec.CRASH_SPEED;
+  }
+
+  private void crash(Collision collision) {
+    Crashed crashed = new Crashed(collision.surface(), collision.speed(), collision.position());
+    interrupt(Reply.MOTOR_STOP, "the drone " + crashed.words());
+    boolean powered = model.phase() != FlightPhase.OFF;
+    motorsOff(powered ? FlightPhase.CRASHED : FlightPhase.OFF, true);
+    observer.happened(crashed);
+  }
+
+  private void comeToRest() {
+    model.rest();
+    if (model.phase() == FlightPhase.FALLING) {
+      model.setPhase(FlightPhase.GROUNDED);
+      observer.happened(new Landed());
+    }
+  }
+}

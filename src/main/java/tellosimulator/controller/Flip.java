@@ -1,0 +1,100 @@
+package tellosimulator.controller;
+
+import tellosimulator.math.Vec3;
+import tellosimulator.model.DroneSpec;
+import tellosimulator.model.Motion;
+import tellosimulator.physics.Setpoint;
+
+/**
+ * A somersault: jumps up, turns once about its own axis with little thrust, catches itself and
+ * hovers a little further in its direction, at the height where it began.
+ */
+final class Flip implements Maneuver {
+
+  /** Upward acceleration and duration of the jump. Assumed: the loop must clear the floor. */
+  private static final double JUMP_ACCELERATION = 9;
+
+  private static final double JUMP_TIME = 0.26;
+
+  /** Thrust for each unit of weight while it turns. Assumed: a small circle. */
+  private static final double LOOP_THRUST = 0.25;
+
+  /** What is left of the turn when it starts to catch itself [rad]. */
+  private static final double CATCH_ANGLE = 0.9;
+
+  /** How far it ends in its direction [m]. Measured: about 30 cm. */
+  private static final double ADVANCE = 0.30;
+
+  /** From the command to the end of the plan [s]. Target time: 4.0 s in all. */
+  private static final double PLAN_TIME = 3.4;
+
+  private final Vec3 start;
+  private final Vec3 goal;
+  private final Setpoint.Heading heading;
+  private final Vec3 axis;
+  private double time = -DroneSpec.TURN_DELAY;
+  private double turned;
+
+  /**
+   * @param start where it is, room frame [m]
+   * @param heading where the nose points [rad]
+   * @param direction unit vector in the level body frame, horizontal
+   */
+  Flip(Vec3 start, double heading, Vec3 direction) {
+    this.start = start;
+    this.goal = start.plusScaled(direction.turned(heading), ADVANCE);
+    this.heading = new Setpoint.Heading(heading, 0);
+    this.axis = Vec3.UP.cross(direction);
+  }
+
+  @Override
+  public Setpoint advance(Sensed sensed, double seconds) {
+    time += seconds;
+    if (time < JUMP_TIME) {
+      return jump(Math.max(0, time));
+    }
+    turned += turningRate(sensed.motion()) * seconds;
+    if (looping()) {
+      return new Setpoint.Spin(axis.times(DroneSpec.FLIP_RATE), LOOP_THRUST);
+    }
+    return new Setpoint.Track(goal, Vec3.ZERO, Vec3.ZERO, heading);
+  }
+
+  private Setpoint jump(double seconds) {
+    double acceleration = seconds == 0 ? 0 : JUMP_ACCELERATION;
+    double way = acceleration * seconds * seconds / 2;
+    return new Setpoint.Track(
+        start.plusScaled(Vec3.UP, way),
+        Vec3.UP.times(acceleration * seconds),
+        Vec3.UP.times(acceleration),
+        heading);
+  }
+
+  private double turningRate(Motion motion) {
+    return looping() ? motion.rate().dot(axis) : 0;
+  }
+
+  private boolean looping() {
+    return time >= JUMP_TIME && turned < 2 * Math.PI - CATCH_ANGLE;
+  }
+
+  @Override
+  public boolean planned() {
+    return time >= PLAN_TIME;
+  }
+
+  @Override
+  public String progress() {
+    return "%.0f of 360 degrees turned".formatted(StrictMath.toDegrees(turned));
+  }
+
+  @Override
+  public boolean steerable() {
+    return time < 0 || (time >= JUMP_TIME && !looping());
+  }
+
+  @Override
+  public boolean leavesHoverHeights() {
+    return true;
+  }
+}

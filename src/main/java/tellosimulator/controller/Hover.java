@@ -1,0 +1,48 @@
+package tellosimulator.controller;
+
+import tellosimulator.math.Vec3;
+import tellosimulator.model.DroneSpec;
+import tellosimulator.physics.Setpoint;
+
+/** Stays where it is, after braking if it was on its way. Has no end. */
+final class Hover implements Maneuver {
+
+  private final Setpoint.Heading heading;
+  private Vec3 position;
+  private Vec3 velocity;
+
+  /**
+   * @param position where to stay or to begin braking, room frame [m]
+   * @param velocity to brake from [m/s]
+   * @param heading where the nose points [rad]
+   */
+  Hover(Vec3 position, Vec3 velocity, double heading) {
+    this.position = position;
+    this.velocity = velocity;
+    this.heading = new Setpoint.Heading(heading, 0);
+  }
+
+  @Override
+  public Setpoint advance(Sensed sensed, double seconds) {
+    double speed = velocity.norm();
+    double loss = DroneSpec.HARD_BRAKING * seconds;
+    if (speed <= loss || sensed.blocked()) {
+      velocity = Vec3.ZERO;
+      return new Setpoint.Track(position, Vec3.ZERO, Vec3.ZERO, heading);
+    }
+    Vec3 braking = velocity.times(-DroneSpec.HARD_BRAKING / speed);
+    velocity = velocity.plusScaled(braking, seconds);
+    position = position.plusScaled(velocity, seconds);
+    return new Setpoint.Track(position, velocity, braking, heading);
+  }
+
+  @Override
+  public boolean planned() {
+    return false;
+  }
+
+  @Override
+  public String progress() {
+    return "hovering";
+  }
+}

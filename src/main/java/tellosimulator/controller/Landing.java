@@ -1,0 +1,80 @@
+package tellosimulator.controller;
+
+import tellosimulator.math.Vec3;
+import tellosimulator.model.DroneSpec;
+import tellosimulator.physics.Setpoint;
+
+/** Sinks until it stands on something, stops the motors and waits a moment. */
+final class Landing implements Maneuver {
+
+  private static final double ACCELERATION = 2;
+
+  /** How long it must stand before the motors stop [s]. */
+  private static final double CONTACT = 0.1;
+
+  /** How far the target may run ahead into the ground [m]. */
+  private static final double LEAD = 0.05;
+
+  private final Setpoint.Heading heading;
+  private Vec3 target;
+  private double speed;
+  private double time;
+  private double contact;
+  private double settled;
+
+  /**
+   * @param start where it is, room frame [m]
+   * @param heading where the nose points [rad]
+   */
+  Landing(Vec3 start, double heading) {
+    this.target = start;
+    this.heading = new Setpoint.Heading(heading, 0);
+  }
+
+  /** Whether it stands with its motors off. */
+  boolean down() {
+    return contact >= CONTACT;
+  }
+
+  @Override
+  public Setpoint advance(Sensed sensed, double seconds) {
+    time += seconds;
+    if (down()) {
+      settled += seconds;
+      return new Setpoint.MotorsOff();
+    }
+    contact = sensed.onGround() ? contact + seconds : 0;
+    double height = sensed.motion().position().z();
+    if (time > DroneSpec.LANDING_DELAY) {
+      double limit =
+          height > DroneSpec.SLOW_LANDING_HEIGHT
+              ? DroneSpec.LANDING_SPEED
+              : DroneSpec.SLOW_LANDING_SPEED;
+      double change = ACCELERATION * seconds;
+      speed = speed > limit ? Math.max(limit, speed - change) : Math.min(limit, speed + change);
+    }
+    double lowest = height - LEAD;
+    target = target.withZ(Math.max(lowest, target.z() - speed * seconds));
+    return new Setpoint.Track(target, new Vec3(0, 0, -speed), Vec3.ZERO, heading);
+  }
+
+  @Override
+  public boolean planned() {
+    return settled >= DroneSpec.LANDING_SETTLE;
+  }
+
+  @Override
+  public String progress() {
+    return down() ? "the motors are stopping" : "on the way down";
+  }
+
+  @Override
+  public boolean steerable() {
+    return false;
+  }
+
+  @Override
+  public boolean leavesHoverHeights() {
+    return true;
+  }
+}

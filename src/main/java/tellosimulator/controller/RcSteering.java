@@ -1,0 +1,133 @@
+package tellosimulator.controller;
+
+import java.util.ArrayDeque;
+import java.util.Deque;
+import java.util.Iterator;
+import tellosimulator.command.Sticks;
+import tellosimulator.math.Vec3;
+import tellosimulator.model.DroneSpec;
+import tellosimulator.profile.Behaviour;
+import tellosimulator.time.SimTime;
+
+/**
+ * What the sticks of {@code rc} ask for: velocities that follow after a dead time with a time
+ * constant. For one drone and the simulation thread.
+ */
+final class RcSteering {
+
+  /** Time constant of the turning rate [s]. Measured: 0.1 to 0.2. */
+  private static final double YAW_TIME_CONSTANT = 0.15;
+
+  /** Speeds below this count as none [m/s, rad/s]. */
+  private static final double NEGLIGIBLE = 1e-4;
+
+  private record Change(SimTime time, Sticks sticks) {}
+
+  private final Behaviour behaviour;
+  private final Deque<Change> changes = new ArrayDeque<>();
+  private Vec3 velocity = Vec3.ZERO;
+  private Vec3 acceleration = Vec3.ZERO;
+  private double yawRate;
+
+  RcSteering(Behaviour behaviour) {
+    this.behaviour = behaviour;
+    centre();
+  }
+
+  /** New values; they stay until the next ones. */
+  void set(Sticks sticks, SimTime now) {
+    if (changes.getLast().time().equals(now)) {
+      changes.removeLast();
+    }
+    changes.addLast(new Change(now, sticks));
+  }
+
+  /** The values that were set last. */
+  Sticks sticks() {
+    return changes.getLast().sticks();
+  }
+
+  /** Forgets all values, as reset and power-off do. */
+  void centre() {
+    changes.clear();
+    changes.add(new Change(SimTime.ZERO, Sticks.CENTRED));
+    still();
+  }
+
+  /** Forgets the motion, but not the values: they act again at the next takeoff. */
+  void still() {
+    velocity = Vec3.ZERO;
+    acceleration = Vec3.ZERO;
+    yawRate = 0;
+  }
+
+  /** Whether no stick moves the drone, now or soon. */
+  boolean atRest() {
+    return changes.size() == 1 && sticks().centred() && velocity.equals(Vec3.ZERO) && yawRate == 0;
+  }
+
+  /** Lets the motion follow the sticks for a step. */
+  void follow(SimTime now, double seconds) {
+    if (atRest()) {
+      return;
+    }
+    Sticks level = delayed(now, behaviour.rcLevelDelay());
+    Vec3 wanted = wantedVelocity(level);
+    acceleration = wanted.minus(velocity).times(1 / behaviour.rcLevelTimeConstant());
+    velocity = velocity.plusScaled(acceleration, seconds);
+    Sticks yaw = delayed(now, DroneSpec.TURN_DELAY);
+    double wantedRate = -behaviour.rcYawRate(yaw.clockwise());
+    yawRate += (wantedRate - yawRate) * seconds / YAW_TIME_CONSTANT;
+    forgetOld(now);
+    if (wanted.equals(Vec3.ZERO) && velocity.norm() < NEGLIGIBLE) {
+      velocity = Vec3.ZERO;
+      acceleration = Vec3.ZERO;
+    }
+    if (wantedRate == 0 && Math.abs(yawRate) < NEGLIGIBLE) {
+      yawRate = 0;
+    }
+  }
+
+  /** Velocity in the level body frame [m/s]. */
+  Vec3 velocity() {
+    return velocity;
+  }
+
+  /** Acceleration in the level body frame [m/s²]. */
+  Vec3 acceleration() {
+    return acceleration;
+  }
+
+  /** Turning rate, counter-clockwise [rad/s]. */
+  double yawRate() {
+    return yawRate;
+  }
+
+  private Vec3 wantedVelocity(Sticks sticks) {
+    return new Vec3(
+        level(sticks.forward()), -level(sticks.right()), sticks.up() * behaviour.rcVerticalGain());
+  }
+
+  private double level(double value) {
+    return Math.abs(value) <= behaviour.rcDeadZone() ? 0 : value * behaviour.rcLevelGain();
+  }
+
+  private Sticks delayed(SimTime now, double delay) {
+    Iterator<Change> latestFirst = changes.descendingIterator();
+    Change change = latestFirst.next();
+    while (latestFirst.hasNext() && now.since(change.time()) < delay) {
+      change = latestFirst.next();
+    }
+    return change.sticks();
+  }
+
+  private void forgetOld(SimTime now) {
+    while (changes.size() > 1) {
+      Change oldest = changes.removeFirst();
+      if (now.since(changes.getFirst().time()) < behaviour.rcLevelDelay()) {
+        changes.addFirst(oldest);
+        return;
+      }
+    }
+  }
+}

@@ -1,0 +1,93 @@
+package tellosimulator.controller;
+
+import java.util.EnumMap;
+import java.util.Locale;
+import java.util.Map;
+import java.util.function.Function;
+import tellosimulator.command.Reading;
+import tellosimulator.command.Reply;
+import tellosimulator.math.Frames;
+import tellosimulator.math.Vec3;
+import tellosimulator.model.DroneModel;
+import tellosimulator.model.DroneState;
+import tellosimulator.model.PadMode;
+import tellosimulator.model.PadReading;
+import tellosimulator.profile.Profile;
+import tellosimulator.sensor.Instruments;
+import tellosimulator.sensor.SensorReadings;
+import tellosimulator.sensor.SensorReadings.AttitudeDeg;
+import tellosimulator.time.SimTime;
+
+/** The replies to the read commands, as a table. Immutable. */
+public final class ReadReplies {
+
+  /** Signal to noise of a link without loss. Report: {@code 90}. */
+  private static final String WIFI = "90";
+
+  /** What the board's sensor reports without an echo. Documented: SDK 3.0 User Guide. */
+  private static final String BOARD_TOF_NONE = "tof 8192";
+
+  /** What a reply may be made of. */
+  private record Facts(SensorReadings sensors, DroneState state, double speed) {}
+
+  private final Instruments instruments;
+  private final Map<Reading, Function<Facts, Reply>> table = new EnumMap<>(Reading.class);
+
+  /**
+   * @param drone its number, from 1, which is part of the serial number
+   */
+  public ReadReplies(Instruments instruments, Profile profile, int drone) {
+    this.instruments = instruments;
+    line(Reading.SPEED, f -> format("%.1f", Frames.centimetres(f.speed())));
+    line(Reading.BATTERY, f -> Integer.toString(f.sensors().health().batteryPercent()));
+    line(Reading.TIME, f -> f.sensors().health().motorSeconds() + "s");
+    line(Reading.WIFI, f -> WIFI);
+    line(Reading.SDK, f -> profile.knows(tellosimulator.profile.Sdk.SDK_3_0) ? "30" : "20");
+    table.put(Reading.SERIAL_NUMBER, f -> new Reply(format("0TQSIMUL%06d", drone)));
+    line(Reading.HEIGHT, f -> f.sensors().range().heightDm() + "dm");
+    line(Reading.TEMPERATURE, f -> temperature(f.sensors().health()));
+    line(Reading.ATTITUDE, f -> attitude(f.sensors().attitude()));
+    line(Reading.BAROMETER, f -> format("%.6f", f.sensors().barometer()));
+    line(Reading.ACCELERATION, f -> acceleration(f.sensors().acceleration()));
+    line(Reading.TOF, f -> f.sensors().range().tofMm() + "mm");
+    line(Reading.PAD, f -> Integer.toString(pad(f.state().pads()).id()));
+    table.put(Reading.ACTIVATION, f -> Reply.OK);
+    line(Reading.HARDWARE, f -> profile.hardware());
+    line(Reading.WIFI_VERSION, f -> "wifiv1.0.0.0");
+    line(Reading.JOINED_NETWORK, f -> "");
+    line(Reading.OWN_NETWORK, f -> format("RMTT-SIM%03d", drone));
+    table.put(Reading.BOARD_TOF, f -> new Reply(BOARD_TOF_NONE));
+    table.put(Reading.BOARD_VERSION, f -> new Reply("esp32v1.0.0.0"));
+  }
+
+  Reply reply(Reading reading, DroneModel model, double speed, SimTime now) {
+    DroneState state = model.snapshot(now);
+    return table.get(reading).apply(new Facts(instruments.read(state), state, speed));
+  }
+
+  private void line(Reading reading, Function<Facts, String> value) {
+    table.put(reading, facts -> Reply.line(value.apply(facts)));
+  }
+
+  /** What is reported of mission pads in a mode, as long as none is seen. */
+  public static PadReading pad(PadMode mode) {
+    return mode == PadMode.OFF ? PadReading.OFF : PadReading.NONE;
+  }
+
+  private static String temperature(SensorReadings.Health health) {
+    return health.temperature() + "~" + health.highTemperature() + "C";
+  }
+
+  private static String attitude(AttitudeDeg attitude) {
+    return "pitch:%d;roll:%d;yaw:%d;".formatted(attitude.pitch(), attitude.roll(), attitude.yaw());
+  }
+
+  private static String acceleration(Vec3 felt) {
+    return "agx:%d.00;agy:%d.00;agz:%d.00;"
+        .formatted(Math.round(felt.x()), Math.round(felt.y()), Math.round(felt.z()));
+  }
+
+  private static String format(String pattern, Object value) {
+    return String.format(Locale.ROOT, pattern, value);
+  }
+}

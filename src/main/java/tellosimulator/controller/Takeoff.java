@@ -1,0 +1,81 @@
+package tellosimulator.controller;
+
+import tellosimulator.math.Vec3;
+import tellosimulator.model.DroneSpec;
+import tellosimulator.physics.Setpoint;
+import tellosimulator.profile.Behaviour;
+
+/** Starts the motors, climbs, and hovers for a moment. */
+final class Takeoff implements Maneuver {
+
+  private static final double CLIMB_ACCELERATION = 1.6;
+  private static final double CLIMB_BRAKING = 0.8;
+
+  /** Time over which the hover creeps up [s]. Measured: from 2.2 to 4.3 s. */
+  private static final double CREEP_TIME = 2.1;
+
+  /** What balancing out takes at the least [s]; the plan ends that much before the answer. */
+  private static final double SETTLING = 0.3;
+
+  private final Path path;
+  private final SpeedProfile profile;
+  private final double creep;
+  private final double planTime;
+  private final Setpoint.Heading heading;
+  private double time;
+
+  /**
+   * @param start where it stands, room frame [m]
+   * @param heading where the nose points [rad]
+   */
+  Takeoff(Vec3 start, double heading, Behaviour behaviour) {
+    this.path = new Path.Line(start, Vec3.UP, behaviour.takeoffHeight());
+    this.profile =
+        SpeedProfile.over(
+            path.length(), behaviour.takeoffSpeed(), CLIMB_ACCELERATION, CLIMB_BRAKING);
+    this.creep = behaviour.takeoffCreep();
+    this.planTime = behaviour.takeoffTime() - SETTLING;
+    this.heading = new Setpoint.Heading(heading, 0);
+  }
+
+  @Override
+  public Setpoint advance(Sensed sensed, double seconds) {
+    time += seconds;
+    if (spinningUp()) {
+      return new Setpoint.MotorsOff();
+    }
+    double climbing = time - DroneSpec.LIFT_OFF_DELAY;
+    Setpoint.Track track = path.track(profile.at(climbing), heading);
+    double part = Math.min(1, Math.max(0, (climbing - profile.duration()) / CREEP_TIME));
+    return new Setpoint.Track(
+        track.position().plusScaled(Vec3.UP, creep * part),
+        track.velocity(),
+        track.acceleration(),
+        heading);
+  }
+
+  private boolean spinningUp() {
+    return time < DroneSpec.LIFT_OFF_DELAY;
+  }
+
+  @Override
+  public boolean planned() {
+    return time >= planTime;
+  }
+
+  @Override
+  public String progress() {
+    double way = profile.at(Math.max(0, time - DroneSpec.LIFT_OFF_DELAY)).way();
+    return "%.0f of %.0f cm climbed".formatted(way * 100, path.length() * 100);
+  }
+
+  @Override
+  public boolean steerable() {
+    return !spinningUp();
+  }
+
+  @Override
+  public boolean leavesHoverHeights() {
+    return true;
+  }
+}

@@ -1,0 +1,52 @@
+package tellosimulator.controller;
+
+import tellosimulator.command.Reply;
+import tellosimulator.command.Responder;
+
+/** Who waits for the end of the present maneuver, and for which answer. */
+interface Task {
+
+  /** The maneuver ended as planned. */
+  void done();
+
+  /** The maneuver ended otherwise. */
+  void failed(Reply reply, String reason);
+
+  /** The command as it was sent; empty if nobody waits. */
+  String text();
+
+  /** Nobody waits: the drone hovers, or lands by itself. */
+  Task NOBODY =
+      new Task() {
+        @Override
+        public void done() {}
+
+        @Override
+        public void failed(Reply reply, String reason) {}
+
+        @Override
+        public String text() {
+          return "";
+        }
+      };
+
+  /** The sender of a command waits. */
+  static Task of(Responder responder) {
+    return new Task() {
+      @Override
+      public void done() {
+        responder.reply(Reply.OK);
+      }
+
+      @Override
+      public void failed(Reply reply, String reason) {
+        responder.refuse(reply, reason);
+      }
+
+      @Override
+      public String text() {
+        return responder.text();
+      }
+    };
+  }
+}

@@ -1,0 +1,27 @@
+package tellosimulator.controller;
+
+import java.util.function.Consumer;
+import tellosimulator.command.OperatorSession;
+import tellosimulator.command.Peer;
+import tellosimulator.model.DroneModel;
+import tellosimulator.profile.Behaviour;
+import tellosimulator.profile.Profile;
+import tellosimulator.sensor.SeededNoise;
+
+/**
+ * A controller's neighbours.
+ *
+ * @param observer is told what happens to the drone
+ * @param operatorChanged is told when another operator has taken over
+ * @param forgetLink called when the power goes
+ */
+public record Wiring(
+    DroneModel model,
+    Profile profile,
+    Behaviour behaviour,
+    OperatorSession session,
+    SeededNoise noise,
+    ReadReplies reads,
+    FlightObserver observer,
+    Consumer<Peer> operatorChanged,
+    Runnable forgetLink) {}

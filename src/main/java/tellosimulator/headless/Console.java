@@ -1,0 +1,145 @@
+package tellosimulator.headless;
+
+import java.io.BufferedReader;
+import java.io.IOException;
+import java.io.PrintStream;
+import java.util.List;
+import java.util.Locale;
+import tellosimulator.math.Frames;
+import tellosimulator.math.Vec3;
+import tellosimulator.model.DroneState;
+import tellosimulator.sim.Control;
+import tellosimulator.sim.SimSnapshot;
+import tellosimulator.sim.SimSnapshot.DroneSnapshot;
+import tellosimulator.sim.Simulation;
+
+/**
+ * What a person or a script can type while the program runs without a window. Reads on the thread
+ * that calls {@link #run}.
+ */
+final class Console {
+
+  private static final String HELP =
+      "type reset [N], power on|off [N], battery PERCENT [N], pause, resume, state or quit";
+
+  private final Simulation simulation;
+  private final BufferedReader in;
+  private final PrintStream out;
+
+  Console(Simulation simulation, BufferedReader in, PrintStream out) {
+    this.simulation = simulation;
+    this.in = in;
+    this.out = out;
+  }
+
+  /**
+   * Reads until {@code quit} or the end of input.
+   *
+   * @return whether {@code quit} was typed
+   */
+  boolean run() throws IOException {
+    for (String line = in.readLine(); line != null; line = in.readLine()) {
+      String typed = line.strip();
+      if (typed.equals("quit")) {
+        return true;
+      }
+      if (!typed.isEmpty()) {
+        take(typed);
+      }
+    }
+    return false;
+  }
+
+  private void take(String line) {
+    List<String> words = List.of(line.split("\\s+", -1));
+    try {
+      carryOut(words);
+    } catch (IllegalArgumentException e) {
+      out.println("`" + line + "` was not done: " + e.getMessage() + "; " + HELP + ".");
+    }
+    out.flush();
+  }
+
+  private void carryOut(List<String> words) {
+    switch (words.get(0)) {
+      case "reset" -> forDrones(words, 1).forEach(n -> simulation.control(new Control.Reset(n)));
+      case "power" -> power(words);
+      case "battery" -> battery(words);
+      case "pause" -> simulation.control(new Control.Pause(true));
+      case "resume" -> simulation.control(new Control.Pause(false));
+      case "state" -> out.print(describe(simulation.snapshot()));
+      default -> throw new IllegalArgumentException("there is no such command");
+    }
+  }
+
+  private void power(List<String> words) {
+    String position = word(words, 1, "on or off");
+    if (!List.of("on", "off").contains(position)) {
+      throw new IllegalArgumentException("expected on or off, found " + position);
+    }
+    boolean on = position.equals("on");
+    forDrones(words, 2).forEach(n -> simulation.control(new Control.Power(n, on)));
+  }
+
+  private void battery(List<String> words) {
+    double percent = number(word(words, 1, "a percentage"), "a percentage");
+    forDrones(words, 2).forEach(n -> simulation.control(new Control.SetBattery(n, percent)));
+  }
+
+  /** The drone whose number is the word at {@code index}, or all if there is no such word. */
+  private List<Integer> forDrones(List<String> words, int index) {
+    if (words.size() > index + 1) {
+      throw new IllegalArgumentException("there is a word too many, " + words.get(index + 1));
+    }
+    List<Integer> all =
+        simulation.snapshot().drones().stream().map(drone -> drone.state().drone()).toList();
+    if (words.size() <= index) {
+      return all;
+    }
+    double number = number(words.get(index), "a drone's number");
+    return all.stream()
+        .filter(n -> n == number)
+        .findFirst()
+        .map(List::of)
+        .orElseThrow(() -> new IllegalArgumentException("the drones are 1 to " + all.size()));
+  }
+
+  private static String word(List<String> words, int index, String expected) {
+    if (words.size() <= index) {
+      throw new IllegalArgumentException("expected " + expected);
+    }
+    return words.get(index);
+  }
+
+  private static double number(String word, String expected) {
+    try {
+      return Double.parseDouble(word);
+    } catch (NumberFormatException e) {
+      throw new IllegalArgumentException("expected " + expected + ", found " + word, e);
+    }
+  }
+
+  private static String describe(SimSnapshot snapshot) {
+    StringBuilder lines = new StringBuilder();
+    snapshot.drones().forEach(drone -> lines.append(describe(snapshot, drone)).append('\n'));
+    return lines.toString();
+  }
+
+  private static String describe(SimSnapshot snapshot, DroneSnapshot drone) {
+    DroneState state = drone.state();
+    Vec3 position = state.motion().position().times(100);
+    return String.format(
+        Locale.ROOT,
+        "drone %d: %s, x %.1f y %.1f z %.1f cm, yaw %.1f degrees, battery %d %%, %s, %.3f s%s",
+        state.drone(),
+        state.phase().words(),
+        position.x(),
+        position.y(),
+        position.z(),
+        Frames.yawOfHeading(state.motion().attitude().heading()),
+        state.energy().battery().percent(),
+        drone.link().operator().map(peer -> "operated by " + peer).orElse("waits for `command`"),
+        snapshot.time().seconds(),
+        snapshot.clock().paused() ? ", paused" : "");
+  }
+}

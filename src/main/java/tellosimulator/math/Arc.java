@@ -1,0 +1,70 @@
+package tellosimulator.math;
+
+import java.util.Optional;
+
+/**
+ * The part of a circle that starts at the origin, passes a point and ends at another one.
+ *
+ * @param centre centre of the circle
+ * @param radius its radius
+ * @param outward unit vector from the centre to the origin
+ * @param along unit vector of the direction in which it leaves the origin
+ * @param angle what it sweeps [rad], below a full turn
+ */
+public record Arc(Vec3 centre, double radius, Vec3 outward, Vec3 along, double angle) {
+
+  /** Cross products below this share of the lengths count as points on one line. */
+  private static final double COLLINEAR = 1e-9;
+
+  /**
+   * The arc from the origin through {@code via} to {@code end}; empty if the three points lie on
+   * one line, so that no circle passes through them.
+   */
+  public static Optional<Arc> through(Vec3 via, Vec3 end) {
+    Vec3 normal = via.cross(end);
+    double twiceArea = normal.norm();
+    double size = via.norm() * end.norm() * via.distanceTo(end);
+    if (size == 0 || twiceArea <= COLLINEAR * via.norm() * end.norm()) {
+      return Optional.empty();
+    }
+    double viaSquared = via.dot(via);
+    double endSquared = end.dot(end);
+    Vec3 centre =
+        end.times(viaSquared)
+            .minus(via.times(endSquared))
+            .cross(normal)
+            .times(1 / (2 * twiceArea * twiceArea));
+    double radius = centre.norm();
+    Vec3 outward = centre.times(-1 / radius);
+    Vec3 along = normal.times(1 / twiceArea).cross(outward);
+    Arc start = new Arc(centre, radius, outward, along, 0);
+    return Optional.of(new Arc(centre, radius, outward, along, start.angleOf(end)));
+  }
+
+  public double length() {
+    return radius * angle;
+  }
+
+  /** The point after sweeping {@code swept} [rad]. */
+  public Vec3 point(double swept) {
+    return centre
+        .plusScaled(outward, radius * StrictMath.cos(swept))
+        .plusScaled(along, radius * StrictMath.sin(swept));
+  }
+
+  /** The unit vector of motion after sweeping {@code swept} [rad]. */
+  public Vec3 direction(double swept) {
+    return along.times(StrictMath.cos(swept)).plusScaled(outward, -StrictMath.sin(swept));
+  }
+
+  /** The unit vector from the point after {@code swept} [rad] to the centre. */
+  public Vec3 inward(double swept) {
+    return outward.times(-StrictMath.cos(swept)).plusScaled(along, -StrictMath.sin(swept));
+  }
+
+  private double angleOf(Vec3 point) {
+    Vec3 spoke = point.minus(centre);
+    double swept = StrictMath.atan2(spoke.dot(along), spoke.dot(outward));
+    return swept < 0 ? swept + 2 * Math.PI : swept;
+  }
+}

@@ -1,0 +1,113 @@
+package tellosimulator.math;
+
+/**
+ * An orientation as a unit quaternion that turns vectors of the body frame (x along the nose, y to
+ * the left, z up) into the room frame.
+ *
+ * <p>Only additions, multiplications, divisions and square roots are used on the way of a step, so
+ * that a flight is the same to the last bit on every machine.
+ */
+public record Attitude(double w, double x, double y, double z) {
+
+  /** Level, nose along the x axis of the room. */
+  public static final Attitude LEVEL = new Attitude(1, 0, 0, 0);
+
+  /**
+   * Level, with the given heading.
+   *
+   * @param heading radians, counter-clockwise seen from above, 0 along x
+   */
+  public static Attitude ofHeading(double heading) {
+    return new Attitude(StrictMath.cos(heading / 2), 0, 0, StrictMath.sin(heading / 2));
+  }
+
+  /**
+   * The shortest turn that brings the vertical axis to {@code up}.
+   *
+   * @param up unit vector of the room frame; straight down gives a half turn about x
+   */
+  public static Attitude tiltedTo(Vec3 up) {
+    double w = 1 + up.z();
+    return w < 1e-9 ? new Attitude(0, 1, 0, 0) : new Attitude(w, -up.y(), up.x(), 0).normalized();
+  }
+
+  /** This orientation applied after {@code first}. */
+  public Attitude after(Attitude first) {
+    return new Attitude(
+        w * first.w - x * first.x - y * first.y - z * first.z,
+        w * first.x + x * first.w + y * first.z - z * first.y,
+        w * first.y - x * first.z + y * first.w + z * first.x,
+        w * first.z + x * first.y - y * first.x + z * first.w);
+  }
+
+  public Attitude inverse() {
+    return new Attitude(w, -x, -y, -z);
+  }
+
+  /** A vector of the body frame, seen in the room frame. */
+  public Vec3 toRoom(Vec3 body) {
+    double tx = 2 * (y * body.z() - z * body.y());
+    double ty = 2 * (z * body.x() - x * body.z());
+    double tz = 2 * (x * body.y() - y * body.x());
+    return new Vec3(
+        body.x() + w * tx + y * tz - z * ty,
+        body.y() + w * ty + z * tx - x * tz,
+        body.z() + w * tz + x * ty - y * tx);
+  }
+
+  /** A vector of the room frame, seen in the body frame. */
+  public Vec3 toBody(Vec3 room) {
+    return inverse().toRoom(room);
+  }
+
+  /** The body's z axis in the room frame: the direction of the thrust. */
+  public Vec3 up() {
+    return new Vec3(2 * (x * z + w * y), 2 * (y * z - w * x), 1 - 2 * (x * x + y * y));
+  }
+
+  /**
+   * The turn that is missing to {@code target}, as axis times angle in the body frame, exact for
+   * small angles and never longer than 2 rad.
+   */
+  public Vec3 errorTo(Attitude target) {
+    Attitude turn = inverse().after(target);
+    double sign = turn.w < 0 ? -2 : 2;
+    return new Vec3(turn.x * sign, turn.y * sign, turn.z * sign);
+  }
+
+  /**
+   * This orientation after turning for a short time.
+   *
+   * @param rate angular velocity in the body frame [rad/s]
+   * @param seconds at most some hundredths of a turn long
+   */
+  public Attitude advancedBy(Vec3 rate, double seconds) {
+    Vec3 half = rate.times(seconds / 2);
+    double squared = half.dot(half);
+    double sine = 1 - squared / 6 * (1 - squared / 20);
+    double cosine = 1 - squared / 2 * (1 - squared / 12);
+    return after(new Attitude(cosine, half.x() * sine, half.y() * sine, half.z() * sine))
+        .normalized();
+  }
+
+  public Attitude normalized() {
+    double factor = 1 / Math.sqrt(w * w + x * x + y * y + z * z);
+    return new Attitude(w * factor, x * factor, y * factor, z * factor);
+  }
+
+  /** Heading [rad]: counter-clockwise seen from above, 0 along x, within ±π. */
+  public double heading() {
+    return StrictMath.atan2(2 * (w * z + x * y), 1 - 2 * (y * y + z * z));
+  }
+
+  /** Elevation of the nose [rad]: nose up is positive, within ±π/2. */
+  public double elevation() {
+    double sine = 2 * (x * z - w * y);
+    return StrictMath.asin(Math.max(-1, Math.min(1, sine)));
+  }
+
+  /** Bank [rad]: right side down is positive, within ±π. */
+  public double bank() {
+    return StrictMath.atan2(2 * (w * x + y * z), 1 - 2 * (x * x + y * y));
+  }
+}

@@ -1,0 +1,41 @@
+package tellosimulator.math;
+
+/**
+ * Every conversion between the core's axes and units and those of the wire.
+ *
+ * <p>The core uses SI, x along the heading (or the room's depth), y to the left, z up, and turns
+ * counter-clockwise seen from above. The wire uses centimetres and degrees; its yaw and turns are
+ * clockwise, and its velocities and accelerations have y to the right and z down.
+ */
+public final class Frames {
+
+  private Frames() {}
+
+  public static double metres(double centimetres) {
+    return centimetres / 100;
+  }
+
+  public static double centimetres(double metres) {
+    return metres * 100;
+  }
+
+  /** Radians counter-clockwise from degrees clockwise. */
+  public static double headingOfYaw(double yawDeg) {
+    return -StrictMath.toRadians(yawDeg);
+  }
+
+  /** Degrees clockwise from radians counter-clockwise. */
+  public static double yawOfHeading(double heading) {
+    return -StrictMath.toDegrees(heading);
+  }
+
+  /** From x forward, y left, z up to x forward, y right, z down, and back. */
+  public static Vec3 flipped(Vec3 vector) {
+    return new Vec3(vector.x(), -vector.y(), -vector.z());
+  }
+
+  /** The same angle within ±π [rad]. */
+  public static double wrapped(double angle) {
+    return StrictMath.IEEEremainder(angle, 2 * Math.PI);
+  }
+}

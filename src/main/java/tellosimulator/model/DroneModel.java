@@ -1,0 +1,171 @@
+package tellosimulator.model;
+
+import tellosimulator.math.Attitude;
+import tellosimulator.math.Pose;
+import tellosimulator.model.DroneState.Energy;
+import tellosimulator.model.DroneState.Reference;
+import tellosimulator.time.SimTime;
+
+/**
+ * The single source of truth about a drone. Written only within a step, by the controller and by
+ * what it calls; everybody else reads the {@link DroneState} that it publishes.
+ */
+public final class DroneModel {
+
+  private final int drone;
+  private Pose start;
+  private Motion motion;
+  private boolean resting = true;
+  private FlightPhase phase = FlightPhase.OFF;
+  private Battery battery = Battery.FULL;
+  private double temperature = Temperature.COLD;
+  private double motorTime;
+  private Reference reference;
+  private PadMode pads = PadMode.OFF;
+  private VideoSettings video = VideoSettings.DEFAULT;
+  private volatile DroneState state;
+
+  /**
+   * @param drone its number, from 1
+   * @param start where it stands, on the floor
+   */
+  public DroneModel(int drone, Pose start) {
+    this.drone = drone;
+    this.start = start;
+    this.motion = Motion.restingAt(start);
+    this.reference = new Reference(SimTime.ZERO, start.attitude().heading(), 0);
+    publish(SimTime.ZERO);
+  }
+
+  /** The state at the end of the last step. For any thread. */
+  public DroneState state() {
+    return state;
+  }
+
+  /** Makes the present state visible to all. */
+  public void publish(SimTime now) {
+    state = snapshot(now);
+  }
+
+  /** The present state, also between two publications. For the simulation thread. */
+  public DroneState snapshot(SimTime now) {
+    Energy energy = new Energy(battery, temperature, motorTime);
+    return new DroneState(drone, now, motion, phase, energy, reference, pads, video);
+  }
+
+  /** Power comes: SDK-independent state is as new, but for the battery and where it lies. */
+  public void powerOn(SimTime now) {
+    phase = resting ? FlightPhase.GROUNDED : FlightPhase.FALLING;
+    temperature = Temperature.COLD;
+    motorTime = 0;
+    reference = new Reference(now, motion.attitude().heading(), 0);
+    pads = PadMode.OFF;
+    video = VideoSettings.DEFAULT;
+  }
+
+  public void powerOff() {
+    phase = FlightPhase.OFF;
+    video = VideoSettings.DEFAULT;
+  }
+
+  /** Back to the start, at rest. */
+  public void reset() {
+    motion = Motion.restingAt(start);
+    resting = true;
+    pads = PadMode.OFF;
+    if (phase != FlightPhase.OFF) {
+      phase = FlightPhase.GROUNDED;
+    }
+  }
+
+  /** Lets time work on battery, temperature and motor time. */
+  public void consume(double seconds, double filmingEndurance) {
+    if (phase == FlightPhase.OFF) {
+      return;
+    }
+    boolean motorsOn = phase.motorsOn();
+    double flight = video.on() ? filmingEndurance : DroneSpec.ENDURANCE;
+    battery = battery.after(seconds, motorsOn ? flight : DroneSpec.IDLE_ENDURANCE);
+    temperature = Temperature.after(temperature, motorsOn, seconds);
+    if (motorsOn) {
+      motorTime += seconds;
+    }
+  }
+
+  /** A takeoff begins: height counts anew. */
+  public void countTakeoff() {
+    reference = new Reference(reference.poweredAt(), reference.heading(), reference.takeoffs() + 1);
+  }
+
+  /** Comes to rest where it is: level if it is upright, on its back otherwise. */
+  public void rest() {
+    boolean upright = motion.attitude().up().z() > 0;
+    Attitude heading = Attitude.ofHeading(motion.attitude().heading());
+    Attitude lying = upright ? heading : heading.after(new Attitude(0, 1, 0, 0));
+    motion = Motion.restingAt(new Pose(motion.position(), lying));
+    resting = true;
+  }
+
+  public void setMotion(Motion newMotion) {
+    motion = newMotion;
+    resting = false;
+  }
+
+  public void setPhase(FlightPhase newPhase) {
+    phase = newPhase;
+  }
+
+  public void setBattery(Battery newBattery) {
+    battery = newBattery;
+  }
+
+  public void setStart(Pose newStart) {
+    start = newStart;
+  }
+
+  public void setPads(PadMode newPads) {
+    pads = newPads;
+  }
+
+  public void setVideo(VideoSettings newVideo) {
+    video = newVideo;
+  }
+
+  public int drone() {
+    return drone;
+  }
+
+  public Pose start() {
+    return start;
+  }
+
+  public Motion motion() {
+    return motion;
+  }
+
+  public FlightPhase phase() {
+    return phase;
+  }
+
+  /** Whether it lies or stands still without motors. */
+  public boolean resting() {
+    return resting;
+  }
+
+  /** Whether its feet are below it. */
+  public boolean upright() {
+    return motion.attitude().up().z() > 0;
+  }
+
+  public Battery battery() {
+    return battery;
+  }
+
+  public PadMode pads() {
+    return pads;
+  }
+
+  public VideoSettings video() {
+    return video;
+  }
+}

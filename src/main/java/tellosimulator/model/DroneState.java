@@ -1,0 +1,43 @@
+package tellosimulator.model;
+
+import tellosimulator.time.SimTime;
+
+/**
+ * A drone at a moment. Immutable; for any thread.
+ *
+ * @param drone its number, from 1
+ * @param time the end of the step that made it
+ * @param motion position, velocity and attitude
+ * @param phase what it is doing
+ * @param energy battery, temperature, motor time
+ * @param reference what its instruments count from
+ * @param pads where it looks for mission pads
+ * @param video what was asked of the video
+ */
+public record DroneState(
+    int drone,
+    SimTime time,
+    Motion motion,
+    FlightPhase phase,
+    Energy energy,
+    Reference reference,
+    PadMode pads,
+    VideoSettings video) {
+
+  /**
+   * What flying uses up.
+   *
+   * @param temperature of the electronics [°C]
+   * @param motorTime motors on since power-on [s]
+   */
+  public record Energy(Battery battery, double temperature, double motorTime) {}
+
+  /**
+   * What instruments count from.
+   *
+   * @param poweredAt when the power came
+   * @param heading at power-on [rad]; yaw counts from it
+   * @param takeoffs since power-on; each latches height anew
+   */
+  public record Reference(SimTime poweredAt, double heading, int takeoffs) {}
+}

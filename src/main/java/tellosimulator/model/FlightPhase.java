@@ -1,0 +1,42 @@
+package tellosimulator.model;
+
+/** What a drone is doing, in the terms of its motors. */
+public enum FlightPhase {
+  /** Without power. */
+  OFF("off", false, false),
+  /** On the ground, motors off. */
+  GROUNDED("on the ground", false, false),
+  /** On the ground, propellers turning slowly ({@code motoron}). */
+  IDLING("on the ground, motors idling", true, false),
+  TAKING_OFF("taking off", true, true),
+  FLYING("flying", true, true),
+  LANDING("landing", true, true),
+  /** Motors off in the air, after {@code emergency} or with an empty battery. */
+  FALLING("falling", false, false),
+  /** Motors off until reset or power cycle. */
+  CRASHED("crashed", false, false);
+
+  private final String words;
+  private final boolean motorsOn;
+  private final boolean flying;
+
+  FlightPhase(String words, boolean motorsOn, boolean flying) {
+    this.words = words;
+    this.motorsOn = motorsOn;
+    this.flying = flying;
+  }
+
+  /** For people. */
+  public String words() {
+    return words;
+  }
+
+  public boolean motorsOn() {
+    return motorsOn;
+  }
+
+  /** Whether the motors carry the drone. */
+  public boolean flying() {
+    return flying;
+  }
+}

@@ -1,0 +1,82 @@
+package tellosimulator.network;
+
+import java.net.Inet4Address;
+import java.net.InetAddress;
+import java.net.InetSocketAddress;
+import java.net.NetworkInterface;
+import java.net.SocketException;
+import java.net.UnknownHostException;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Set;
+
+/**
+ * Which drone listens where.
+ *
+ * @param drones for each drone, in the order of their numbers, its addresses and port
+ */
+public record AddressPlan(List<List<InetSocketAddress>> drones) {
+
+  /** Ports that operator programs need for themselves. Documented: SDK 1.3 User Guide. */
+  private static final Set<Integer> OPERATORS_PORTS = Set.of(8889, 8890, 11111);
+
+  /** One address a drone, all on the same port. */
+  public static AddressPlan of(List<InetAddress> addresses, int port) {
+    return new AddressPlan(
+        addresses.stream().map(address -> List.of(new InetSocketAddress(address, port))).toList());
+  }
+
+  /**
+   * The first drone on all addresses of this machine, the others on 127.0.0.2 and so on, all on the
+   * same port.
+   */
+  public static AddressPlan ofMachine(int drones, int port) {
+    List<List<InetSocketAddress>> plan = new ArrayList<>();
+    plan.add(onPort(machineAddresses(), port));
+    for (int number = 2; number <= drones; number++) {
+      plan.add(List.of(new InetSocketAddress(loopback(number), port)));
+    }
+    return new AddressPlan(plan);
+  }
+
+  /** All drones on the same addresses, each on a port of its own from {@code firstPort} on. */
+  public static AddressPlan portPerDrone(int drones, List<InetAddress> addresses, int firstPort) {
+    List<List<InetSocketAddress>> plan = new ArrayList<>();
+    int port = firstPort;
+    for (int number = 1; number <= drones; number++) {
+      while (number > 1 && OPERATORS_PORTS.contains(port)) {
+        port++;
+      }
+      plan.add(onPort(addresses, port));
+      port += firstPort == 0 ? 0 : 1;
+    }
+    return new AddressPlan(plan);
+  }
+
+  /** Every IPv4 address of this machine, loopback first. */
+  public static List<InetAddress> machineAddresses() {
+    List<InetAddress> addresses = new ArrayList<>();
+    addresses.add(loopback(1));
+    try {
+      NetworkInterface.networkInterfaces()
+          .flatMap(NetworkInterface::inetAddresses)
+          .filter(address -> address instanceof Inet4Address && !addresses.contains(address))
+          .forEach(addresses::add);
+    } catch (SocketException e) {
+      return addresses;
+    }
+    return addresses;
+  }
+
+  private static List<InetSocketAddress> onPort(List<InetAddress> addresses, int port) {
+    return addresses.stream().map(address -> new InetSocketAddress(address, port)).toList();
+  }
+
+  private static InetAddress loopback(int last) {
+    try {
+      return InetAddress.getByAddress(new byte[] {127, 0, 0, (byte) last});
+    } catch (UnknownHostException e) {
+      throw new IllegalStateException("four bytes are an address", e);
+    }
+  }
+}

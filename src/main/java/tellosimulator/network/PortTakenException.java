@@ -1,0 +1,47 @@
+package tellosimulator.network;
+
+import java.io.IOException;
+import java.net.InetSocketAddress;
+
+/** An address or port that cannot be had; its message is one sentence for people. */
+public final class PortTakenException extends IOException {
+
+  private static final long serialVersionUID = 1;
+
+  /** The port that operator programs need for themselves. Documented: SDK 1.3 User Guide. */
+  private static final int OPERATORS_PORT = 8889;
+
+  private PortTakenException(String message, IOException cause) {
+    super(message, cause);
+  }
+
+  static PortTakenException taken(InetSocketAddress address, IOException cause) {
+    int port = address.getPort();
+    String who =
+        port == OPERATORS_PORT
+            ? "probably by an operator program, which needs that port for itself"
+            : "probably by a Tello simulator that is still running";
+    return new PortTakenException(
+        "Port %d of %s is taken, %s: end that program, or choose another port with --command-port."
+            .formatted(port, address.getAddress().getHostAddress(), who),
+        cause);
+  }
+
+  static PortTakenException noSuchAddress(InetSocketAddress address, IOException cause) {
+    String host = address.getAddress().getHostAddress();
+    String remedy =
+        address.getAddress().isLoopbackAddress()
+            ? "add it with `sudo ifconfig lo0 alias %s up`, or use --port-per-drone".formatted(host)
+            : "choose one of this machine's own addresses with --bind";
+    return new PortTakenException(
+        "This machine has no address %s: %s.".formatted(host, remedy), cause);
+  }
+
+  static PortTakenException forbidden(InetSocketAddress address, IOException cause) {
+    return new PortTakenException(
+        "Port %d of %s cannot be opened (%s): choose another port with --command-port."
+            .formatted(
+                address.getPort(), address.getAddress().getHostAddress(), cause.getMessage()),
+        cause);
+  }
+}

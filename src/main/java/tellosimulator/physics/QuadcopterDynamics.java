@@ -1,0 +1,44 @@
+package tellosimulator.physics;
+
+import tellosimulator.math.Vec3;
+import tellosimulator.model.DroneSpec;
+import tellosimulator.model.Motion;
+import tellosimulator.physics.Integrator.Forces;
+
+/**
+ * The flying body: thrust along its own axis, gravity and drag against the air, and an attitude
+ * that follows. Tilt, the accelerometer and the loop of a flip come out of it. For one drone and
+ * one thread; the same inputs give the same motion, bit for bit.
+ */
+public final class QuadcopterDynamics {
+
+  private static final double GREATEST_THRUST = DroneSpec.MAX_THRUST_RATIO * DroneSpec.GRAVITY;
+
+  private final PositionLoop positionLoop = new PositionLoop();
+  private final AttitudeLoop attitudeLoop = new AttitudeLoop();
+  private final Integrator integrator = new Integrator();
+
+  /**
+   * The motion a step later, as if nothing stood in the way.
+   *
+   * @param wind velocity of the air, room frame [m/s]
+   * @param seconds length of the step
+   */
+  public Motion advance(Motion motion, Setpoint setpoint, Vec3 wind, double seconds) {
+    return integrator.step(motion, forces(motion, setpoint, wind), seconds);
+  }
+
+  private Forces forces(Motion motion, Setpoint setpoint, Vec3 wind) {
+    if (setpoint instanceof Setpoint.Track track) {
+      Vec3 wanted = positionLoop.thrust(track, motion);
+      double along = wanted.dot(motion.attitude().up());
+      double thrust = Math.max(0, Math.min(GREATEST_THRUST, along));
+      return new Forces(thrust, attitudeLoop.towards(wanted, track.heading(), motion), wind);
+    }
+    if (setpoint instanceof Setpoint.Spin spin) {
+      double thrust = spin.thrustRatio() * DroneSpec.GRAVITY;
+      return new Forces(thrust, attitudeLoop.towards(spin, motion), wind);
+    }
+    return new Forces(0, Vec3.ZERO, wind);
+  }
+}

@@ -1,0 +1,63 @@
+package tellosimulator.sensor;
+
+import java.util.Random;
+
+/**
+ * Random numbers that depend only on the seed, the drone, what they are for and when: who reads a
+ * sensor, and how often, changes nothing. Immutable; for any thread.
+ */
+public final class SeededNoise {
+
+  /** What a number is for; each has a sequence of its own. */
+  public enum Channel {
+    PITCH,
+    ROLL,
+    ACCELERATION_X,
+    ACCELERATION_Y,
+    ACCELERATION_Z,
+    BAROMETER,
+    BAROMETER_OFFSET,
+    TOF,
+    HEIGHT_OFFSET,
+    YAW_DRIFT,
+    VELOCITY,
+    STATE_PERIOD,
+    REPLY_DELAY,
+    MOVE_X,
+    MOVE_Y,
+    MOVE_Z,
+    MOVE_HEADING
+  }
+
+  private final long seed;
+
+  /**
+   * @param seed of the whole simulation
+   * @param drone its number, from 1
+   */
+  public SeededNoise(long seed, int drone) {
+    this.seed = mixed(mixed(seed) + drone);
+  }
+
+  /** A number of the standard normal distribution. */
+  public double gaussian(Channel channel, long index) {
+    return random(channel, index).nextGaussian();
+  }
+
+  /** A number from {@code least} to {@code most}, evenly distributed. */
+  public double between(double least, double most, Channel channel, long index) {
+    return least + (most - least) * random(channel, index).nextDouble();
+  }
+
+  private Random random(Channel channel, long index) {
+    return new Random(mixed(mixed(seed + channel.name().hashCode()) + index));
+  }
+
+  /** The finalizer of SplitMix64 (Steele, Lea, Flood 2014): spreads close numbers far apart. */
+  private static long mixed(long value) {
+    long z = value + 0x9e3779b97f4a7c15L;
+    z = (z ^ (z >>> 30)) * 0xbf58476d1ce4e5b9L;
+    z = (z ^ (z >>> 27)) * 0x94d049bb133111ebL;
+    return z ^ (z >>> 31);
+  }
+}

@@ -1,0 +1,60 @@
+package tellosimulator.sim;
+
+import tellosimulator.math.Vec3;
+import tellosimulator.model.DroneSpec;
+import tellosimulator.time.TimeFactor;
+import tellosimulator.world.Room;
+
+/**
+ * What people do to the simulation, as opposed to what operator programs do. Takes effect at the
+ * beginning of the next step, or at once while time stands still.
+ */
+public sealed interface Control {
+
+  /** A control that concerns one drone. */
+  sealed interface ForDrone extends Control {
+    /** Its number, from 1. */
+    int drone();
+  }
+
+  /** The power switch. */
+  record Power(int drone, boolean on) implements ForDrone {}
+
+  /** Back to the start, as if it had just been put there. */
+  record Reset(int drone) implements ForDrone {}
+
+  /**
+   * Charges or drains the battery.
+   *
+   * @param percent 0 to 100
+   */
+  record SetBattery(int drone, double percent) implements ForDrone {
+    public SetBattery {
+      if (!(percent >= 0 && percent <= 100)) {
+        throw new IllegalArgumentException(
+            "battery is " + percent + " %, but must be from 0 to 100");
+      }
+    }
+  }
+
+  /**
+   * Puts a drone's start elsewhere, and the drone too if it stands on the ground.
+   *
+   * @param position on the floor, room frame [m]
+   */
+  record SetStart(int drone, Vec3 position) implements ForDrone {}
+
+  /** Another room; drones and starts that would be outside move in. */
+  record SetRoom(Room room) implements Control {}
+
+  /** Lets simulated time stand still, or go on. */
+  record Pause(boolean paused) implements Control {}
+
+  /** How fast simulated time passes. */
+  record SetTimeFactor(TimeFactor factor) implements Control {}
+
+  /** Whether a start fits into a room. */
+  static boolean fits(Vec3 start, Room room) {
+    return room.contains(start, DroneSpec.HULL);
+  }
+}

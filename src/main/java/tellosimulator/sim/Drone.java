@@ -1,0 +1,254 @@
+package tellosimulator.sim;
+
+import java.util.Optional;
+import java.util.function.Consumer;
+import tellosimulator.command.CommandHandler;
+import tellosimulator.command.CommandObserver;
+import tellosimulator.command.OperatorSession;
+import tellosimulator.command.Outbox;
+import tellosimulator.command.Peer;
+import tellosimulator.command.Reply;
+import tellosimulator.command.ReplyPort;
+import tellosimulator.controller.DroneController;
+import tellosimulator.controller.ReadReplies;
+import tellosimulator.controller.Wiring;
+import tellosimulator.math.Attitude;
+import tellosimulator.math.Pose;
+import tellosimulator.math.Vec3;
+import tellosimulator.model.Battery;
+import tellosimulator.model.DroneModel;
+import tellosimulator.model.DroneSpec;
+import tellosimulator.model.DroneState;
+import tellosimulator.model.Motion;
+import tellosimulator.physics.QuadcopterDynamics;
+import tellosimulator.physics.Setpoint;
+import tellosimulator.profile.Behaviour;
+import tellosimulator.profile.Profile;
+import tellosimulator.sensor.Instruments;
+import tellosimulator.sensor.SeededNoise;
+import tellosimulator.sensor.SeededNoise.Channel;
+import tellosimulator.time.Periodic;
+import tellosimulator.time.SimTime;
+import tellosimulator.world.Room;
+
+/** One drone with all its parts, and its share of each part of a step. */
+final class Drone {
+
+  /** Mean period of state lines with a real drone, its deviation and limits [s]. Measured. */
+  private static final double MEASURED_PERIOD = 0.1006;
+
+  private static final double PERIOD_DEVIATION = 0.011;
+  private static final double SHORTEST_PERIOD = 0.045;
+  private static final double LONGEST_PERIOD = 0.153;
+
+  /** Period of state lines [s]. Report. */
+  private static final double PERIOD = 0.1;
+
+  private final Profile profile;
+  private final Behaviour behaviour;
+  private final SeededNoise noise;
+  private final Instruments instruments;
+  private final DroneModel model;
+  private final OperatorSession session;
+  private final Outbox outbox;
+  private final CommandHandler handler;
+  private final DroneController controller;
+  private final QuadcopterDynamics dynamics = new QuadcopterDynamics();
+  private final Consumer<SimEvent> events;
+  private SimTime now = SimTime.ZERO;
+  private Optional<Periodic> stateLines = Optional.empty();
+  private boolean firstLineDue;
+  private long stateCount;
+  private long replyCount;
+
+  /**
+   * @param number from 1
+   * @param events takes what happens
+   */
+  Drone(int number, SimConfig config, ReplyPort replies, Consumer<SimEvent> events) {
+    this.profile = config.product().profile();
+    this.behaviour = config.product().behaviour();
+    this.events = events;
+    this.noise = new SeededNoise(config.seed(), number);
+    this.instruments = new Instruments(behaviour, noise);
+    this.model = new DroneModel(number, config.starts().get(number - 1));
+    this.session = new OperatorSession(config.outlets().statePort(), config.outlets().videoPort());
+    this.outbox = new Outbox(replies, this::replyDelay);
+    Observer observer = new Observer();
+    this.controller =
+        new DroneController(
+            new Wiring(
+                model,
+                profile,
+                behaviour,
+                session,
+                noise,
+                new ReadReplies(instruments, profile, number),
+                event -> events.accept(new SimEvent.DroneFlight(now, number, event)),
+                observer::operatorChanged,
+                this::forgetLink));
+    this.handler =
+        CommandHandler.of(profile, behaviour)
+            .target(controller)
+            .session(session)
+            .outbox(outbox)
+            .observer(observer)
+            .build();
+  }
+
+  // --- step 1 ---
+
+  void handle(Peer peer, String text) {
+    if (model.phase() != tellosimulator.model.FlightPhase.OFF) {
+      handler.handle(peer, text, now);
+    }
+  }
+
+  void apply(Control.ForDrone control, Room room) {
+    if (control instanceof Control.Power power) {
+      if (power.on()) {
+        controller.powerOn();
+      } else {
+        controller.powerOff();
+      }
+    } else if (control instanceof Control.Reset) {
+      controller.reset();
+    } else if (control instanceof Control.SetBattery battery) {
+      model.setBattery(new Battery(battery.percent() / 100));
+    } else if (control instanceof Control.SetStart start) {
+      setStart(room.nearestInside(start.position().withZ(0), DroneSpec.HULL));
+    }
+  }
+
+  void moveInto(Room room) {
+    Pose start = model.start();
+    model.setStart(
+        new Pose(room.nearestInside(start.position(), DroneSpec.HULL), start.attitude()));
+    controller.moveInto(room);
+  }
+
+  // --- steps 3 to 9 ---
+
+  void plan(SimTime time) {
+    now = time;
+    outbox.flush(now);
+    controller.plan(now);
+  }
+
+  void integrate(Vec3 wind) {
+    Setpoint setpoint = controller.setpoint();
+    if (model.resting() && setpoint instanceof Setpoint.MotorsOff) {
+      return;
+    }
+    model.setMotion(dynamics.advance(model.motion(), setpoint, wind, SimTime.STEP));
+  }
+
+  void collide(Room room) {
+    if (model.resting()) {
+      return;
+    }
+    Motion motion = model.motion();
+    room.collide(motion.position(), motion.velocity(), DroneSpec.HULL)
+        .ifPresent(
+            collision -> {
+              model.setMotion(motion.heldAt(collision.position(), collision.velocity()));
+              controller.touch(collision);
+            });
+  }
+
+  void consume() {
+    model.consume(SimTime.STEP, behaviour.filmingEndurance());
+  }
+
+  void finish() {
+    controller.finish();
+    outbox.flush(now);
+  }
+
+  SimSnapshot.DroneSnapshot publish() {
+    model.publish(now);
+    return new SimSnapshot.DroneSnapshot(model.state(), session.link());
+  }
+
+  void output(StatePort states) {
+    if (stateLines.isPresent() && stateLines.get().due(now)) {
+      firstLineDue = false;
+      DroneState state = model.state();
+      states.send(
+          new StatePort.StateReport(
+              state,
+              instruments.read(state),
+              ReadReplies.pad(state.pads()),
+              profile,
+              session.link()));
+    }
+    controller.watchOver();
+  }
+
+  /** Whether time must pass for it. */
+  boolean busy() {
+    return firstLineDue || !outbox.isEmpty() || controller.busy();
+  }
+
+  private void setStart(Vec3 position) {
+    Pose start = new Pose(position, Attitude.LEVEL);
+    model.setStart(start);
+    if (model.resting()) {
+      controller.reset();
+    }
+  }
+
+  private double replyDelay() {
+    double least = behaviour.shortestReplyDelay();
+    double most = behaviour.longestReplyDelay();
+    return most == 0 ? 0 : noise.between(least, most, Channel.REPLY_DELAY, replyCount++);
+  }
+
+  private double statePeriod() {
+    if (!behaviour.noisySensors()) {
+      return PERIOD;
+    }
+    double period =
+        MEASURED_PERIOD + PERIOD_DEVIATION * noise.gaussian(Channel.STATE_PERIOD, stateCount++);
+    return Math.max(SHORTEST_PERIOD, Math.min(LONGEST_PERIOD, period));
+  }
+
+  private void forgetLink() {
+    handler.powerOff();
+    stateLines = Optional.empty();
+    firstLineDue = false;
+  }
+
+  /** Turns what operators and drone tell each other into events. */
+  private final class Observer implements CommandObserver {
+
+    @Override
+    public void received(Peer peer, String text) {
+      events.accept(new SimEvent.CommandReceived(now, model.drone(), peer, text));
+    }
+
+    @Override
+    public void ignored(Peer peer, String text, String reason) {
+      events.accept(new SimEvent.CommandIgnored(now, model.drone(), peer, text, reason));
+    }
+
+    @Override
+    public void replied(Peer peer, String text, Reply reply) {
+      events.accept(new SimEvent.ReplySent(now, model.drone(), peer, text, reply));
+    }
+
+    @Override
+    public void refused(Peer peer, String text, Reply reply, String reason) {
+      events.accept(new SimEvent.CommandRefused(now, model.drone(), peer, text, reply, reason));
+    }
+
+    @Override
+    public void operatorChanged(Peer peer) {
+      events.accept(new SimEvent.OperatorChanged(now, model.drone(), peer));
+      if (stateLines.isEmpty()) {
+        stateLines = Optional.of(new Periodic(now, Drone.this::statePeriod));
+        firstLineDue = true;
+      }
+    }
+  }
+}

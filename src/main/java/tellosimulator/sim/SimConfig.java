@@ -1,0 +1,71 @@
+package tellosimulator.sim;
+
+import java.util.List;
+import tellosimulator.math.Pose;
+import tellosimulator.profile.Behaviour;
+import tellosimulator.profile.Profile;
+import tellosimulator.time.TimeFactor;
+import tellosimulator.world.Room;
+
+/**
+ * What a simulation starts from. Immutable.
+ *
+ * @param product which drone, after which account
+ * @param room in which they fly
+ * @param starts where the drones stand, in the order of their numbers
+ * @param timeFactor how fast simulated time passes
+ * @param seed of everything random
+ * @param outlets ports on the operator's host
+ */
+public record SimConfig(
+    Product product,
+    Room room,
+    List<Pose> starts,
+    TimeFactor timeFactor,
+    long seed,
+    Outlets outlets) {
+
+  /** Which drone is simulated, after which account of it. */
+  public record Product(Profile profile, Behaviour behaviour) {}
+
+  /** Where on an operator's host state lines and video go. */
+  public record Outlets(int statePort, int videoPort) {
+
+    /** Documented: SDK 1.3 User Guide. */
+    public static final Outlets DEFAULT = new Outlets(8890, 11111);
+  }
+
+  /** One EDU in the middle of the default room, in real time. */
+  public static final SimConfig DEFAULT =
+      new SimConfig(
+          new Product(Profile.EDU, Behaviour.REPORT),
+          Room.DEFAULT,
+          Swarm.row(1, tellosimulator.math.Vec3.ZERO, Room.DEFAULT),
+          TimeFactor.REAL_TIME,
+          1,
+          Outlets.DEFAULT);
+
+  public SimConfig {
+    starts = List.copyOf(starts);
+  }
+
+  public SimConfig withProduct(Profile profile, Behaviour behaviour) {
+    return new SimConfig(new Product(profile, behaviour), room, starts, timeFactor, seed, outlets);
+  }
+
+  public SimConfig withRoom(Room newRoom, List<Pose> newStarts) {
+    return new SimConfig(product, newRoom, newStarts, timeFactor, seed, outlets);
+  }
+
+  public SimConfig withTimeFactor(TimeFactor newTimeFactor) {
+    return new SimConfig(product, room, starts, newTimeFactor, seed, outlets);
+  }
+
+  public SimConfig withSeed(long newSeed) {
+    return new SimConfig(product, room, starts, timeFactor, newSeed, outlets);
+  }
+
+  public SimConfig withOutlets(Outlets newOutlets) {
+    return new SimConfig(product, room, starts, timeFactor, seed, newOutlets);
+  }
+}

@@ -1,0 +1,90 @@
+package tellosimulator.sim;
+
+import java.util.Locale;
+import tellosimulator.command.Peer;
+import tellosimulator.command.Reply;
+import tellosimulator.command.WireText;
+import tellosimulator.controller.FlightEvent;
+import tellosimulator.time.SimTime;
+
+/**
+ * Something that happened, with its simulated time and in plain words. Immutable; for any thread.
+ */
+public sealed interface SimEvent {
+
+  /** The end of the last step before it happened, or of the step in which it happened. */
+  SimTime time();
+
+  /** The drone's number, from 1; 0 for what concerns all of them. */
+  int drone();
+
+  /** For people, one line. */
+  String words();
+
+  /** A command arrived; what becomes of it follows. */
+  record CommandReceived(SimTime time, int drone, Peer peer, String text) implements SimEvent {
+    @Override
+    public String words() {
+      return "`%s` from %s".formatted(WireText.printable(text), peer);
+    }
+  }
+
+  /** Something arrived that the drone does not react to. */
+  record CommandIgnored(SimTime time, int drone, Peer peer, String text, String reason)
+      implements SimEvent {
+    @Override
+    public String words() {
+      return "`%s` from %s ignored: %s".formatted(WireText.printable(text), peer, reason);
+    }
+  }
+
+  /** A command was refused, and the drone said so. */
+  record CommandRefused(SimTime time, int drone, Peer peer, String text, Reply reply, String reason)
+      implements SimEvent {
+    @Override
+    public String words() {
+      return "`%s` refused: %s; answered `%s`"
+          .formatted(WireText.printable(text), reason, WireText.printable(reply.text()));
+    }
+  }
+
+  /** A command was answered. */
+  record ReplySent(SimTime time, int drone, Peer peer, String text, Reply reply)
+      implements SimEvent {
+    @Override
+    public String words() {
+      return "`%s` answered `%s`"
+          .formatted(WireText.printable(text), WireText.printable(reply.text().stripTrailing()));
+    }
+  }
+
+  /** State and video go to another host from now on. */
+  record OperatorChanged(SimTime time, int drone, Peer peer) implements SimEvent {
+    @Override
+    public String words() {
+      return "is operated by %s now, its state goes to that host".formatted(peer);
+    }
+  }
+
+  /** Something happened to a drone, other than a command or a reply. */
+  record DroneFlight(SimTime time, int drone, FlightEvent event) implements SimEvent {
+    @Override
+    public String words() {
+      return event.words();
+    }
+  }
+
+  /** The world or its clock was changed. */
+  record WorldChanged(SimTime time, String words) implements SimEvent {
+    @Override
+    public int drone() {
+      return 0;
+    }
+  }
+
+  /** The event as a line of a log: simulated time, drone, words. */
+  default String line() {
+    String who = drone() == 0 ? "all" : "drone " + drone();
+    return String.format(Locale.ROOT, "%9.3f s  %s: %s", time().seconds(), who, words());
+  }
+}

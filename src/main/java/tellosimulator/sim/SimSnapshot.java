@@ -1,0 +1,28 @@
+package tellosimulator.sim;
+
+import java.util.List;
+import tellosimulator.command.Link;
+import tellosimulator.model.DroneState;
+import tellosimulator.time.SimTime;
+import tellosimulator.time.TimeFactor;
+import tellosimulator.world.Room;
+
+/**
+ * The whole simulation at the end of a step. Immutable; for any thread.
+ *
+ * @param time the end of the step
+ * @param clock how simulated time relates to the wall clock
+ * @param drones in the order of their numbers
+ */
+public record SimSnapshot(SimTime time, Clock clock, Room room, List<DroneSnapshot> drones) {
+
+  /** How simulated time relates to the wall clock. */
+  public record Clock(TimeFactor factor, boolean paused) {}
+
+  /**
+   * A drone and its link to an operator.
+   *
+   * @param link where its state and video go
+   */
+  public record DroneSnapshot(DroneState state, Link link) {}
+}

@@ -1,0 +1,229 @@
+package tellosimulator.sim;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Queue;
+import java.util.concurrent.ArrayBlockingQueue;
+import java.util.concurrent.ConcurrentLinkedQueue;
+import java.util.function.IntFunction;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+import tellosimulator.command.Peer;
+import tellosimulator.command.ReplyPort;
+import tellosimulator.math.Vec3;
+import tellosimulator.sim.SimSnapshot.Clock;
+import tellosimulator.sim.SimSnapshot.DroneSnapshot;
+import tellosimulator.time.SimTime;
+import tellosimulator.time.TimeFactor;
+import tellosimulator.world.Room;
+
+/**
+ * The simulation: a room with drones that moves on in fixed steps. It knows no wall clock, no
+ * sockets and no window.
+ *
+ * <p>One thread owns it and calls {@link #drain} and {@link #step}: a {@link SimulationLoop}, or a
+ * test that steps it. {@link #submit}, {@link #control} and {@link #snapshot} are for any thread.
+ */
+public final class Simulation {
+
+  private static final Logger LOG = LoggerFactory.getLogger(Simulation.class);
+
+  /** Commands that may wait; what comes on top is lost, as in a full socket buffer. */
+  private static final int INBOX_CAPACITY = 4096;
+
+  /** Commands that are taken between two steps at the most, so that a flood never stops time. */
+  private static final int MOST_AT_ONCE = 256;
+
+  private final Queue<Runnable> commands = new ArrayBlockingQueue<>(INBOX_CAPACITY);
+  private final Queue<Control> controls = new ConcurrentLinkedQueue<>();
+  private final List<Drone> drones = new ArrayList<>();
+  private final List<SimEvent> events = new ArrayList<>();
+  private final List<SimListener> listeners;
+  private final StatePort states;
+  private Room room;
+  private Clock clock;
+  private SimTime now = SimTime.ZERO;
+  private volatile SimSnapshot snapshot;
+  private volatile Runnable wake = () -> {};
+
+  /**
+   * @param replies gives the way out for the replies of the drone of a number
+   * @param states the way out for state lines
+   * @param listeners are told what happens, in this order
+   */
+  public Simulation(
+      SimConfig config,
+      IntFunction<ReplyPort> replies,
+      StatePort states,
+      List<SimListener> listeners) {
+    this.room = config.room();
+    this.clock = new Clock(config.timeFactor(), false);
+    this.states = states;
+    this.listeners = List.copyOf(listeners);
+    for (int number = 1; number <= config.starts().size(); number++) {
+      drones.add(new Drone(number, config, replies.apply(number), events::add));
+    }
+    publish();
+  }
+
+  /**
+   * Hands over a datagram. For any thread; it is taken at the next step, or before it.
+   *
+   * @param drone its number, from 1
+   * @param text one character a byte (ISO-8859-1)
+   * @return false if the inbox is full and the datagram was lost
+   */
+  public boolean submit(int drone, Peer peer, String text) {
+    Drone addressee = drone(drone);
+    boolean taken = commands.offer(() -> addressee.handle(peer, text));
+    wake.run();
+    return taken;
+  }
+
+  /**
+   * Hands over what a person does. For any thread.
+   *
+   * @throws IllegalArgumentException if there is no such drone
+   */
+  public void control(Control control) {
+    if (control instanceof Control.ForDrone forDrone) {
+      drone(forDrone.drone());
+    }
+    controls.add(control);
+    wake.run();
+  }
+
+  /** The latest completed step. For any thread. */
+  public SimSnapshot snapshot() {
+    return snapshot;
+  }
+
+  /** Whether something moves, or somebody waits for time to pass. For the owning thread. */
+  public boolean busy() {
+    for (Drone drone : drones) {
+      if (drone.busy()) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  /** Sets what {@link #submit} and {@link #control} call to wake the owning thread. */
+  void onSubmit(Runnable newWake) {
+    wake = newWake;
+  }
+
+  Clock clock() {
+    return clock;
+  }
+
+  /** Takes what has arrived, between two steps; replies that need no time go out at once. */
+  public void drain() {
+    boolean changed = false;
+    for (Control control = controls.poll(); control != null; control = controls.poll()) {
+      apply(control);
+      changed = true;
+    }
+    for (int i = 0; i < MOST_AT_ONCE; i++) {
+      Runnable command = commands.poll();
+      if (command == null) {
+        break;
+      }
+      guarded(command);
+      changed = true;
+    }
+    if (changed) {
+      publish();
+      tellEvents();
+    }
+  }
+
+  /** Moves everything on by one step of {@link SimTime#STEP}. */
+  public void step() {
+    drain();
+    now = now.next();
+    for (Drone drone : drones) {
+      drone.plan(now);
+    }
+    for (Drone drone : drones) {
+      drone.integrate(Vec3.ZERO);
+    }
+    for (Drone drone : drones) {
+      drone.collide(room);
+    }
+    for (Drone drone : drones) {
+      drone.consume();
+    }
+    for (Drone drone : drones) {
+      drone.finish();
+    }
+    publish();
+    for (Drone drone : drones) {
+      drone.output(states);
+    }
+    tellEvents();
+    for (SimListener listener : listeners) {
+      listener.stepped(snapshot);
+    }
+  }
+
+  private void apply(Control control) {
+    if (control instanceof Control.ForDrone forDrone) {
+      drone(forDrone.drone()).apply(forDrone, room);
+    } else if (control instanceof Control.SetRoom change) {
+      room = change.room();
+      drones.forEach(drone -> drone.moveInto(room));
+      tell(
+          "the room is %.0f cm wide, %.0f cm deep and %.0f cm high now"
+              .formatted(room.width() * 100, room.depth() * 100, room.height() * 100));
+    } else if (control instanceof Control.Pause pause) {
+      clock = new Clock(clock.factor(), pause.paused());
+      tell(pause.paused() ? "time stands still" : "time goes on");
+    } else if (control instanceof Control.SetTimeFactor change) {
+      TimeFactor factor = change.factor();
+      clock = new Clock(factor, clock.paused());
+      tell("the time factor is " + factor + " now");
+    }
+  }
+
+  private void guarded(Runnable command) {
+    try {
+      command.run();
+    } catch (RuntimeException e) {
+      LOG.error("A command could not be handled; please report this: {}", e.toString(), e);
+    }
+  }
+
+  private void publish() {
+    List<DroneSnapshot> states = new ArrayList<>(drones.size());
+    for (Drone drone : drones) {
+      states.add(drone.publish());
+    }
+    snapshot = new SimSnapshot(now, clock, room, java.util.Collections.unmodifiableList(states));
+  }
+
+  private void tell(String words) {
+    events.add(new SimEvent.WorldChanged(now, words));
+  }
+
+  private void tellEvents() {
+    if (events.isEmpty()) {
+      return;
+    }
+    List<SimEvent> happened = List.copyOf(events);
+    events.clear();
+    for (SimEvent event : happened) {
+      for (SimListener listener : listeners) {
+        listener.event(event);
+      }
+    }
+  }
+
+  private Drone drone(int number) {
+    if (number < 1 || number > drones.size()) {
+      throw new IllegalArgumentException(
+          "there is no drone " + number + ", the drones are 1 to " + drones.size());
+    }
+    return drones.get(number - 1);
+  }
+}

@@ -1,0 +1,102 @@
+package tellosimulator.world;
+
+import java.util.Optional;
+import tellosimulator.math.Vec3;
+
+/**
+ * A box with its floor's centre at the origin of the room frame. Immutable.
+ *
+ * @param width along y [m]
+ * @param depth along x [m]
+ * @param height along z [m]
+ */
+public record Room(double width, double depth, double height) {
+
+  /** Decided: 5 by 5 by 3 m, as the predecessor's room. */
+  public static final Room DEFAULT = new Room(5, 5, 3);
+
+  /** Shortest edge [m]. Assumed: a drone, its start and some air. */
+  public static final double SHORTEST = 1;
+
+  /** Longest edge [m]. Assumed: the drone's Wi-Fi reaches 100 m. */
+  public static final double LONGEST = 200;
+
+  public Room {
+    check("width", width);
+    check("depth", depth);
+    check("height", height);
+  }
+
+  /** Whether the hull fits at {@code position} without touching a wall or the ceiling. */
+  public boolean contains(Vec3 position, Hull hull) {
+    return Math.abs(position.x()) <= depth / 2 - hull.radius()
+        && Math.abs(position.y()) <= width / 2 - hull.radius()
+        && position.z() >= 0
+        && position.z() <= height - hull.height();
+  }
+
+  /** The position nearest to {@code position} at which the hull fits. */
+  public Vec3 nearestInside(Vec3 position, Hull hull) {
+    return new Vec3(
+        clamp(position.x(), -(depth / 2 - hull.radius()), depth / 2 - hull.radius()),
+        clamp(position.y(), -(width / 2 - hull.radius()), width / 2 - hull.radius()),
+        clamp(position.z(), 0, height - hull.height()));
+  }
+
+  /**
+   * What stops a body; it slides along the surface.
+   *
+   * @param position where it would be [m]
+   * @param velocity how it moves [m/s]
+   */
+  public Optional<Collision> collide(Vec3 position, Vec3 velocity, Hull hull) {
+    if (contains(position, hull)) {
+      return Optional.empty();
+    }
+    Vec3 inside = nearestInside(position, hull);
+    Vec3 push = inside.minus(position);
+    Vec3 left = velocity;
+    Hit worst = new Hit(Surface.FLOOR, Vec3.UP, -1);
+    for (Hit hit : hits(push, velocity)) {
+      if (hit.speed > worst.speed) {
+        worst = hit;
+      }
+      if (hit.speed > 0) {
+        left = left.plusScaled(hit.normal, hit.speed);
+      }
+    }
+    return Optional.of(
+        new Collision(worst.surface, worst.normal, Math.max(0, worst.speed), inside, left));
+  }
+
+  private record Hit(Surface surface, Vec3 normal, double speed) {}
+
+  private static Hit[] hits(Vec3 push, Vec3 velocity) {
+    return java.util.stream.Stream.of(
+            hit(push.x(), new Vec3(1, 0, 0), velocity, Surface.BACK_WALL, Surface.FRONT_WALL),
+            hit(push.y(), new Vec3(0, 1, 0), velocity, Surface.RIGHT_WALL, Surface.LEFT_WALL),
+            hit(push.z(), new Vec3(0, 0, 1), velocity, Surface.FLOOR, Surface.CEILING))
+        .flatMap(Optional::stream)
+        .toArray(Hit[]::new);
+  }
+
+  private static Optional<Hit> hit(
+      double push, Vec3 axis, Vec3 velocity, Surface low, Surface high) {
+    if (push == 0) {
+      return Optional.empty();
+    }
+    Vec3 normal = axis.times(Math.signum(push));
+    return Optional.of(new Hit(push > 0 ? low : high, normal, -velocity.dot(normal)));
+  }
+
+  private static double clamp(double value, double least, double most) {
+    return Math.max(least, Math.min(most, value));
+  }
+
+  private static void check(String name, double value) {
+    if (!(value >= SHORTEST && value <= LONGEST)) {
+      throw new IllegalArgumentException(
+          "room " + name + " is " + value + " m, but must be from " + SHORTEST + " to " + LONGEST);
+    }
+  }
+}
