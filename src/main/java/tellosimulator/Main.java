@@ -1,0 +1,93 @@
+package tellosimulator;
+
+import java.io.BufferedReader;
+import java.io.IOException;
+import java.io.InputStreamReader;
+import java.io.PrintStream;
+import java.nio.charset.Charset;
+import java.util.Optional;
+import org.slf4j.LoggerFactory;
+import picocli.CommandLine;
+import picocli.CommandLine.IVersionProvider;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.ParseResult;
+import tellosimulator.headless.HeadlessSimulator;
+import tellosimulator.network.PortTakenException;
+
+/** The command line: reads the options, then runs the simulator. */
+public final class Main {
+
+  private static final int FAILED = 1;
+  private static final int WRONG_OPTIONS = 2;
+
+  private Main() {}
+
+  /** Ends the process with 0, or 1 if something could not be had, or 2 if options are wrong. */
+  public static void main(String[] args) {
+    int status = run(args, System.out, System.err);
+    LogSetup.flush();
+    System.exit(status);
+  }
+
+  /** Runs the program and returns its exit code. */
+  static int run(String[] args, PrintStream out, PrintStream err) {
+    Options options = new Options();
+    CommandLine commandLine = new CommandLine(options);
+    commandLine.getCommandSpec().mixinStandardHelpOptions(true).versionProvider(new Version());
+    try {
+      ParseResult parsed = commandLine.parseArgs(args);
+      if (parsed.isUsageHelpRequested()) {
+        commandLine.usage(out);
+        return 0;
+      }
+      if (parsed.isVersionHelpRequested()) {
+        commandLine.printVersionHelp(out);
+        return 0;
+      }
+      LogSetup.setLevel(options.logLevel());
+      if (!options.headless()) {
+        LoggerFactory.getLogger(Main.class).info("There is no window yet: running headless");
+      }
+      return simulate(options, out);
+    } catch (ParameterException | IllegalArgumentException e) {
+      err.println(sentence(e.getMessage()) + " Try --help.");
+      return WRONG_OPTIONS;
+    } catch (PortTakenException e) {
+      err.println(e.getMessage());
+      return FAILED;
+    } catch (IOException e) {
+      err.println("Standard input cannot be read any more (" + e.getMessage() + ").");
+      return FAILED;
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+      return FAILED;
+    }
+  }
+
+  private static int simulate(Options options, PrintStream out)
+      throws IOException, InterruptedException {
+    try (HeadlessSimulator simulator =
+        new HeadlessSimulator(options.simConfig(), options.addressPlan(), options.replyPort())) {
+      Runtime.getRuntime().addShutdownHook(new Thread(simulator::close, "shutdown"));
+      Charset charset = Charset.defaultCharset();
+      simulator.run(new BufferedReader(new InputStreamReader(System.in, charset)), out);
+      return 0;
+    }
+  }
+
+  private static String sentence(String message) {
+    String line = message.lines().findFirst().orElse("The options are wrong");
+    String capital = Character.toUpperCase(line.charAt(0)) + line.substring(1);
+    return capital.endsWith(".") ? capital : capital + ".";
+  }
+
+  private static final class Version implements IVersionProvider {
+    @Override
+    public String[] getVersion() {
+      String version =
+          Optional.ofNullable(Main.class.getPackage().getImplementationVersion())
+              .orElse("development");
+      return new String[] {"Tello Simulator " + version};
+    }
+  }
+}

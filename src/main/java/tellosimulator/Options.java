@@ -1,0 +1,234 @@
+package tellosimulator;
+
+import java.net.InetAddress;
+import java.util.List;
+import java.util.Locale;
+import java.util.OptionalInt;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Option;
+import tellosimulator.network.AddressPlan;
+import tellosimulator.profile.Behaviour;
+import tellosimulator.profile.Profile;
+import tellosimulator.sim.SimConfig;
+import tellosimulator.sim.SimConfig.Outlets;
+import tellosimulator.sim.SimConfig.Product;
+import tellosimulator.sim.Swarm;
+import tellosimulator.time.TimeFactor;
+import tellosimulator.world.Room;
+
+/** What can be chosen on the command line, and what follows from it. */
+@Command(
+    name = "tello-simulator",
+    sortOptions = false,
+    usageHelpAutoWidth = true,
+    header = "Simulates Tello drones: programs fly them over UDP as they fly real ones.",
+    footer = {
+      "",
+      "Two changes make an existing program fly the simulator on the same machine:",
+      "the drone's address becomes 127.0.0.1, and the command port becomes 8879.",
+      "",
+      "While it runs, type: reset [N], power on|off [N], battery PERCENT [N],",
+      "pause, resume, state or quit. N is a drone's number; without it, all drones."
+    })
+final class Options {
+
+  private static final int MOST_DRONES = 250;
+  private static final int HIGHEST_PORT = 65535;
+
+  @Option(
+      names = "--headless",
+      description = "Run without a window. For now, there is no other way.")
+  private boolean headless;
+
+  @Option(
+      names = "--command-port",
+      paramLabel = "PORT",
+      defaultValue = "8879",
+      description = "Where drones take commands; 0 chooses a free port. Default: 8879.")
+  private int commandPort;
+
+  @Option(
+      names = "--state-port",
+      paramLabel = "PORT",
+      defaultValue = "8890",
+      description = "Where your program takes the drone's state. Default: 8890.")
+  private int statePort;
+
+  @Option(
+      names = "--video-port",
+      paramLabel = "PORT",
+      defaultValue = "11111",
+      description = "Where your program takes the drone's video. Default: 11111.")
+  private int videoPort;
+
+  @Option(
+      names = "--reply-port",
+      paramLabel = "sender|PORT",
+      defaultValue = "sender",
+      converter = OptionTypes.ReplyPort.class,
+      description =
+          "Where replies go on your program's host: to the port that the command came from, or"
+              + " always to the same one. Default: sender.")
+  private OptionalInt replyPort;
+
+  @Option(
+      names = "--drones",
+      paramLabel = "N",
+      description = "How many drones to simulate. Default: 1, or as many as --bind has addresses.")
+  private Integer drones;
+
+  @Option(
+      names = "--bind",
+      paramLabel = "A,B,…",
+      split = ",",
+      converter = OptionTypes.Address.class,
+      description =
+          "One address of this machine for each drone. Default: all addresses for drone 1,"
+              + " 127.0.0.2 for drone 2, 127.0.0.3 for drone 3, and so on.")
+  private List<InetAddress> bind;
+
+  @Option(
+      names = "--port-per-drone",
+      description =
+          "Give all drones the same addresses and count the port up: 8879, 8880, …, leaving out"
+              + " 8889, 8890 and 11111.")
+  private boolean portPerDrone;
+
+  @Option(
+      names = "--profile",
+      paramLabel = "edu|tello|tt",
+      defaultValue = "edu",
+      converter = OptionTypes.ProfileName.class,
+      description = "Which drone: Tello EDU, white Tello or RoboMaster TT. Default: edu.")
+  private Profile profile;
+
+  @Option(
+      names = "--behaviour",
+      paramLabel = "report|measured",
+      defaultValue = "report",
+      converter = OptionTypes.BehaviourName.class,
+      description =
+          "report: exact, and strict about commands that come too early. measured: with the"
+              + " noise, delays and errors of real drones. Default: report.")
+  private Behaviour behaviour;
+
+  @Option(
+      names = "--room",
+      paramLabel = "WxDxH",
+      defaultValue = "500x500x300",
+      converter = OptionTypes.RoomSize.class,
+      description = "Width, depth and height of the room in cm. Default: 500x500x300.")
+  private Room room;
+
+  @Option(
+      names = "--start",
+      paramLabel = "X,Y",
+      defaultValue = "0,0",
+      converter = OptionTypes.FloorPoint.class,
+      description =
+          "Where the drone starts, in cm from the room's centre: X along its depth, Y to the left."
+              + " Several drones stand in a row around it. Default: 0,0.")
+  private OptionTypes.Point start;
+
+  @Option(
+      names = "--time-factor",
+      paramLabel = "F|max",
+      defaultValue = "1",
+      converter = OptionTypes.Factor.class,
+      description =
+          "How fast time passes: 5 is five times as fast. max runs as fast as the machine can"
+              + " while a drone moves, and waits for your program otherwise. Default: 1.")
+  private TimeFactor timeFactor;
+
+  @Option(
+      names = "--seed",
+      paramLabel = "N",
+      defaultValue = "1",
+      description = "The same seed and the same commands give the same flight. Default: 1.")
+  private long seed;
+
+  @Option(
+      names = "--log-level",
+      paramLabel = "LEVEL",
+      defaultValue = "info",
+      converter = OptionTypes.LogLevel.class,
+      description =
+          "error, warn (refused commands), info (all commands and replies), debug (also reads and"
+              + " rc), or off. Default: info.")
+  private String logLevel;
+
+  boolean headless() {
+    return headless;
+  }
+
+  String logLevel() {
+    return logLevel;
+  }
+
+  OptionalInt replyPort() {
+    return replyPort;
+  }
+
+  /**
+   * What to simulate.
+   *
+   * @throws IllegalArgumentException with a sentence, if options do not fit together
+   */
+  SimConfig simConfig() {
+    checkPort("--command-port", commandPort, 0);
+    checkPort("--state-port", statePort, 1);
+    checkPort("--video-port", videoPort, 1);
+    return new SimConfig(
+        new Product(profile, behaviour),
+        room,
+        Swarm.row(droneCount(), start.inMetres(), room),
+        timeFactor,
+        seed,
+        new Outlets(statePort, videoPort));
+  }
+
+  /**
+   * Which drone listens where.
+   *
+   * @throws IllegalArgumentException with a sentence, if options do not fit together
+   */
+  AddressPlan addressPlan() {
+    if (portPerDrone) {
+      List<InetAddress> addresses = bind == null ? AddressPlan.machineAddresses() : bind;
+      return checked(AddressPlan.portPerDrone(droneCount(), addresses, commandPort));
+    }
+    return bind == null
+        ? AddressPlan.ofMachine(droneCount(), commandPort)
+        : AddressPlan.of(bind, commandPort);
+  }
+
+  private int droneCount() {
+    int addresses = bind == null || portPerDrone ? 0 : bind.size();
+    int count = drones != null ? drones : Math.max(1, addresses);
+    if (count < 1 || count > MOST_DRONES) {
+      throw new IllegalArgumentException(
+          "--drones is %d, but must be from 1 to %d".formatted(count, MOST_DRONES));
+    }
+    if (addresses != 0 && addresses != count) {
+      throw new IllegalArgumentException(
+          "--bind has %d addresses for %d drones, but each drone needs one"
+              .formatted(addresses, count));
+    }
+    return count;
+  }
+
+  private static AddressPlan checked(AddressPlan plan) {
+    plan.drones().stream()
+        .flatMap(List::stream)
+        .forEach(address -> checkPort("the port of the last drone", address.getPort(), 0));
+    return plan;
+  }
+
+  private static void checkPort(String name, int port, int least) {
+    if (port < least || port > HIGHEST_PORT) {
+      throw new IllegalArgumentException(
+          String.format(
+              Locale.ROOT, "%s is %d, but must be from %d to %d", name, port, least, HIGHEST_PORT));
+    }
+  }
+}
