@@ -139,8 +139,9 @@ final class Flight {
     fly(new Hover(position, velocity, baseHeading()), Task.NOBODY);
   }
 
-  /** Brakes, and answers the second time when it stands still. */
+  /** Centres the sticks, brakes, and answers the second time when it stands still. */
   void stop(Responder responder) {
+    rc.set(Sticks.CENTRED, now);
     hover();
     forcedStop.expect(responder, now);
   }
@@ -264,9 +265,6 @@ final class Flight {
   }
 
   private void gaveUp(String reason) {
-    if (task == Task.NOBODY) {
-      return;
-    }
     Task failed = task;
     hover();
     failed.failed(Reply.ERROR, reason);

@@ -14,7 +14,7 @@ final class Flip implements Maneuver {
   /** Upward acceleration and duration of the jump. Assumed: the loop must clear the floor. */
   private static final double JUMP_ACCELERATION = 9;
 
-  private static final double JUMP_TIME = 0.26;
+  private static final double JUMP_TIME = 0.22;
 
   /** Thrust for each unit of weight while it turns. Assumed: a small circle. */
   private static final double LOOP_THRUST = 0.25;

@@ -1,10 +1,17 @@
 package tellosimulator.controller;
 
+import tellosimulator.math.Vec3;
 import tellosimulator.model.DroneSpec;
 import tellosimulator.physics.Setpoint;
 
 /** Flies along a path with a steady heading: the six directions, {@code go} and {@code curve}. */
 final class PathFlight implements Maneuver {
+
+  /**
+   * How far ahead of the plan the drone tilts [s]: twice the damping over the frequency of the
+   * tilt, which is how long the tilt lags behind.
+   */
+  private static final double ANTICIPATION = 2 * DroneSpec.DAMPING / DroneSpec.TILT_FREQUENCY;
 
   private final Path path;
   private final SpeedProfile profile;
@@ -29,7 +36,16 @@ final class PathFlight implements Maneuver {
     if (!sensed.blocked()) {
       time += seconds;
     }
-    return path.track(profile.at(Math.max(0, time)), heading);
+    Setpoint.Track now = path.track(profile.at(time), heading);
+    return new Setpoint.Track(now.position(), now.velocity(), acceleration(now), heading);
+  }
+
+  /** The level part of what is needed soon, because tilt lags, and the vertical part of now. */
+  private Vec3 acceleration(Setpoint.Track now) {
+    double soon = time + ANTICIPATION;
+    return soon < 0
+        ? Vec3.ZERO
+        : path.track(profile.at(soon), heading).acceleration().withZ(now.acceleration().z());
   }
 
   @Override
@@ -39,7 +55,7 @@ final class PathFlight implements Maneuver {
 
   @Override
   public String progress() {
-    double way = profile.at(Math.max(0, time)).way();
+    double way = profile.at(time).way();
     return "%.0f of %.0f cm flown".formatted(way * 100, path.length() * 100);
   }
 }

@@ -30,6 +30,9 @@ record SpeedProfile(double length, double peak, double acceleration, double brak
   }
 
   Sample at(double seconds) {
+    if (seconds <= 0) {
+      return new Sample(0, 0, 0);
+    }
     double left = duration() - seconds;
     if (left <= 0) {
       return new Sample(length, 0, 0);

@@ -65,7 +65,7 @@ final class Takeoff implements Maneuver {
 
   @Override
   public String progress() {
-    double way = profile.at(Math.max(0, time - DroneSpec.LIFT_OFF_DELAY)).way();
+    double way = profile.at(time - DroneSpec.LIFT_OFF_DELAY).way();
     return "%.0f of %.0f cm climbed".formatted(way * 100, path.length() * 100);
   }
 

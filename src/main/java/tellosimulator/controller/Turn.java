@@ -33,7 +33,7 @@ final class Turn implements Maneuver {
   @Override
   public Setpoint advance(Sensed sensed, double seconds) {
     time += seconds;
-    SpeedProfile.Sample sample = profile.at(Math.max(0, time));
+    SpeedProfile.Sample sample = profile.at(time);
     Setpoint.Heading heading =
         new Setpoint.Heading(start + sign * sample.way(), sign * sample.speed());
     return new Setpoint.Track(position, Vec3.ZERO, Vec3.ZERO, heading);
@@ -46,7 +46,7 @@ final class Turn implements Maneuver {
 
   @Override
   public String progress() {
-    double way = profile.at(Math.max(0, time)).way();
+    double way = profile.at(time).way();
     return "%.0f of %.0f degrees turned"
         .formatted(StrictMath.toDegrees(way), StrictMath.toDegrees(profile.length()));
   }

@@ -56,8 +56,8 @@ public final class DroneSpec {
   /** From a turn's command to its first motion [s]. Measured: 0.1 to 0.2 s. */
   public static final double TURN_DELAY = 0.15;
 
-  /** Acceleration of a move [m/s²]. Measured: 1.0 to 1.2 (DJITelloPy issue 96). */
-  public static final double ACCELERATION = 1.15;
+  /** Acceleration of a move [m/s²]. Measured: pitch -8 degrees, and g tan 8° is 1.38. */
+  public static final double ACCELERATION = 1.3;
 
   /** Braking of a move [m/s²]. Measured: pitch +4 degrees, and g tan 4° is 0.69. */
   public static final double BRAKING = 0.65;
@@ -69,7 +69,7 @@ public final class DroneSpec {
    * Peak speed of a move over 1 m [m/s]; it grows with the root of the distance. Measured: 0.3 over
    * 0.5 m and up to 0.7 over 1 m; 3.6 s for {@code forward 100} ask for the lower half.
    */
-  public static final double PEAK_SPEED_OVER_ONE_METRE = 0.5;
+  public static final double PEAK_SPEED_OVER_ONE_METRE = 0.47;
 
   /** Speed of a landing from above {@link #SLOW_LANDING_HEIGHT} [m/s]. Measured: 0.6. */
   public static final double LANDING_SPEED = 0.6;
