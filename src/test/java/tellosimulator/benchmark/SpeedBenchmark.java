@@ -1,0 +1,149 @@
+package tellosimulator.benchmark;
+
+import java.net.InetAddress;
+import java.net.InetSocketAddress;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.stream.IntStream;
+import tellosimulator.command.Peer;
+import tellosimulator.math.Vec3;
+import tellosimulator.network.DatagramPort;
+import tellosimulator.network.Ports;
+import tellosimulator.network.StateConnection;
+import tellosimulator.sim.Control;
+import tellosimulator.sim.SimConfig;
+import tellosimulator.sim.Simulation;
+import tellosimulator.sim.Swarm;
+import tellosimulator.world.Room;
+
+/**
+ * How much faster than the wall clock drones fly on one thread, each flying a tour by commands and
+ * formatting its state lines.
+ */
+final class SpeedBenchmark {
+
+  private static final List<String> TOUR =
+      List.of(
+          "command",
+          "takeoff",
+          "forward 50",
+          "cw 90",
+          "go 50 50 20 60",
+          "curve 25 -25 0 25 -75 0 40",
+          "rc 0 30 0 20",
+          "up 40",
+          "rc 0 0 0 0",
+          "flip f",
+          "back 100",
+          "land");
+
+  private static final double WARM_UP_SECONDS = 3;
+  private static final double RUN_SECONDS = 2;
+  private static final int RUNS = 5;
+  private static final int STEPS_AT_ONCE = 200;
+
+  private SpeedBenchmark() {}
+
+  static Row measure(int drones, int target) {
+    Tour tour = new Tour(drones);
+    tour.factor(WARM_UP_SECONDS);
+    List<Double> factors =
+        IntStream.range(0, RUNS).mapToObj(run -> tour.factor(RUN_SECONDS)).toList();
+    double median = new Statistics(factors).median();
+    return new Row(
+        drones + (drones == 1 ? " drone" : " drones") + ", simulated over wall time",
+        "at least " + target + " ×",
+        String.format(Locale.ROOT, "%.0f ×", median),
+        median >= target);
+  }
+
+  /** Drones that fly their tour again and again, each sending the next command on a reply. */
+  private static final class Tour {
+
+    private final Simulation simulation;
+    private final Map<Integer, Integer> next = new HashMap<>();
+    private long lines;
+
+    Tour(int drones) {
+      Room room = new Room(20, 20, 5);
+      DatagramPort port = new Sink();
+      Peer peer =
+          new Peer(new InetSocketAddress(InetAddress.getLoopbackAddress(), 9), port.address());
+      simulation =
+          new Simulation(
+              SimConfig.DEFAULT.withRoom(room, Swarm.row(drones, Vec3.ZERO, room)),
+              drone -> (to, text) -> fly(drone, peer),
+              new StateConnection(new Ports(List.of(port))),
+              List.of());
+      for (int drone = 1; drone <= drones; drone++) {
+        simulation.control(new Control.Power(drone, true));
+        fly(drone, peer);
+      }
+    }
+
+    private void fly(int drone, Peer peer) {
+      int index = next.merge(drone, 1, Integer::sum) - 1;
+      String command = TOUR.get(index % TOUR.size());
+      if (command.equals("land")) {
+        simulation.control(new Control.SetBattery(drone, 100));
+      }
+      simulation.submit(drone, peer, command);
+      if (command.startsWith("rc ")) {
+        fly(drone, peer);
+      }
+    }
+
+    /** Runs for some wall seconds. */
+    double factor(double seconds) {
+      double simulated = simulation.snapshot().time().seconds();
+      long start = System.nanoTime();
+      double wall = 0;
+      while (wall < seconds) {
+        for (int i = 0; i < STEPS_AT_ONCE; i++) {
+          simulation.step();
+        }
+        wall = (System.nanoTime() - start) * 1e-9;
+      }
+      double passed = simulation.snapshot().time().seconds() - simulated;
+      if (lines == 0) {
+        throw new IllegalStateException("no state line was formatted");
+      }
+      return passed / wall;
+    }
+
+    /** Takes state lines and drops them. */
+    private final class Sink implements DatagramPort {
+      private final InetSocketAddress address =
+          new InetSocketAddress(InetAddress.getLoopbackAddress(), 8879);
+
+      @Override
+      public InetSocketAddress address() {
+        return address;
+      }
+
+      @Override
+      public Received receive() {
+        throw new IllegalStateException("nothing is received here");
+      }
+
+      @Override
+      public void send(byte[] bytes, InetSocketAddress to) {
+        lines++;
+      }
+
+      @Override
+      public void close() {}
+    }
+  }
+
+  static List<Row> all() {
+    List<Row> rows = new ArrayList<>();
+    rows.add(measure(1, 5000));
+    rows.add(measure(10, 500));
+    rows.add(measure(100, 50));
+    return rows;
+  }
+}
