@@ -1,0 +1,41 @@
+package tellosimulator.testing;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import org.junit.jupiter.api.Test;
+import tellosimulator.profile.Behaviour;
+import tellosimulator.profile.Profile;
+
+class SimulatedDroneTest {
+
+  private final SimulatedDrone drone = SimulatedDrone.of(Profile.EDU, Behaviour.REPORT);
+
+  @Test
+  void repliesThatNeedNoTimeAreThereAtOnce() {
+    drone.send("command");
+
+    assertThat(drone.replies()).extracting(SimulatedDrone.Sent::text).containsExactly("ok");
+    assertThat(drone.seconds()).isZero();
+  }
+
+  @Test
+  void askLetsTimePassUntilTheReply() {
+    drone.ask("command");
+
+    assertThat(drone.ask("takeoff")).isEqualTo("ok");
+    assertThat(drone.state().motion().position().z()).isCloseTo(0.30, within(0.01));
+    assertThat(drone.seconds()).isGreaterThan(1);
+  }
+
+  @Test
+  void stateLinesGoToTheOperatorsHost() {
+    drone.ask("command");
+    drone.advance(1);
+
+    assertThat(drone.stateLines()).hasSizeBetween(10, 11);
+    assertThat(drone.stateLines().get(0).to())
+        .isEqualTo(SimulatedDrone.address("192.168.10.2", 8890));
+    assertThat(drone.stateLines().get(0).text()).startsWith("mid:-2;").endsWith("\r\n");
+  }
+}
