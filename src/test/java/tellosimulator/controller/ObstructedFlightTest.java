@@ -1,0 +1,150 @@
+package tellosimulator.controller;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import org.junit.jupiter.api.Test;
+import tellosimulator.math.Vec3;
+import tellosimulator.model.DroneSpec;
+import tellosimulator.model.FlightPhase;
+import tellosimulator.profile.Behaviour;
+import tellosimulator.profile.Profile;
+import tellosimulator.sim.Control;
+import tellosimulator.sim.SimConfig;
+import tellosimulator.sim.SimEvent;
+import tellosimulator.sim.Swarm;
+import tellosimulator.testing.SimulatedDrone;
+import tellosimulator.world.Room;
+
+/** Walls, floor and ceiling: what stops a drone, and what breaks its flight. */
+class ObstructedFlightTest {
+
+  @Test
+  void aMoveIntoAWallIsHeldForASecondAndAnswersError() {
+    SimulatedDrone drone = flying(Behaviour.REPORT, Room.DEFAULT);
+
+    String reply = drone.ask("forward 300");
+
+    assertThat(reply).isEqualTo("error");
+    double wall = Room.DEFAULT.depth() / 2 - DroneSpec.HULL.radius();
+    assertThat(drone.state().motion().position().x()).isCloseTo(wall, within(0.01));
+    assertThat(drone.state().phase()).isEqualTo(FlightPhase.FLYING);
+    assertThat(lastWords(drone)).contains("`forward 300` refused: it was held by the front wall");
+    assertThat(drone.ask("back 50")).isEqualTo("ok");
+  }
+
+  @Test
+  void aClimbStopsAtTheCeiling() {
+    SimulatedDrone drone = flying(Behaviour.REPORT, Room.DEFAULT);
+
+    assertThat(drone.ask("up 400")).isEqualTo("error");
+
+    double ceiling = Room.DEFAULT.height() - DroneSpec.HULL.height();
+    assertThat(drone.state().motion().position().z()).isCloseTo(ceiling, within(0.01));
+  }
+
+  /** {@code rc} 100 is 1.5 m/s here, and a move on top of it adds up to 1 m/s. */
+  @Test
+  void aHardHitIsACrashUntilReset() {
+    SimulatedDrone drone = flying(Behaviour.MEASURED, new Room(30, 30, 10));
+    drone.send("rc 0 100 0 0");
+    drone.advance(4);
+
+    assertThat(drone.ask("forward 500")).isEqualTo("error Motor stop");
+    assertThat(drone.state().phase()).isEqualTo(FlightPhase.CRASHED);
+    assertThat(lastWords(drone)).contains("crashed into the front wall at");
+
+    drone.advance(2);
+    assertThat(drone.state().motion().position().z()).as("fallen").isZero();
+    assertThat(drone.ask("forward 50")).isEqualTo("error Motor stop");
+    assertThat(drone.ask("takeoff")).isEqualTo("error Motor stop");
+
+    drone.control(new Control.Reset(1));
+    assertThat(drone.state().motion().position()).isEqualTo(Vec3.ZERO);
+    assertThat(drone.ask("takeoff")).isEqualTo("ok");
+  }
+
+  @Test
+  void aTouchBelowOneAndAHalfMetresASecondIsNoCrash() {
+    SimulatedDrone drone = flying(Behaviour.REPORT, new Room(30, 5, 3));
+    drone.send("rc 0 100 0 0");
+    drone.advance(8);
+
+    assertThat(drone.state().phase())
+        .as("1 m/s is slower than 1.5 m/s")
+        .isEqualTo(FlightPhase.FLYING);
+  }
+
+  @Test
+  void emergencyDropsTheDroneWithoutHarm() {
+    SimulatedDrone drone = flying(Behaviour.REPORT, new Room(5, 5, 5));
+    drone.ask("up 300");
+    int replies = drone.replies().size();
+    double height = drone.state().motion().position().z();
+
+    drone.send("emergency");
+    // Free fall from 3.3 m takes the root of 2 · 3.3 / 9.81, 0.82 s; drag adds a little.
+    drone.advance(0.4);
+    assertThat(drone.state().phase()).isEqualTo(FlightPhase.FALLING);
+    double fallen = height - drone.state().motion().position().z();
+    assertThat(fallen).as("half of 9.81 · 0.4²").isCloseTo(0.785, within(0.06));
+    drone.advance(0.8);
+
+    assertThat(drone.state().phase()).isEqualTo(FlightPhase.GROUNDED);
+    assertThat(drone.replies()).as("no reply to emergency").hasSize(replies);
+    assertThat(drone.ask("takeoff")).isEqualTo("ok");
+  }
+
+  @Test
+  void takeoffIsRefusedWhileTheDroneStillFalls() {
+    SimulatedDrone drone = flying(Behaviour.REPORT, Room.DEFAULT);
+    drone.ask("up 200");
+
+    drone.send("emergency");
+    drone.advance(0.1);
+
+    assertThat(drone.ask("takeoff")).isEqualTo("error");
+  }
+
+  @Test
+  void aSoftTouchLetsTheDroneSlideAlongTheWall() {
+    SimulatedDrone drone = flying(Behaviour.REPORT, Room.DEFAULT);
+    drone.send("rc 40 60 0 0");
+
+    drone.advance(6);
+
+    Vec3 position = drone.state().motion().position();
+    double wall = Room.DEFAULT.depth() / 2 - DroneSpec.HULL.radius();
+    assertThat(position.x()).isCloseTo(wall, within(0.01));
+    assertThat(position.y()).as("to the right").isLessThan(-1);
+    assertThat(drone.state().phase()).isEqualTo(FlightPhase.FLYING);
+  }
+
+  @Test
+  void aSmallerRoomNeverLeavesADroneOutside() {
+    SimulatedDrone drone = flying(Behaviour.REPORT, Room.DEFAULT);
+    drone.ask("forward 200");
+    Room small = new Room(2, 2, 2);
+
+    drone.control(new Control.SetRoom(small));
+
+    assertThat(small.contains(drone.state().motion().position(), DroneSpec.HULL)).isTrue();
+    assertThat(drone.ask("up 50")).isEqualTo("ok");
+  }
+
+  private static SimulatedDrone flying(Behaviour behaviour, Room room) {
+    SimulatedDrone drone =
+        SimulatedDrone.of(
+            SimConfig.DEFAULT
+                .withProduct(Profile.EDU, behaviour)
+                .withRoom(room, Swarm.row(1, Vec3.ZERO, room)));
+    assertThat(drone.ask("command")).isEqualTo("ok");
+    assertThat(drone.ask("takeoff")).isEqualTo("ok");
+    return drone;
+  }
+
+  private static String lastWords(SimulatedDrone drone) {
+    SimEvent last = drone.events().get(drone.events().size() - 1);
+    return last.words();
+  }
+}
