@@ -1,0 +1,163 @@
+package tellosimulator.sim;
+
+import java.net.InetAddress;
+import java.net.InetSocketAddress;
+import java.nio.ByteBuffer;
+import java.nio.charset.StandardCharsets;
+import java.security.MessageDigest;
+import java.security.NoSuchAlgorithmException;
+import java.util.ArrayList;
+import java.util.HexFormat;
+import java.util.List;
+import java.util.concurrent.CountDownLatch;
+import tellosimulator.command.Peer;
+import tellosimulator.math.Attitude;
+import tellosimulator.math.Vec3;
+import tellosimulator.model.Motion;
+import tellosimulator.network.InMemoryPort;
+import tellosimulator.network.Ports;
+import tellosimulator.network.StateConnection;
+import tellosimulator.profile.Behaviour;
+import tellosimulator.profile.Profile;
+import tellosimulator.time.TimeFactor;
+import tellosimulator.world.Room;
+
+/**
+ * Flies two drones along a fixed script and prints the SHA-256 of everything that came of it: each
+ * step's motion, each reply, each state line, each event. Arguments: the pace ({@code stepped},
+ * {@code max} or a time factor) and the seed.
+ */
+public final class TraceProgram implements SimListener {
+
+  private static final List<String> SCRIPT =
+      List.of(
+          "command",
+          "takeoff",
+          "battery?",
+          "rc 0 40 10 30",
+          "curve 25 -25 0 25 -75 0 60",
+          "rc 0 0 0 0",
+          "flip l",
+          "foo",
+          "stop",
+          "cw 45",
+          "tof?",
+          "land");
+
+  private static final int DRONES = 2;
+
+  private final MessageDigest digest;
+  private final CountDownLatch done = new CountDownLatch(DRONES);
+  private final int[] next = new int[DRONES];
+  private final InMemoryPort states = new InMemoryPort(loopback(8879));
+  private final Simulation simulation;
+
+  private TraceProgram(TimeFactor factor, long seed) throws NoSuchAlgorithmException {
+    digest = MessageDigest.getInstance("SHA-256");
+    Room room = new Room(8, 8, 4);
+    simulation =
+        new Simulation(
+            SimConfig.DEFAULT
+                .withProduct(Profile.EDU, Behaviour.MEASURED)
+                .withRoom(room, Swarm.row(DRONES, Vec3.ZERO, room))
+                .withTimeFactor(factor)
+                .withSeed(seed),
+            drone -> (peer, text) -> replied(drone, text),
+            new StateConnection(new Ports(List.of(states))),
+            List.of(this));
+    for (int drone = 1; drone <= DRONES; drone++) {
+      simulation.control(new Control.Power(drone, true));
+      sendNext(drone);
+    }
+  }
+
+  /** Prints the hash. */
+  public static void main(String[] args) throws Exception {
+    long seed = Long.parseLong(args[1]);
+    System.out.println(trace(args[0], seed));
+  }
+
+  static String trace(String pace, long seed) throws Exception {
+    boolean stepped = pace.equals("stepped");
+    boolean max = pace.equals("max");
+    double value = stepped || max ? 1 : Double.parseDouble(pace);
+    TraceProgram program = new TraceProgram(max ? TimeFactor.MAX : new TimeFactor(value), seed);
+    if (stepped) {
+      while (program.done.getCount() > 0) {
+        program.simulation.step();
+      }
+    } else {
+      SimulationLoop loop = new SimulationLoop(program.simulation);
+      program.done.await();
+      loop.close();
+    }
+    return HexFormat.of().formatHex(program.digest.digest());
+  }
+
+  private void replied(int drone, String text) {
+    add(drone + text);
+    if (!text.equals("forced stop")) {
+      sendNext(drone);
+    }
+  }
+
+  /** Sends the next command; the reply to the last one ends the trace of a drone. */
+  private void sendNext(int drone) {
+    int index = next[drone - 1]++;
+    if (index >= SCRIPT.size()) {
+      done.countDown();
+      return;
+    }
+    String command = SCRIPT.get(index);
+    simulation.submit(drone, new Peer(loopback(9000 + drone), loopback(8879)), command);
+    if (command.startsWith("rc ")) {
+      sendNext(drone);
+    }
+  }
+
+  @Override
+  public void event(SimEvent event) {
+    add(event.line());
+  }
+
+  @Override
+  public void stepped(SimSnapshot snapshot) {
+    if (done.getCount() == 0) {
+      return;
+    }
+    List<InMemoryPort.Sent> lines = new ArrayList<>(states.takeSent());
+    lines.forEach(sent -> add(sent.text()));
+    snapshot.drones().forEach(drone -> add(drone.state().motion()));
+  }
+
+  private void add(Motion motion) {
+    Vec3 position = motion.position();
+    Vec3 velocity = motion.velocity();
+    Attitude attitude = motion.attitude();
+    for (double value :
+        new double[] {
+          position.x(),
+          position.y(),
+          position.z(),
+          velocity.x(),
+          velocity.y(),
+          velocity.z(),
+          attitude.w(),
+          attitude.x(),
+          attitude.y(),
+          attitude.z()
+        }) {
+      digest.update(ByteBuffer.allocate(Double.BYTES).putDouble(value).array());
+    }
+  }
+
+  private void add(String text) {
+    if (done.getCount() > 0) {
+      digest.update(text.getBytes(StandardCharsets.UTF_8));
+    }
+  }
+
+  private static InetSocketAddress loopback(int port) {
+    return new InetSocketAddress(InetAddress.getLoopbackAddress(), port);
+  }
+}
