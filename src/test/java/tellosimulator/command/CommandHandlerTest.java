@@ -1,0 +1,493 @@
+package tellosimulator.command;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.mockito.ArgumentMatchers.any;
+import static org.mockito.ArgumentMatchers.anyString;
+import static org.mockito.ArgumentMatchers.contains;
+import static org.mockito.ArgumentMatchers.eq;
+import static org.mockito.Mockito.never;
+import static org.mockito.Mockito.verify;
+import static tellosimulator.command.HandlerFixture.OPERATOR;
+import static tellosimulator.command.HandlerFixture.peer;
+import static tellosimulator.command.HandlerFixture.wire;
+import static tellosimulator.profile.Behaviour.MEASURED;
+import static tellosimulator.profile.Behaviour.REPORT;
+import static tellosimulator.profile.Profile.EDU;
+import static tellosimulator.profile.Profile.TELLO;
+import static tellosimulator.profile.Profile.TT;
+
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+import tellosimulator.profile.Behaviour;
+import tellosimulator.profile.Profile;
+
+/** What the handler does with texts that are no commands, and in which order it checks the rest. */
+class CommandHandlerTest {
+
+  private static final String UNKNOWN = "unknown command: ";
+
+  // --- before `command` ---
+
+  @ParameterizedTest
+  @ValueSource(
+      strings = {
+        "takeoff",
+        "battery?",
+        "emergency",
+        "rc 0 0 0 0",
+        "Command",
+        "command?",
+        "",
+        "foo"
+      })
+  void beforeCommandEverythingIsIgnored(String text) {
+    HandlerFixture drone = HandlerFixture.fresh(EDU, REPORT);
+
+    drone.handle(text);
+
+    assertThat(drone.carriedOut()).isEmpty();
+    assertThat(drone.takeReplies()).isEmpty();
+    verify(drone.observer).ignored(eq(OPERATOR), eq(text), anyString());
+    verify(drone.target, never()).linkAlive();
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"command", "command\\r\\n", "command\\s", "Re0101\\scommand"})
+  void commandIsTheFirstThatIsCarriedOut(String escaped) {
+    HandlerFixture drone = HandlerFixture.fresh(EDU, REPORT);
+
+    drone.handle(escaped.translateEscapes());
+
+    assertThat(drone.carriedOut()).containsExactly("enterSdkMode EnterSdkMode[]");
+  }
+
+  @Test
+  void withoutPowerSdkModeIsForgotten() {
+    HandlerFixture drone = HandlerFixture.grounded(EDU, REPORT);
+
+    drone.handler.powerOff();
+    drone.handle("battery?");
+
+    assertThat(drone.carriedOut()).isEmpty();
+    assertThat(drone.takeReplies()).isEmpty();
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"\u00cc\u0018\u0001\u00b9", "conn_req:\u0096\u0017", "\u00cc"})
+  void theAppsBinaryProtocolIsIgnoredInSdkMode(String text) {
+    HandlerFixture drone = HandlerFixture.flying(EDU, REPORT);
+
+    drone.handle(text);
+
+    assertThat(drone.carriedOut()).isEmpty();
+    assertThat(drone.takeReplies()).isEmpty();
+    verify(drone.observer).ignored(eq(OPERATOR), eq(text), contains("binary protocol"));
+  }
+
+  // --- form ---
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      nullValues = "-",
+      textBlock =
+          """
+          takeoff\\r            | takeoff
+          takeoff\\n            | takeoff
+          takeoff\\r\\n         | takeoff
+          takeoff\\r\\n\\r\\n   | takeoff
+          takeoff\\0            | takeoff
+          takeoff\\0\\0\\r\\n\\0 | takeoff
+          takeoff\\s            | takeoff
+          takeoff\\s\\r\\n      | takeoff
+          takeoff\\r\\n\\s\\r   | takeoff
+          takeoff\\s\\s         | -
+          takeoff\\s\\r\\s      | -
+          takeoff\\t            | -
+          \\stakeoff            | -
+          \\ntakeoff            | -
+          take\\0off            | -
+          """)
+  void lineEndsNulsAndOneBlankAtTheEndAreDropped(String escaped, String method) {
+    HandlerFixture drone = HandlerFixture.flying(EDU, REPORT);
+
+    drone.handle(escaped.strip().translateEscapes());
+
+    if (method == null) {
+      assertThat(drone.carriedOut()).isEmpty();
+      assertThat(drone.takeReplies()).hasSize(1).allMatch(reply -> reply.startsWith(UNKNOWN));
+    } else {
+      assertThat(drone.carriedOut()).containsExactly(method + " Takeoff[]");
+      assertThat(drone.takeReplies()).isEmpty();
+    }
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      textBlock =
+          """
+          takeoff\\s\\s            | takeoff\\s
+          takeoff\\s\\r\\s\\n      | takeoff\\s
+          takeof\\r\\n             | takeof
+          \\stakeoff               | \\stakeoff
+          \\0                      | ''
+          \\r\\n                   | ''
+          \\s                      | ''
+          \\s\\s                   | \\s
+          \\1\\2\\177\\r           | \\1\\2\\177
+          """)
+  void whatIsDroppedIsNotEchoed(String escaped, String echoEscaped) {
+    HandlerFixture drone = HandlerFixture.flying(EDU, REPORT);
+
+    drone.handle(escaped.strip().translateEscapes());
+
+    assertThat(drone.takeReplies())
+        .containsExactly(UNKNOWN + echoEscaped.strip().translateEscapes());
+  }
+
+  @ParameterizedTest
+  @ValueSource(
+      strings = {
+        "Takeoff",
+        "TAKEOFF",
+        "takeOff",
+        "Battery?",
+        "takeofff",
+        "takeof",
+        "take off",
+        "takeoff now",
+        "forward",
+        "forward 50 50",
+        "forward  50",
+        "forward 50  x",
+        "forward\t50",
+        "forward,50",
+        "cw",
+        "rc 0 0 0",
+        "rc 0 0 0 0 0",
+        "rc 0 0  0",
+        "rc 0,0,0,0",
+        "rc a b c d",
+        "go 100 0 0",
+        "curve 1 2 3 4 5 6",
+        "flip",
+        "speed",
+        "speed?x",
+        "speed ?",
+        "battery",
+        "wifi ssid",
+        "ap ssid",
+        "mon 1",
+        "mdirection",
+        "?",
+        "Re",
+        "\u00ff\u00fe\u0080",
+        "{\"command\": \"takeoff\"}"
+      })
+  void whatIsNoCommandIsEchoedInFull(String text) {
+    HandlerFixture drone = HandlerFixture.flying(EDU, REPORT);
+
+    drone.handle(text);
+
+    // One blank at the end is dropped before anything else, of two the other one stays.
+    String echo = text.endsWith(" ") ? text.substring(0, text.length() - 1) : text;
+    assertThat(drone.takeReplies()).containsExactly(UNKNOWN + echo);
+    assertThat(drone.carriedOut()).isEmpty();
+    verify(drone.observer, never()).replied(any(), any(), any());
+    verify(drone.observer)
+        .refused(eq(OPERATOR), eq(echo), eq(new Reply(UNKNOWN + echo)), anyString());
+  }
+
+  @Test
+  void anEmptyDatagramIsUnknown() {
+    HandlerFixture drone = HandlerFixture.flying(EDU, REPORT);
+
+    drone.handle("");
+
+    assertThat(drone.takeReplies()).containsExactly(UNKNOWN);
+  }
+
+  @ParameterizedTest
+  @ValueSource(
+      strings = {
+        "NaN",
+        "nan",
+        "Infinity",
+        "-Infinity",
+        "inf",
+        "1e309",
+        "1e2",
+        "1E2",
+        "0x10",
+        "0x1p3",
+        "+5",
+        "+50",
+        ".5",
+        "5.",
+        "50.",
+        "-",
+        "--50",
+        "-.5",
+        "5.0.0",
+        "50f",
+        "50d",
+        "50L",
+        "1_000",
+        "50,5",
+        "٥٠",
+        "５０",
+        "۵۰",
+        "½",
+        "50\u00a0",
+        "1234567890123456",
+        "0000000000000050",
+        "50.0000000000000"
+      })
+  void whatIsNoPlainNumberMakesTheCommandUnknown(String number) {
+    HandlerFixture drone = HandlerFixture.flying(EDU, REPORT);
+    String word = wire(number);
+    List<String> texts =
+        List.of(
+            "forward " + word,
+            "cw " + word,
+            "speed " + word,
+            "rc 0 0 0 " + word,
+            "rc " + word + " 0 0 0",
+            "go 100 " + word + " 0 50",
+            "curve 25 -25 0 25 -75 0 " + word);
+
+    texts.forEach(drone::handle);
+
+    assertThat(drone.takeReplies())
+        .containsExactlyElementsOf(texts.stream().map(text -> UNKNOWN + text).toList());
+    assertThat(drone.carriedOut()).isEmpty();
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      textBlock =
+          """
+          50,              0.5
+          50.0,            0.5
+          050,             0.5
+          35.234234,       0.35234234000000003
+          20.000000000000, 0.2
+          000000000000050, 0.5
+          499.99999999999, 4.9999999999999
+          """)
+  void plainNumbersOfUpTo15CharactersAreTaken(String number, double metres) {
+    HandlerFixture drone = HandlerFixture.flying(EDU, REPORT);
+
+    drone.handle("forward " + number);
+
+    assertThat(number).hasSizeLessThanOrEqualTo(15);
+    assertThat(drone.carriedOut())
+        .containsExactly("move Move[direction=FORWARD, distance=" + metres + "]");
+  }
+
+  // --- length ---
+
+  @Test
+  void aDatagramOf1024BytesMayStillBeACommand() {
+    HandlerFixture drone = HandlerFixture.flying(EDU, REPORT);
+    String text = "wifi name " + "p".repeat(1024 - "wifi name ".length());
+
+    drone.handle(text);
+
+    assertThat(text).hasSize(1024);
+    assertThat(drone.carriedOut()).containsExactly("setNetwork SetNetwork[done=Reply[text=ok]]");
+  }
+
+  @ParameterizedTest
+  @ValueSource(ints = {1025, 1031, 1500, 2048, 60_000})
+  void aLongerDatagramIsUnknownAndItsEchoIsCut(int length) {
+    HandlerFixture drone = HandlerFixture.flying(EDU, REPORT);
+    String text = "wifi name " + "p".repeat(length - "wifi name ".length());
+
+    drone.handle(text);
+
+    assertThat(drone.takeReplies()).containsExactly(UNKNOWN + text.substring(0, 1024));
+    assertThat(drone.carriedOut()).isEmpty();
+  }
+
+  @Test
+  void lineEndsBeyond1024BytesMakeACommandTooLong() {
+    HandlerFixture drone = HandlerFixture.flying(EDU, REPORT);
+    String text = "takeoff" + "\r\n".repeat(600);
+
+    drone.handle(text);
+
+    assertThat(drone.takeReplies()).containsExactly(UNKNOWN + text.substring(0, 1024));
+    assertThat(drone.carriedOut()).isEmpty();
+  }
+
+  @Test
+  void nulBytesFillingADatagramAreAnEmptyCommand() {
+    HandlerFixture drone = HandlerFixture.flying(EDU, REPORT);
+
+    drone.handle("\0".repeat(1000));
+
+    assertThat(drone.takeReplies()).containsExactly(UNKNOWN);
+  }
+
+  // --- echo ---
+
+  @ParameterizedTest
+  @CsvSource(
+      textBlock =
+          """
+          EDU,   REPORT,   setbitrate 2,   setbitrate 2
+          EDU,   MEASURED, setbitrate 2,   setbitrate 2
+          TELLO, REPORT,   setbitrate 2,   setbitrate 2
+          TELLO, MEASURED, setbitrate 2,   setbitrate
+          TELLO, MEASURED, mon,            mon
+          TELLO, MEASURED, Re0101 takeoff, Re0101
+          TELLO, MEASURED, ' takeoff',     ''
+          TT,    MEASURED, foo bar,        foo bar
+          """)
+  void onlyTheMeasuredWhiteTelloEchoesTheFirstWord(
+      Profile profile, Behaviour behaviour, String text, String echo) {
+    HandlerFixture drone = HandlerFixture.flying(profile, behaviour);
+
+    drone.handle(text);
+
+    assertThat(drone.takeReplies()).containsExactly(UNKNOWN + echo);
+  }
+
+  @Test
+  void aFirstWordThatIsTooLongIsCutAsWell() {
+    HandlerFixture drone = HandlerFixture.flying(TELLO, MEASURED);
+
+    drone.handle("x".repeat(3000) + " 1");
+
+    assertThat(drone.takeReplies()).containsExactly(UNKNOWN + "x".repeat(1024));
+  }
+
+  // --- the order of checks: form, busy, range, motors ---
+
+  @ParameterizedTest
+  @CsvSource(
+      textBlock =
+          """
+          # text,          busy,  flying, reply
+          forward,         true,  true,   unknown command: forward
+          forward x,       true,  false,  unknown command: forward x
+          Forward 50,      true,  true,   unknown command: Forward 50
+          forward 5,       true,  true,   error Not joystick
+          forward 5,       true,  false,  error Not joystick
+          forward 5,       false, false,  out of range
+          forward 5,       false, true,   out of range
+          forward 50,      true,  false,  error Not joystick
+          forward 50,      false, false,  error Motor stop
+          go 0 0 0 50,     true,  true,   error Not joystick
+          go 0 0 0 50,     false, false,  out of range
+          go 100 0 0 50,   false, false,  error Motor stop
+          flip x,          true,  true,   error Not joystick
+          flip x,          false, false,  out of range
+          flip l,          false, false,  error Motor stop
+          speed 5,         true,  true,   error Not joystick
+          speed 5,         false, true,   error
+          rc 0 0 0 101,    true,  true,   out of range
+          rc 0 0 0,        true,  true,   unknown command: rc 0 0 0
+          mdirection 3,    true,  true,   error Not joystick
+          mdirection 3,    false, true,   error
+          go 0 0 0 50 m9,  true,  true,   error Not joystick
+          go 0 0 0 50 m9,  false, true,   out of range
+          land,            true,  true,   error Not joystick
+          land,            false, false,  error Motor stop
+          cw 90,           false, false,  error Motor stop
+          """)
+  void formIsCheckedFirstThenBusyThenRangeThenMotors(
+      String text, boolean busy, boolean flying, String reply) {
+    HandlerFixture drone =
+        flying ? HandlerFixture.flying(EDU, REPORT) : HandlerFixture.grounded(EDU, REPORT);
+    if (busy) {
+      drone.busyWith("`up 100` is still running");
+    }
+
+    drone.handle(text);
+
+    assertThat(drone.takeReplies()).containsExactly(reply);
+    assertThat(drone.carriedOut()).isEmpty();
+  }
+
+  @Test
+  void aRefusalWhileBusySaysWhatIsRunning() {
+    HandlerFixture drone = HandlerFixture.flying(EDU, REPORT).busyWith("`up 100` is still running");
+
+    drone.handle("cw 90");
+
+    verify(drone.observer)
+        .refused(OPERATOR, "cw 90", Reply.NOT_JOYSTICK, "`up 100` is still running");
+  }
+
+  @Test
+  void everyDatagramShowsThatTheLinkIsAliveButOnlyKnownCommandsEndASafetyLanding() {
+    HandlerFixture drone = HandlerFixture.flying(EDU, REPORT);
+
+    drone.handle("foo");
+    verify(drone.target).linkAlive();
+    verify(drone.target, never()).commandArrived();
+
+    drone.handle("forward 5");
+    verify(drone.target).commandArrived();
+    assertThat(drone.takeReplies()).containsExactly(UNKNOWN + "foo", "out of range");
+  }
+
+  // --- answers ---
+
+  @Test
+  void anAnswerGoesToTheSenderOfTheCommandOnly() {
+    HandlerFixture drone = HandlerFixture.flying(EDU, REPORT);
+    Peer stranger = peer(3, 50_000);
+
+    drone.handle(stranger, "forward 50");
+    drone.after(2);
+    drone.responder().reply(Reply.OK);
+    drone.after(0);
+
+    assertThat(drone.sent).containsExactly(new HandlerFixture.Sent(stranger, "ok"));
+    verify(drone.observer).received(stranger, "forward 50");
+    verify(drone.observer).replied(stranger, "forward 50", Reply.OK);
+  }
+
+  @Test
+  void aCommandMayBeAnsweredTwice() {
+    HandlerFixture drone = HandlerFixture.flying(EDU, REPORT);
+
+    drone.handle("stop");
+    drone.responder().reply(Reply.OK);
+    drone.after(1);
+    drone.responder().reply(Reply.FORCED_STOP);
+    drone.after(0);
+
+    assertThat(drone.takeReplies()).containsExactly("ok", "forced stop");
+  }
+
+  @Test
+  void withoutPowerNothingThatWaitedIsSent() {
+    HandlerFixture drone = HandlerFixture.flying(EDU, REPORT);
+    drone.handle("takeoff");
+    drone.responder().reply(Reply.OK);
+
+    drone.handler.powerOff();
+    drone.after(1);
+
+    assertThat(drone.takeReplies()).isEmpty();
+  }
+
+  @Test
+  void aTargetThatNeverAnswersLeavesTheOperatorWaiting() {
+    HandlerFixture drone = HandlerFixture.flying(TT, REPORT);
+
+    drone.handle("emergency");
+    drone.after(60);
+
+    assertThat(drone.carriedOut()).containsExactly("emergency Emergency[]");
+    assertThat(drone.takeReplies()).isEmpty();
+  }
+}
