@@ -1,0 +1,251 @@
+package tellosimulator.command;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static tellosimulator.command.HandlerFixture.OPERATOR;
+import static tellosimulator.command.HandlerFixture.peer;
+import static tellosimulator.profile.Behaviour.REPORT;
+import static tellosimulator.profile.Profile.EDU;
+import static tellosimulator.profile.Profile.TELLO;
+import static tellosimulator.profile.Profile.TT;
+
+import java.util.List;
+import java.util.stream.IntStream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
+import org.junit.jupiter.params.provider.ValueSource;
+import tellosimulator.profile.Profile;
+
+/** The header with which clients repeat a command: executed once, each copy answered. */
+class RetransmissionTest {
+
+  @ParameterizedTest
+  @EnumSource(
+      value = Profile.class,
+      names = {"EDU", "TT"})
+  void aHeaderOfDigitsPrecedesTheReply(Profile profile) {
+    HandlerFixture drone = HandlerFixture.flying(profile, REPORT);
+
+    drone.handle("Re0101 takeoff");
+    drone.responder().reply(Reply.OK);
+    drone.after(0);
+
+    assertThat(drone.carriedOut()).containsExactly("takeoff Takeoff[]");
+    assertThat(drone.takeReplies()).containsExactly("Re0101 ok");
+  }
+
+  @Test
+  void aHeaderOfRawBytesComesBackByteForByte() {
+    HandlerFixture drone = HandlerFixture.flying(EDU, REPORT);
+    String header = "Re\0\u00ff\1\2 ";
+
+    drone.handle(header + "land\r\n");
+    drone.responder().reply(Reply.OK);
+    drone.after(0);
+
+    assertThat(drone.carriedOut()).containsExactly("land Land[]");
+    assertThat(drone.takeReplies()).containsExactly(header + "ok");
+  }
+
+  @Test
+  void rawBytesMayBeBlanks() {
+    HandlerFixture drone = HandlerFixture.flying(EDU, REPORT);
+
+    drone.handle("Re     takeoff");
+    drone.handle("Re    \1takeoff");
+
+    assertThat(drone.carriedOut()).containsExactly("takeoff Takeoff[]");
+    assertThat(drone.takeReplies()).containsExactly("unknown command: Re    \1takeoff");
+  }
+
+  @Test
+  void copiesThatArriveWhileTheCommandRunsAreAnsweredWithIt() {
+    HandlerFixture drone = HandlerFixture.flying(EDU, REPORT);
+
+    drone.handle("Re0101 forward 50");
+    drone.busyWith("`forward 50` is still running");
+    drone.handle("Re0102 forward 50");
+    drone.handle("Re0103 forward 50");
+    assertThat(drone.takeReplies()).isEmpty();
+    drone.after(2);
+    drone.responder().reply(Reply.OK);
+    drone.after(0);
+
+    assertThat(drone.carriedOut()).containsExactly("move Move[direction=FORWARD, distance=0.5]");
+    assertThat(drone.takeReplies()).containsExactly("Re0101 ok", "Re0102 ok", "Re0103 ok");
+  }
+
+  @Test
+  void aCopyThatArrivesAfterTheAnswerGetsTheSameAnswerAtOnce() {
+    HandlerFixture drone = HandlerFixture.flying(EDU, REPORT);
+
+    drone.handle("Re0101 forward 50");
+    drone.after(2);
+    drone.responder().reply(Reply.OK);
+    drone.after(1);
+    drone.handle("Re0102 forward 50");
+
+    assertThat(drone.carriedOut()).hasSize(1);
+    assertThat(drone.takeReplies()).containsExactly("Re0101 ok", "Re0102 ok");
+  }
+
+  @Test
+  void aCopyBetweenTheTwoAnswersOfStopGetsBoth() {
+    HandlerFixture drone = HandlerFixture.flying(EDU, REPORT);
+
+    drone.handle("Re0701 stop");
+    drone.responder().reply(Reply.OK);
+    drone.after(0.1);
+    drone.handle("Re0702 stop");
+    drone.responder().reply(Reply.FORCED_STOP);
+    drone.after(0);
+
+    assertThat(drone.takeReplies())
+        .containsExactly("Re0701 ok", "Re0702 ok", "Re0701 forced stop", "Re0702 forced stop");
+  }
+
+  @Test
+  void aRefusalIsRepeatedForEachCopyWithoutANewCheck() {
+    HandlerFixture drone = HandlerFixture.grounded(EDU, REPORT);
+
+    drone.handle("Re0101 forward 50");
+    drone.handle("Re0102 forward 50");
+
+    assertThat(drone.takeReplies())
+        .containsExactly("Re0101 error Motor stop", "Re0102 error Motor stop");
+    org.mockito.Mockito.verify(drone.target).flying();
+  }
+
+  @Test
+  void anUnknownCommandIsEchoedWithoutItsHeaderAfterIt() {
+    HandlerFixture drone = HandlerFixture.flying(EDU, REPORT);
+
+    drone.handle("Re0101 foo 1");
+    drone.handle("Re0102 foo 1");
+
+    assertThat(drone.takeReplies())
+        .containsExactly("Re0101 unknown command: foo 1", "Re0102 unknown command: foo 1");
+  }
+
+  @Test
+  void anotherIndexOrAnotherTextIsAnotherCommand() {
+    HandlerFixture drone = HandlerFixture.flying(EDU, REPORT);
+
+    drone.handle("Re0101 forward 50");
+    drone.handle("Re0201 forward 50");
+    drone.handle("Re0202 back 50");
+
+    assertThat(drone.carriedOut())
+        .containsExactly(
+            "move Move[direction=FORWARD, distance=0.5]",
+            "move Move[direction=FORWARD, distance=0.5]",
+            "move Move[direction=BACK, distance=0.5]");
+  }
+
+  @Test
+  void twoPeersMayUseTheSameIndex() {
+    HandlerFixture drone = HandlerFixture.flying(EDU, REPORT);
+    Peer other = peer(1, 40_002);
+
+    drone.handle("Re0101 battery?");
+    drone.responder().reply(Reply.line("76"));
+    drone.handle(other, "Re0101 battery?");
+    drone.responder().reply(Reply.line("75"));
+    drone.after(0);
+
+    assertThat(drone.sent)
+        .containsExactly(
+            new HandlerFixture.Sent(OPERATOR, "Re0101 76\r\n"),
+            new HandlerFixture.Sent(other, "Re0101 75\r\n"));
+  }
+
+  @Test
+  void theSameCommandWithoutHeaderIsNoCopy() {
+    HandlerFixture drone = HandlerFixture.flying(EDU, REPORT);
+
+    drone.handle("Re0101 up 50");
+    drone.handle("up 50");
+    drone.handle("up 50");
+
+    assertThat(drone.carriedOut()).hasSize(3);
+  }
+
+  @Test
+  void theVendorsFiveTriesAreAllAnsweredAndAFloodOfCopiesIsNot() {
+    HandlerFixture drone = HandlerFixture.flying(EDU, REPORT);
+
+    for (int i = 0; i < 1000; i++) {
+      drone.handle("Re01" + (10 + i % 90) + " land");
+    }
+    drone.responder().reply(Reply.OK);
+    drone.after(0);
+
+    List<String> replies = drone.takeReplies();
+    assertThat(drone.carriedOut()).hasSize(1);
+    assertThat(replies).startsWith("Re0110 ok", "Re0111 ok", "Re0112 ok", "Re0113 ok", "Re0114 ok");
+    assertThat(replies).hasSizeLessThan(20);
+  }
+
+  @Test
+  void ofThousandsOfPeersTheLatestAreRemembered() {
+    HandlerFixture drone = HandlerFixture.flying(EDU, REPORT);
+
+    IntStream.rangeClosed(1, 2000).forEach(i -> drone.handle(peer(2, i), "Re0101 land"));
+    drone.handle(peer(2, 2000), "Re0102 land");
+    assertThat(drone.carriedOut()).hasSize(2000);
+
+    drone.handle(peer(2, 1), "Re0102 land");
+    assertThat(drone.carriedOut()).hasSize(2001);
+  }
+
+  @Test
+  void withoutPowerCopiesAreForgotten() {
+    HandlerFixture drone = HandlerFixture.flying(EDU, REPORT);
+    drone.handle("Re0101 command");
+    drone.handler.powerOff();
+
+    drone.handle("Re0102 command");
+
+    assertThat(drone.carriedOut()).hasSize(2);
+  }
+
+  @Test
+  void theWhiteTelloKnowsNoHeader() {
+    HandlerFixture drone = HandlerFixture.flying(TELLO, REPORT);
+
+    drone.handle("Re0101 takeoff");
+
+    assertThat(drone.carriedOut()).isEmpty();
+    assertThat(drone.takeReplies()).containsExactly("unknown command: Re0101 takeoff");
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"Re010 takeoff", "Re01011 takeoff", "re0101 takeoff", "Re0101takeoff"})
+  void whatHasAnotherShapeIsNoHeader(String text) {
+    HandlerFixture drone = HandlerFixture.flying(TT, REPORT);
+
+    drone.handle(text);
+
+    assertThat(drone.carriedOut()).isEmpty();
+    assertThat(drone.takeReplies()).containsExactly("unknown command: " + text);
+  }
+
+  @Test
+  void aHeaderAloneIsAnEmptyCommand() {
+    HandlerFixture drone = HandlerFixture.flying(EDU, REPORT);
+
+    drone.handle("Re0101 ");
+
+    assertThat(drone.takeReplies()).containsExactly("Re0101 unknown command: ");
+  }
+
+  @Test
+  void aDatagramOf1024BytesWithItsHeaderIsTaken() {
+    HandlerFixture drone = HandlerFixture.flying(EDU, REPORT);
+    String text = "Re0101 wifi name ";
+
+    drone.handle(text + "p".repeat(1024 - text.length()));
+
+    assertThat(drone.carriedOut()).containsExactly("setNetwork SetNetwork[done=Reply[text=ok]]");
+  }
+}
