@@ -1,0 +1,108 @@
+package tellosimulator.command;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.fail;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.Random;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import tellosimulator.profile.Behaviour;
+import tellosimulator.profile.Profile;
+import tellosimulator.time.SimTime;
+
+/** A million texts of all kinds: each is ignored, or carried out once, or answered once. */
+class CommandFuzzTest {
+
+  @ParameterizedTest
+  @CsvSource(
+      textBlock =
+          """
+          EDU,   REPORT,   1, 400000
+          TELLO, MEASURED, 2, 200000
+          TT,    MEASURED, 3, 400000
+          """)
+  void whateverArrivesHasExactlyOneConsequence(
+      Profile profile, Behaviour behaviour, long seed, int texts) {
+    CountingTarget target = new CountingTarget();
+    Counts counts = new Counts();
+    OperatorSession session = new OperatorSession(8890, 11_111);
+    session.open(HandlerFixture.OPERATOR, SimTime.ZERO);
+    CommandHandler handler =
+        CommandHandler.of(profile, behaviour)
+            .target(target)
+            .session(session)
+            .outbox(new Outbox((peer, text) -> counts.sent++, () -> 0))
+            .observer(counts)
+            .build();
+    GarbageSource garbage = new GarbageSource(seed);
+    List<Peer> peers = List.of(HandlerFixture.OPERATOR, HandlerFixture.peer(2, 1));
+    Random random = new Random(seed);
+
+    for (int i = 0; i < texts; i++) {
+      String text = garbage.next();
+      target.running = random.nextBoolean() ? Optional.of("`up 50`") : Optional.empty();
+      target.flying = random.nextBoolean();
+      int consequences = counts.consequences() + target.carriedOut;
+      int answers = counts.refused + counts.replied;
+      int sent = counts.sent;
+
+      handler.handle(peers.get(random.nextInt(peers.size())), text, new SimTime(i));
+
+      consequences = counts.consequences() + target.carriedOut - consequences;
+      answers = counts.refused + counts.replied - answers;
+      sent = counts.sent - sent;
+      boolean once = consequences == 1 && sent == answers && sent <= 1;
+      boolean copy = consequences == 0 && sent <= 1 && mayBeCopy(profile, text);
+      if (!once && !copy) {
+        fail("`%s` had %d consequences, %d answers", WireText.printable(text), consequences, sent);
+      }
+    }
+
+    assertThat(target.carriedOut).as("some of it was meant").isGreaterThan(texts / 100);
+    assertThat(counts.refused).as("most of it was not").isGreaterThan(texts / 10);
+    assertThat(counts.sent).isGreaterThanOrEqualTo(counts.refused);
+    assertThat(session.link().sdkMode()).isTrue();
+  }
+
+  /** A copy has no consequence but the first one's answer once more. */
+  private static boolean mayBeCopy(Profile profile, String text) {
+    return profile.hasPads() && text.startsWith("Re") && text.length() >= 7;
+  }
+
+  private static final class Counts implements CommandObserver {
+    private int ignored;
+    private int refused;
+    private int replied;
+    private int sent;
+
+    int consequences() {
+      return ignored + refused;
+    }
+
+    @Override
+    public void received(Peer peer, String text) {}
+
+    @Override
+    public void ignored(Peer peer, String text, String reason) {
+      ignored++;
+    }
+
+    @Override
+    public void replied(Peer peer, String text, Reply reply) {
+      replied++;
+    }
+
+    @Override
+    public void refused(Peer peer, String text, Reply reply, String reason) {
+      refused++;
+      if (reason.isBlank()) {
+        throw new AssertionError("no reason for " + reply);
+      }
+    }
+
+    @Override
+    public void operatorChanged(Peer peer) {}
+  }
+}
