@@ -71,7 +71,7 @@ sealed interface Parameter {
     }
   }
 
-  /** One of a few words; another word is out of range. */
+  /** One of a few words; another word is out of range. Two blanks enclose no word. */
   record Choice(String name, List<String> words) implements Parameter {
 
     @Override
@@ -81,7 +81,7 @@ sealed interface Parameter {
 
     @Override
     public boolean isForm(String word) {
-      return true;
+      return !word.isEmpty();
     }
 
     @Override
@@ -93,7 +93,7 @@ sealed interface Parameter {
     }
   }
 
-  /** Any word. */
+  /** Any word, but for the empty one between two blanks. */
   record Word(String name) implements Parameter {
 
     @Override
@@ -103,7 +103,7 @@ sealed interface Parameter {
 
     @Override
     public boolean isForm(String word) {
-      return true;
+      return !word.isEmpty();
     }
 
     @Override

@@ -109,6 +109,29 @@ class CommandTableTest {
   }
 
   @ParameterizedTest
+  @MethodSource("accepted")
+  void isUnknownWithTwoBlanksAnywhere(Accepted accepted) {
+    HandlerFixture drone = HandlerFixture.flying(TT, REPORT);
+    String text = accepted.text();
+    List<String> spoilt =
+        Stream.concat(
+                Stream.of(" " + text, text + "  "),
+                text.chars().filter(c -> c == ' ').mapToObj(c -> text.replace(" ", "  ")))
+            .distinct()
+            .toList();
+
+    spoilt.forEach(drone::handle);
+
+    assertThat(drone.takeReplies())
+        .containsExactlyElementsOf(
+            spoilt.stream()
+                .map(s -> s.endsWith("  ") ? s.substring(0, s.length() - 1) : s)
+                .map(CommandTableTest::unknown)
+                .toList());
+    assertThat(drone.carriedOut()).isEmpty();
+  }
+
+  @ParameterizedTest
   @EnumSource(Profile.class)
   void isKnownToTheProfilesOfItsSdkAndUnknownToOlderOnes(Profile profile) {
     Set<String> known =
