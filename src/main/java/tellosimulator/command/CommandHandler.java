@@ -45,8 +45,9 @@ public final class CommandHandler {
   /** Takes one datagram. */
   public void handle(Peer peer, String datagram, SimTime now) {
     outbox.flush(now);
-    String header = profile.hasPads() ? Retransmission.header(datagram) : "";
-    String text = withoutHeader(datagram, header);
+    boolean tooLong = datagram.length() > WireText.LONGEST;
+    String header = profile.hasPads() && !tooLong ? Retransmission.header(datagram) : "";
+    String text = tooLong ? datagram : WireText.trimmed(datagram.substring(header.length()));
     if (ignored(peer, text)) {
       return;
     }
@@ -71,12 +72,6 @@ public final class CommandHandler {
     session.close();
     outbox.clear();
     retransmission.forgetAll();
-  }
-
-  private static String withoutHeader(String datagram, String header) {
-    boolean tooLong = datagram.length() > WireText.LONGEST;
-    String text = datagram.substring(header.length());
-    return tooLong ? text : WireText.trimmed(text);
   }
 
   private boolean ignored(Peer peer, String text) {

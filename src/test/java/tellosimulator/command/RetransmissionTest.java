@@ -239,6 +239,20 @@ class RetransmissionTest {
     assertThat(drone.takeReplies()).containsExactly("Re0101 unknown command: ");
   }
 
+  @ParameterizedTest
+  @ValueSource(ints = {1025, 1026, 1031, 1032})
+  void aHeaderCountsForTheLengthOfADatagram(int length) {
+    HandlerFixture drone = HandlerFixture.flying(EDU, REPORT);
+    String text = "Re0101 wifi name ";
+    String datagram = text + "p".repeat(length - text.length());
+
+    drone.handle(datagram);
+
+    assertThat(drone.carriedOut()).isEmpty();
+    assertThat(drone.takeReplies())
+        .containsExactly("unknown command: " + datagram.substring(0, 1024));
+  }
+
   @Test
   void aDatagramOf1024BytesWithItsHeaderIsTaken() {
     HandlerFixture drone = HandlerFixture.flying(EDU, REPORT);
