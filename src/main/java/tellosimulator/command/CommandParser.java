@@ -11,9 +11,11 @@ import tellosimulator.profile.Profile;
 /** Finds the row of the table that a text is written after. Immutable; for any thread. */
 final class CommandParser {
 
+  private final Profile profile;
   private final Map<String, List<CommandSyntax>> byFirstWord;
 
   CommandParser(Profile profile) {
+    this.profile = profile;
     byFirstWord =
         Stream.of(CommandSyntax.values())
             .filter(syntax -> syntax.knownTo(profile))
@@ -25,10 +27,10 @@ final class CommandParser {
    *
    * @param arguments the words after the verb
    */
-  record Parsed(CommandSyntax syntax, Arguments arguments) {
+  record Parsed(CommandSyntax syntax, Arguments arguments, Profile profile) {
 
     Optional<Refusal> complaint() {
-      return syntax.complaint(arguments);
+      return syntax.complaint(arguments, profile);
     }
 
     Command command() {
@@ -45,7 +47,7 @@ final class CommandParser {
     return byFirstWord.getOrDefault(words.get(0), List.of()).stream()
         .filter(syntax -> syntax.matches(words))
         .findFirst()
-        .map(syntax -> new Parsed(syntax, syntax.arguments(words)));
+        .map(syntax -> new Parsed(syntax, syntax.arguments(words), profile));
   }
 
   /** Why {@code text} is unknown, in plain words that follow "refused: ". */

@@ -1,5 +1,6 @@
 package tellosimulator.command;
 
+import static tellosimulator.command.GeometryRules.CUBE;
 import static tellosimulator.command.Parameter.choice;
 import static tellosimulator.command.Parameter.number;
 import static tellosimulator.command.Parameter.word;
@@ -63,20 +64,21 @@ public enum CommandSyntax {
       row("go", SDK_1_3)
           .with(cm("x"), cm("y"), cm("z"), number("speed", "cm/s", 10, 100))
           .flight()
-          .rule(GeometryRules::go)
+          .rule(CUBE, (a, profile) -> GeometryRules.go(a))
           .from("FHNW report; DJITelloPy 191, 236"),
       a -> new Command.Go(a.point(0), a.metres(3))),
   GO_TO_PAD(
       row("go", SDK_2_0)
           .with(cm("x"), cm("y"), cm("z"), number("speed", "cm/s", 10, 100), pad("mid"))
           .flight()
-          .from("SDK 2.0 guide; tello-asyncio 4"),
+          .rule(CUBE + "; profile `tt`: z from 0", GeometryRules::goToPad)
+          .from("SDK 2.0 and 3.0 guides; tello-asyncio 4"),
       a -> new Command.GoToPad(a.point(0), a.metres(3), a.pad(4))),
   CURVE(
       row("curve", SDK_1_3)
           .with(cm("x1"), cm("y1"), cm("z1"), cm("x2"), cm("y2"), cm("z2"), curveSpeed())
           .flight()
-          .rule(GeometryRules::curve)
+          .rule(CUBE + "; radius 0.5 to 10 m", (a, profile) -> GeometryRules.curve(a))
           .from("FHNW report; SDK 2.0 guide"),
       a -> new Command.Curve(GeometryRules.arc(a), a.metres(6))),
   CURVE_OVER_PAD(
@@ -84,7 +86,8 @@ public enum CommandSyntax {
           .with(
               cm("x1"), cm("y1"), cm("z1"), cm("x2"), cm("y2"), cm("z2"), curveSpeed(), pad("mid"))
           .flight()
-          .from("SDK 2.0 guide; pad guides"),
+          .rule(CUBE + "; profile `tt`: z1 and z2 from 0", GeometryRules::curveOverPad)
+          .from("SDK 2.0 and 3.0 guides; pad guides"),
       a -> new Command.CurveOverPad(a.point(0), a.point(3), a.metres(6), a.pad(7))),
   JUMP(
       row("jump", SDK_2_0)
@@ -97,7 +100,8 @@ public enum CommandSyntax {
               pad("mid1"),
               pad("mid2"))
           .flight()
-          .from("SDK 2.0 guide; pad guides"),
+          .rule("profile `tt`: z above 0", GeometryRules::jump)
+          .from("SDK 2.0 and 3.0 guides; pad guides"),
       a ->
           new Command.Jump(
               new Command.GoToPad(a.point(0), a.metres(3), a.pad(5)), a.heading(4), a.pad(6))),
@@ -278,6 +282,9 @@ public enum CommandSyntax {
       ranges.append(ranges.isEmpty() ? "" : "; ");
       ranges.append(parameter.name()).append(": ").append(parameter.allowed());
     }
+    if (!row.rule().words().isEmpty()) {
+      ranges.append("; ").append(row.rule().words());
+    }
     return ranges.toString();
   }
 
@@ -311,14 +318,14 @@ public enum CommandSyntax {
   }
 
   /** What is wrong with the values; empty if nothing is. */
-  Optional<Refusal> complaint(Arguments arguments) {
+  Optional<Refusal> complaint(Arguments arguments, Profile profile) {
     for (int i = 0; i < row.parameters().size(); i++) {
       Optional<String> complaint = row.parameters().get(i).complaint(arguments.word(i));
       if (complaint.isPresent()) {
         return complaint.map(reason -> new Refusal(outOfRange(), reason));
       }
     }
-    return row.rule().apply(arguments);
+    return row.rule().check().apply(arguments, profile);
   }
 
   /** The command; the values must be without complaint. */

@@ -3,9 +3,14 @@ package tellosimulator.command;
 import java.util.Optional;
 import tellosimulator.math.Arc;
 import tellosimulator.math.Vec3;
+import tellosimulator.profile.Profile;
+import tellosimulator.profile.Sdk;
 
 /** What must hold of the points of {@code go} and {@code curve} taken together. */
 final class GeometryRules {
+
+  /** For people: what {@link #go} checks. */
+  static final String CUBE = "no point within ±20 cm in x, y and z";
 
   /** Half the edge of the cube in which a goal is too near [m], its faces included. Report. */
   private static final double TOO_NEAR = 0.20;
@@ -28,6 +33,26 @@ final class GeometryRules {
         .or(() -> radius(Arc.through(arguments.point(0), arguments.point(3))));
   }
 
+  /** Documented: SDK 3.0 guide, z from 0 over a pad; SDK 2.0 guide, also below. */
+  static Optional<Refusal> goToPad(Arguments arguments, Profile profile) {
+    return go(arguments).or(() -> belowPad("z", arguments.number(2), profile));
+  }
+
+  /** The radius depends on where the pad is seen, so it is not known yet. */
+  static Optional<Refusal> curveOverPad(Arguments arguments, Profile profile) {
+    return tooNear("x1, y1 and z1", arguments.point(0))
+        .or(() -> tooNear("x2, y2 and z2", arguments.point(3)))
+        .or(() -> belowPad("z1", arguments.number(2), profile))
+        .or(() -> belowPad("z2", arguments.number(5), profile));
+  }
+
+  /** Documented: SDK 3.0 guide, z above 0. */
+  static Optional<Refusal> jump(Arguments arguments, Profile profile) {
+    return profile.knows(Sdk.SDK_3_0) && arguments.number(2) == 0
+        ? Optional.of(new Refusal(Reply.OUT_OF_RANGE, "z is 0, it must be above 0"))
+        : belowPad("z", arguments.number(2), profile);
+  }
+
   /** The arc of a curve whose points have passed {@link #curve}. */
   static Arc arc(Arguments arguments) {
     return Arc.through(arguments.point(0), arguments.point(3)).orElseThrow();
@@ -43,6 +68,13 @@ final class GeometryRules {
             new Refusal(
                 Reply.OUT_OF_RANGE,
                 names + " are all within ±20 cm, one of them must be further away"))
+        : Optional.empty();
+  }
+
+  private static Optional<Refusal> belowPad(String name, double z, Profile profile) {
+    return profile.knows(Sdk.SDK_3_0) && z < 0
+        ? Optional.of(
+            new Refusal(Reply.OUT_OF_RANGE, name + " is below the pad, allowed is from 0"))
         : Optional.empty();
   }
 

@@ -2,7 +2,8 @@ package tellosimulator.command;
 
 import java.util.List;
 import java.util.Optional;
-import java.util.function.Function;
+import java.util.function.BiFunction;
+import tellosimulator.profile.Profile;
 import tellosimulator.profile.Sdk;
 
 /**
@@ -24,7 +25,17 @@ record Row(
     Traits traits,
     String success,
     String source,
-    Function<Arguments, Optional<Refusal>> rule) {
+    Rule rule) {
+
+  /**
+   * What must hold of the parameters together.
+   *
+   * @param words for people; empty if there is no such rule
+   */
+  record Rule(String words, BiFunction<Arguments, Profile, Optional<Refusal>> check) {
+
+    static final Rule NONE = new Rule("", (arguments, profile) -> Optional.empty());
+  }
 
   /**
    * How a command is treated.
@@ -37,7 +48,7 @@ record Row(
 
   static Row row(String verb, Sdk since) {
     Traits traits = new Traits(BusyRule.REFUSED, false, Reply.ERROR);
-    return new Row(verb, since, List.of(), traits, "`ok` at once", "", a -> Optional.empty());
+    return new Row(verb, since, List.of(), traits, "`ok` at once", "", Rule.NONE);
   }
 
   Row with(Parameter... more) {
@@ -68,7 +79,7 @@ record Row(
     return new Row(verb, since, parameters, traits, success, words, rule);
   }
 
-  Row rule(Function<Arguments, Optional<Refusal>> check) {
-    return new Row(verb, since, parameters, traits, success, source, check);
+  Row rule(String words, BiFunction<Arguments, Profile, Optional<Refusal>> check) {
+    return new Row(verb, since, parameters, traits, success, source, new Rule(words, check));
   }
 }
