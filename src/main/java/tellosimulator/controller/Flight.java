@@ -168,7 +168,7 @@ final class Flight {
   /** Forgets everything, as reset and power-off do. */
   void reset() {
     boolean powered = model.phase() != FlightPhase.OFF;
-    motorsOff(powered ? FlightPhase.GROUNDED : FlightPhase.OFF, true);
+    motorsOff(powered ? FlightPhase.GROUNDED : FlightPhase.OFF, false);
     rc.centre();
     touching = Optional.empty();
     lastContact = now;
