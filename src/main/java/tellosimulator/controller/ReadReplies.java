@@ -79,15 +79,16 @@ public final class ReadReplies {
   }
 
   private static String attitude(AttitudeDeg attitude) {
-    return "pitch:%d;roll:%d;yaw:%d;".formatted(attitude.pitch(), attitude.roll(), attitude.yaw());
+    return format("pitch:%d;roll:%d;yaw:%d;", attitude.pitch(), attitude.roll(), attitude.yaw());
   }
 
   private static String acceleration(Vec3 felt) {
-    return "agx:%d.00;agy:%d.00;agz:%d.00;"
-        .formatted(Math.round(felt.x()), Math.round(felt.y()), Math.round(felt.z()));
+    return format(
+        "agx:%d.00;agy:%d.00;agz:%d.00;",
+        Math.round(felt.x()), Math.round(felt.y()), Math.round(felt.z()));
   }
 
-  private static String format(String pattern, Object value) {
-    return String.format(Locale.ROOT, pattern, value);
+  private static String format(String pattern, Object... values) {
+    return String.format(Locale.ROOT, pattern, values);
   }
 }
