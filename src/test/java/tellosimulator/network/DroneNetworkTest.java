@@ -1,0 +1,215 @@
+package tellosimulator.network;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static tellosimulator.testing.SimulatedDrone.address;
+
+import java.io.IOException;
+import java.net.DatagramPacket;
+import java.net.DatagramSocket;
+import java.net.InetAddress;
+import java.net.InetSocketAddress;
+import java.util.List;
+import java.util.OptionalInt;
+import java.util.concurrent.TimeUnit;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import tellosimulator.math.Vec3;
+import tellosimulator.sim.Control;
+import tellosimulator.sim.SimConfig;
+import tellosimulator.sim.SimConfig.Outlets;
+import tellosimulator.sim.Simulation;
+import tellosimulator.sim.SimulationLoop;
+import tellosimulator.sim.Swarm;
+import tellosimulator.time.TimeFactor;
+import tellosimulator.world.Room;
+
+/** Real sockets on loopback, on ports that the system chooses. */
+@Timeout(value = 60, unit = TimeUnit.SECONDS, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
+class DroneNetworkTest {
+
+  private static final InetAddress FIRST = address("127.0.0.1", 0).getAddress();
+
+  @Test
+  void repliesAndStateLeaveFromTheCommandPortOfTheCommandedAddress() throws IOException {
+    try (DatagramSocket client = client();
+        DatagramSocket states = client();
+        DroneNetwork network = DroneNetwork.open(AddressPlan.of(loopbacks(), 0));
+        SimulationLoop loop = run(network, states.getLocalPort(), OptionalInt.empty())) {
+      assertThat(loop).isNotNull();
+      for (List<InetSocketAddress> drone : network.addresses()) {
+        InetSocketAddress commanded = drone.get(0);
+        send(client, "command", commanded);
+
+        DatagramPacket reply = receive(client);
+        assertThat(text(reply)).isEqualTo("ok");
+        assertThat(reply.getSocketAddress()).isEqualTo(commanded);
+
+        DatagramPacket state = receiveFrom(states, commanded);
+        assertThat(text(state)).startsWith("mid:-2;").endsWith(";\r\n");
+      }
+    }
+  }
+
+  @Test
+  void aFixedReplyPortTakesAllReplies() throws IOException {
+    try (DatagramSocket client = client();
+        DatagramSocket fixed = client();
+        DroneNetwork network = DroneNetwork.open(AddressPlan.of(List.of(FIRST), 0));
+        SimulationLoop loop = run(network, 1, OptionalInt.of(fixed.getLocalPort()))) {
+      assertThat(loop).isNotNull();
+      send(client, "command", network.addresses().get(0).get(0));
+
+      assertThat(text(receive(fixed))).isEqualTo("ok");
+    }
+  }
+
+  @Test
+  void aTakenPortIsNamedInOneSentence() throws IOException {
+    try (DatagramSocket taken = client()) {
+      InetSocketAddress address = address("127.0.0.1", taken.getLocalPort());
+
+      assertThatThrownBy(() -> DroneNetwork.open(plan(address)))
+          .isInstanceOf(PortTakenException.class)
+          .hasMessage(
+              "Port "
+                  + taken.getLocalPort()
+                  + " of 127.0.0.1 is taken, probably by a Tello simulator that is still running:"
+                  + " end that program, or choose another port with --command-port.");
+    }
+  }
+
+  @Test
+  void port8889IsTakenByAnOperatorProgram() {
+    assertThat(PortTakenException.taken(address("127.0.0.1", 8889), new IOException("in use")))
+        .hasMessage(
+            "Port 8889 of 127.0.0.1 is taken, probably by an operator program, which needs that"
+                + " port for itself: end that program, or choose another port with"
+                + " --command-port.");
+  }
+
+  @Test
+  void anAddressOfAnotherMachineIsNamed() {
+    assertThatThrownBy(() -> DroneNetwork.open(plan(address("192.0.2.1", 0))))
+        .isInstanceOf(PortTakenException.class)
+        .hasMessage(
+            "This machine has no address 192.0.2.1: choose one of this machine's own addresses"
+                + " with --bind.");
+  }
+
+  @Test
+  void ofSeveralPortsAllAreOpenedOrNone() throws IOException {
+    int free;
+    try (DatagramSocket probe = client()) {
+      free = probe.getLocalPort();
+    }
+    try (DatagramSocket taken = client()) {
+      AddressPlan plan =
+          plan(address("127.0.0.1", free), address("127.0.0.1", taken.getLocalPort()));
+
+      assertThatThrownBy(() -> DroneNetwork.open(plan)).isInstanceOf(PortTakenException.class);
+    }
+    try (DatagramSocket again = new DatagramSocket(address("127.0.0.1", free))) {
+      assertThat(again.isBound()).isTrue();
+    }
+  }
+
+  @Test
+  void aClosedNetworkFreesItsPorts() throws IOException {
+    InetSocketAddress address;
+    try (DroneNetwork network = DroneNetwork.open(AddressPlan.of(List.of(FIRST), 0))) {
+      address = network.addresses().get(0).get(0);
+    }
+
+    try (DatagramSocket again = new DatagramSocket(address)) {
+      assertThat(again.getLocalPort()).isEqualTo(address.getPort());
+    }
+  }
+
+  @Test
+  void aPortThatIsClosedWhileItWaitsEndsItsThread() throws Exception {
+    DroneNetwork network = DroneNetwork.open(AddressPlan.of(List.of(FIRST), 0));
+    try (SimulationLoop loop = run(network, 1, OptionalInt.empty())) {
+      assertThat(loop).isNotNull();
+      List<Thread> receivers = threads("command-1");
+      assertThat(receivers).isNotEmpty();
+
+      network.close();
+
+      for (Thread receiver : receivers) {
+        receiver.join(TimeUnit.SECONDS.toMillis(30));
+        assertThat(receiver.isAlive()).isFalse();
+      }
+    }
+  }
+
+  private static SimulationLoop run(DroneNetwork network, int statePort, OptionalInt replyPort) {
+    int drones = network.addresses().size();
+    SimConfig config =
+        SimConfig.DEFAULT
+            .withRoom(Room.DEFAULT, Swarm.row(drones, Vec3.ZERO, Room.DEFAULT))
+            .withTimeFactor(new TimeFactor(20))
+            .withOutlets(new Outlets(statePort, 11_111));
+    Simulation simulation =
+        new Simulation(config, drone -> network.replies(replyPort), network.states(), List.of());
+    for (int drone = 1; drone <= drones; drone++) {
+      simulation.control(new Control.Power(drone, true));
+    }
+    SimulationLoop loop = new SimulationLoop(simulation);
+    network.listen(simulation);
+    return loop;
+  }
+
+  /** The first two loopback addresses; the second one is missing on some systems. */
+  private static List<InetAddress> loopbacks() {
+    InetAddress second = address("127.0.0.2", 0).getAddress();
+    try (DatagramSocket probe = new DatagramSocket(new InetSocketAddress(second, 0))) {
+      assertThat(probe.isBound()).isTrue();
+      return List.of(FIRST, second);
+    } catch (IOException e) {
+      return List.of(FIRST);
+    }
+  }
+
+  private static AddressPlan plan(InetSocketAddress... drones) {
+    return new AddressPlan(java.util.Arrays.stream(drones).map(List::of).toList());
+  }
+
+  private static DatagramSocket client() throws IOException {
+    DatagramSocket socket = new DatagramSocket(address("127.0.0.1", 0));
+    socket.setSoTimeout(20_000);
+    return socket;
+  }
+
+  private static void send(DatagramSocket from, String text, InetSocketAddress to)
+      throws IOException {
+    byte[] bytes = text.getBytes(java.nio.charset.StandardCharsets.ISO_8859_1);
+    from.send(new DatagramPacket(bytes, bytes.length, to));
+  }
+
+  private static DatagramPacket receive(DatagramSocket socket) throws IOException {
+    DatagramPacket packet = new DatagramPacket(new byte[2048], 2048);
+    socket.receive(packet);
+    return packet;
+  }
+
+  private static DatagramPacket receiveFrom(DatagramSocket socket, InetSocketAddress sender)
+      throws IOException {
+    DatagramPacket packet = receive(socket);
+    while (!packet.getSocketAddress().equals(sender)) {
+      packet = receive(socket);
+    }
+    return packet;
+  }
+
+  private static String text(DatagramPacket packet) {
+    return new String(
+        packet.getData(), 0, packet.getLength(), java.nio.charset.StandardCharsets.ISO_8859_1);
+  }
+
+  private static List<Thread> threads(String name) {
+    return Thread.getAllStackTraces().keySet().stream()
+        .filter(thread -> thread.getName().equals(name))
+        .toList();
+  }
+}
