@@ -51,6 +51,7 @@ public final class InMemoryPort implements DatagramPort {
       if (received.isPresent()) {
         return received.get();
       }
+      close();
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
     }
