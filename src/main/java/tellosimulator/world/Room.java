@@ -56,7 +56,7 @@ public record Room(double width, double depth, double height) {
     Vec3 inside = nearestInside(position, hull);
     Vec3 push = inside.minus(position);
     Vec3 left = velocity;
-    Hit worst = new Hit(Surface.FLOOR, Vec3.UP, -1);
+    Hit worst = new Hit(Surface.FLOOR, Vec3.UP, Double.NEGATIVE_INFINITY);
     for (Hit hit : hits(push, velocity)) {
       if (hit.speed > worst.speed) {
         worst = hit;
