@@ -275,17 +275,26 @@ public enum CommandSyntax {
     return usage.toString();
   }
 
-  /** The parameters and their allowed values, for people. */
+  /** The parameters and their allowed values, for people; neighbours with the same in one. */
   public String ranges() {
     StringBuilder ranges = new StringBuilder();
-    for (Parameter parameter : row.parameters()) {
-      ranges.append(ranges.isEmpty() ? "" : "; ");
-      ranges.append(parameter.name()).append(": ").append(parameter.allowed());
+    String before = "";
+    for (int i = row.parameters().size() - 1; i >= 0; i--) {
+      Parameter parameter = row.parameters().get(i);
+      boolean same = parameter.allowed().equals(before);
+      before = parameter.allowed();
+      String separator = ranges.isEmpty() ? "" : "; ";
+      ranges.insert(0, parameter.name() + (same ? ", " : ": " + before + separator));
     }
     if (!row.rule().words().isEmpty()) {
       ranges.append("; ").append(row.rule().words());
     }
     return ranges.toString();
+  }
+
+  /** Whether there are values that are out of range. */
+  public boolean limited() {
+    return !row.rule().words().isEmpty() || row.parameters().stream().anyMatch(Parameter::limited);
   }
 
   /** The reply to a parameter out of its range. */

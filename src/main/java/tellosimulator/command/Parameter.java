@@ -13,6 +13,9 @@ sealed interface Parameter {
   /** The allowed values in plain words. */
   String allowed();
 
+  /** Whether there are words of the right form that are not allowed. */
+  boolean limited();
+
   /** Whether a word has the right form at all; if not, the command is unknown. */
   boolean isForm(String word);
 
@@ -48,8 +51,13 @@ sealed interface Parameter {
     private static final int LONGEST = 15;
 
     @Override
+    public boolean limited() {
+      return least > Double.NEGATIVE_INFINITY || most < Double.POSITIVE_INFINITY;
+    }
+
+    @Override
     public String allowed() {
-      String range = least == Double.NEGATIVE_INFINITY ? "any" : text(least) + " to " + text(most);
+      String range = limited() ? text(least) + " to " + text(most) : "any";
       return unit.isEmpty() ? range : range + " " + unit;
     }
 
@@ -75,6 +83,11 @@ sealed interface Parameter {
   record Choice(String name, List<String> words) implements Parameter {
 
     @Override
+    public boolean limited() {
+      return true;
+    }
+
+    @Override
     public String allowed() {
       return String.join(", ", words);
     }
@@ -95,6 +108,11 @@ sealed interface Parameter {
 
   /** Any word, but for the empty one between two blanks. */
   record Word(String name) implements Parameter {
+
+    @Override
+    public boolean limited() {
+      return false;
+    }
 
     @Override
     public String allowed() {

@@ -9,6 +9,7 @@ import org.junit.jupiter.api.DynamicTest;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.TestFactory;
 import org.junit.jupiter.api.function.Executable;
+import tellosimulator.command.CommandSyntax;
 import tellosimulator.profile.Behaviour;
 import tellosimulator.profile.Profile;
 
@@ -31,6 +32,20 @@ class WireTest {
             .anyMatch(row -> row.profile() == profile && row.behaviour() == behaviour);
       }
     }
+  }
+
+  @Test
+  void everyCommandHasARow() {
+    for (CommandSyntax syntax : CommandSyntax.values()) {
+      assertThat(rows)
+          .as("rows of `%s`", syntax.usage())
+          .anyMatch(row -> isForm(syntax, row.input()) && row.profile().knows(syntax.since()));
+    }
+  }
+
+  private static boolean isForm(CommandSyntax syntax, String input) {
+    int words = syntax.usage().split(" ", -1).length;
+    return (input + " ").startsWith(syntax.verb() + " ") && input.split(" ", -1).length == words;
   }
 
   private static Executable checked(WireRow row) {
