@@ -3,6 +3,7 @@ package tellosimulator.command;
 import static tellosimulator.command.GeometryRules.CUBE;
 import static tellosimulator.command.Parameter.choice;
 import static tellosimulator.command.Parameter.number;
+import static tellosimulator.command.Parameter.whole;
 import static tellosimulator.command.Parameter.word;
 import static tellosimulator.command.Row.row;
 import static tellosimulator.profile.Sdk.SDK_1_3;
@@ -124,7 +125,7 @@ public enum CommandSyntax {
   MON(row("mon", SDK_2_0).from("SDK 2.0 guide"), a -> new Command.DetectPads(true)),
   MOFF(row("moff", SDK_2_0).from("SDK 2.0 guide"), a -> new Command.DetectPads(false)),
   MDIRECTION(
-      row("mdirection", SDK_2_0).with(choice("x", "0", "1", "2")).from("SDK 2.0 guide"),
+      row("mdirection", SDK_2_0).with(whole("x", 0, 2)).from("SDK 2.0 guide"),
       a -> new Command.SetPadDirection(a.integer(0))),
   AP(
       row("ap", SDK_2_0)
@@ -160,22 +161,20 @@ public enum CommandSyntax {
   REBOOT(row("reboot", SDK_3_0).answers("none").from("SDK 3.0 guide"), a -> new Command.Reboot()),
   WIFI_CHANNEL(
       row("wifisetchannel", SDK_3_0)
-          .with(number("channel", "", 1, 14))
+          .with(whole("channel", 1, 14))
           .answers("`ok`; behaviour `measured`: `OK,drone will reboot in 3s`")
           .from("SDK 3.0 guide; decided for a simulator"),
       a -> new Command.SetNetwork(Reply.WILL_REBOOT)),
   PORT(
       row("port", SDK_3_0)
-          .with(number("state", "", 1025, 65535), number("video", "", 1025, 65535))
+          .with(whole("state", 1025, 65535), whole("video", 1025, 65535))
           .from("SDK 3.0 guide; DJITelloPy 150"),
       a -> new Command.SetPorts(a.integer(0), a.integer(1))),
   SET_FPS(
       row("setfps", SDK_3_0).with(choice("x", "high", "middle", "low")).from("SDK 3.0 guide"),
       a -> new Command.SetVideo(VideoOption.FRAMES_PER_SECOND, VideoWords.fps(a.word(0)))),
   SET_BIT_RATE(
-      row("setbitrate", SDK_3_0)
-          .with(choice("n", "0", "1", "2", "3", "4", "5"))
-          .from("SDK 3.0 guide; DJITelloPy 144"),
+      row("setbitrate", SDK_3_0).with(whole("n", 0, 5)).from("SDK 3.0 guide; DJITelloPy 144"),
       a -> new Command.SetVideo(VideoOption.BIT_RATE, a.integer(0))),
   SET_RESOLUTION(
       row("setresolution", SDK_3_0).with(choice("x", "high", "low")).from("SDK 3.0 guide"),
@@ -186,7 +185,7 @@ public enum CommandSyntax {
           .from("SDK 3.0 guide; decided for a simulator"),
       a -> new Command.SetNetwork(Reply.OK)),
   DOWN_VISION(
-      row("downvision", SDK_3_0).with(choice("x", "0", "1")).from("DJITelloPy 92, 140, 213"),
+      row("downvision", SDK_3_0).with(whole("x", 0, 1)).from("DJITelloPy 92, 140, 213"),
       a -> new Command.SetVideo(VideoOption.DOWNWARD, a.integer(0))),
   KEEP_ALIVE(row("keepalive", SDK_3_0).from("DJITelloPy 92"), acknowledge("ok")),
   READ_ACTIVATION(
@@ -214,7 +213,7 @@ public enum CommandSyntax {
   BOARD_MATRIX_BOOT(board("EXT mled sg", "matrix").with(word("pattern")), acknowledge("matrix ok")),
   BOARD_MATRIX_CLEAR(board("EXT mled sc", "matrix"), acknowledge("matrix ok")),
   BOARD_MATRIX_LIGHT(
-      board("EXT mled sl", "matrix").with(number("n", "", 0, 255)), acknowledge("matrix ok")),
+      board("EXT mled sl", "matrix").with(whole("n", 0, 255)), acknowledge("matrix ok")),
   BOARD_TOF(
       row("EXT tof?", SDK_3_0)
           .whileBusy(BusyRule.READ)
@@ -396,7 +395,7 @@ public enum CommandSyntax {
   }
 
   private static Parameter rgb(String name) {
-    return number(name, "", 0, 255);
+    return whole(name, 0, 255);
   }
 
   private static Parameter hertz() {

@@ -32,6 +32,11 @@ sealed interface Parameter {
     return new Numeric(name, unit, least, most);
   }
 
+  /** A whole number within a range, both ends included. */
+  static Parameter whole(String name, int least, int most) {
+    return new Whole(new Numeric(name, "", least, most));
+  }
+
   /** One of a few words. */
   static Parameter choice(String name, String... words) {
     return new Choice(name, List.of(words));
@@ -76,6 +81,38 @@ sealed interface Parameter {
 
     private static String text(double value) {
       return value == Math.rint(value) ? Long.toString((long) value) : Double.toString(value);
+    }
+  }
+
+  /** A whole number; another number is out of range, another word has the wrong form. */
+  record Whole(Numeric number) implements Parameter {
+
+    @Override
+    public String name() {
+      return number.name();
+    }
+
+    @Override
+    public boolean limited() {
+      return number.limited();
+    }
+
+    @Override
+    public String allowed() {
+      return number.allowed();
+    }
+
+    @Override
+    public boolean isForm(String word) {
+      return number.isForm(word);
+    }
+
+    @Override
+    public Optional<String> complaint(String word) {
+      double value = Double.parseDouble(word);
+      return value == Math.rint(value)
+          ? number.complaint(word)
+          : Optional.of(name() + " is " + word + ", it must be a whole number");
     }
   }
 

@@ -206,7 +206,8 @@ final class CommandCases {
       MOFF | moff? | unknown
       MDIRECTION | mdirection 3 | error
       MDIRECTION | mdirection -1 | error
-      MDIRECTION | mdirection 1.0 | error
+      MDIRECTION | mdirection 1.5 | error
+      MDIRECTION | mdirection down | unknown
       MDIRECTION | mdirection | unknown
       AP | ap name | unknown
       AP | ap a b c | unknown
@@ -237,6 +238,7 @@ final class CommandCases {
       SET_FPS | setfps | unknown
       SET_BIT_RATE | setbitrate 6 | error
       SET_BIT_RATE | setbitrate 2.5 | error
+      SET_BIT_RATE | setbitrate high | unknown
       SET_BIT_RATE | setbitrate | unknown
       SET_RESOLUTION | setresolution middle | error
       SET_RESOLUTION | setresolution | unknown
