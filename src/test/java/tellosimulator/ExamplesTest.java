@@ -1,0 +1,253 @@
+package tellosimulator;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.io.BufferedReader;
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.io.PrintStream;
+import java.io.StringReader;
+import java.net.DatagramSocket;
+import java.net.InetAddress;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.OptionalInt;
+import java.util.concurrent.TimeUnit;
+import java.util.regex.MatchResult;
+import java.util.regex.Pattern;
+import java.util.stream.Stream;
+import javax.tools.ToolProvider;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import tellosimulator.headless.HeadlessSimulator;
+import tellosimulator.math.Vec3;
+import tellosimulator.network.AddressPlan;
+import tellosimulator.sim.SimConfig;
+import tellosimulator.sim.SimConfig.Outlets;
+import tellosimulator.sim.Swarm;
+import tellosimulator.time.TimeFactor;
+import tellosimulator.world.Room;
+
+/** Runs the programs under {@code examples/} as their readers do: {@code java examples/X.java}. */
+class ExamplesTest {
+
+  /** Ten times real time, so that a flight takes one or two seconds. */
+  private static final TimeFactor FAST = new TimeFactor(10);
+
+  /** So large that nobody reaches a wall. */
+  private static final Room HALL = new Room(100, 100, 10);
+
+  private static final Pattern ADDRESS = Pattern.compile("127\\.0\\.0\\.1:[0-9]+");
+  private static final int PATIENCE_SECONDS = 60;
+
+  @TempDir private Path scratch;
+
+  @Test
+  void firstFlightEndsAMetreAheadTurnedToTheRight() throws Exception {
+    try (Flight flight = new Flight(1, Outlets.DEFAULT)) {
+      Ended ended = java("FirstFlight", "", flight.host(), flight.port());
+
+      assertThat(ended.output())
+          .containsExactly(
+              "command -> ok",
+              "Battery: 100 %",
+              "takeoff -> ok",
+              "forward 100 -> ok",
+              "cw 90 -> ok",
+              "land -> ok",
+              "Landed.");
+      assertThat(ended.exitCode()).isZero();
+      Place place = flight.places().get(0);
+      assertThat(place.phase()).isEqualTo("on the ground");
+      // forward 100: 100 cm along x, the heading at takeoff; a move ends within 1 cm.
+      assertThat(place.x()).isCloseTo(100, within(2.0));
+      assertThat(place.y()).isCloseTo(0, within(2.0));
+      // cw 90: on the wire, clockwise is positive; a turn ends within half a degree.
+      assertThat(place.yaw()).isCloseTo(90, within(1.0));
+    }
+  }
+
+  @Test
+  void firstFlightSaysSoIfNothingListens() throws Exception {
+    String port = Integer.toString(freePort());
+
+    Ended ended = java("FirstFlight", "", "127.0.0.1", port);
+
+    assertThat(ended.output())
+        .containsExactly("Nothing listens at 127.0.0.1:" + port + ". Is the simulator running?");
+    assertThat(ended.exitCode()).isEqualTo(1);
+  }
+
+  @Test
+  void readStateShowsTheStateOnceASecond() throws Exception {
+    int statePort = freePort();
+    try (Flight flight = new Flight(1, new Outlets(statePort, 11111))) {
+      Ended ended =
+          java("ReadState", "", flight.host(), flight.port(), Integer.toString(statePort), "21");
+
+      // Lines 1, 11 and 21 of ten in a second.
+      String line = "height 0 cm, battery 100 %, pitch 0, roll 0, yaw 0 degrees";
+      assertThat(ended.output()).containsExactly(line, line, line);
+      assertThat(ended.exitCode()).isZero();
+    }
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"ww\n?\nq\n", "ww"})
+  void keyboardSteersUntilQuitOrTheEndOfInputAndLands(String typed) throws Exception {
+    try (Flight flight = new Flight(1, Outlets.DEFAULT)) {
+      Ended ended = java("SteerWithKeyboard", typed, flight.host(), flight.port());
+
+      assertThat(ended.output())
+          .startsWith("command -> ok", "takeoff -> ok")
+          .endsWith("Type letters, then Enter; q lands and ends.", "land -> ok");
+      assertThat(ended.exitCode()).isZero();
+      Place place = flight.places().get(0);
+      assertThat(place.phase()).isEqualTo("on the ground");
+      // Two letters are a second, at factor 10 ten of the drone's, at 40 cm/s: about 4 m.
+      assertThat(place.x()).isGreaterThan(100);
+      assertThat(place.y()).isCloseTo(0, within(2.0));
+    }
+  }
+
+  @Test
+  void threeDronesFlyTogether() throws Exception {
+    try (Flight flight = new Flight(3, Outlets.DEFAULT)) {
+      Ended ended = java("SwarmOfThree", "", flight.addresses().toArray(String[]::new));
+
+      assertThat(ended.output()).hasSize(19).endsWith("All have landed.");
+      assertThat(ended.output().subList(0, 18)).allMatch(line -> line.endsWith(" -> ok"));
+      assertThat(ended.exitCode()).isZero();
+      List<Place> places = flight.places();
+      assertThat(places).extracting(Place::phase).containsOnly("on the ground");
+      // They start at y 60, 0 and -60; y is to the left, so that 90 degrees clockwise is along -y.
+      assertThat(places.get(0).y()).isCloseTo(60 - 50, within(2.0));
+      assertThat(places.get(1).x()).isCloseTo(-50, within(2.0));
+      assertThat(places.get(2).y()).isCloseTo(-60 - 50, within(2.0));
+    }
+  }
+
+  @Test
+  void examplesCompileWithoutWarnings() throws IOException {
+    List<String> arguments =
+        new ArrayList<>(List.of("--release", "17", "-Xlint:all", "-Werror", "-d"));
+    arguments.add(scratch.toString());
+    try (Stream<Path> examples = Files.list(Path.of("examples"))) {
+      examples
+          .map(Path::toString)
+          .filter(name -> name.endsWith(".java"))
+          .sorted()
+          .forEach(arguments::add);
+    }
+    ByteArrayOutputStream warnings = new ByteArrayOutputStream();
+
+    int status =
+        ToolProvider.getSystemJavaCompiler()
+            .run(null, warnings, warnings, arguments.toArray(String[]::new));
+
+    assertThat(warnings.toString(StandardCharsets.UTF_8)).isEmpty();
+    assertThat(status).isZero();
+  }
+
+  private Ended java(String example, String typed, String... arguments)
+      throws IOException, InterruptedException {
+    Path input = Files.writeString(scratch.resolve("input"), typed);
+    Path output = scratch.resolve("output");
+    List<String> command = new ArrayList<>();
+    command.add(Path.of(System.getProperty("java.home"), "bin", "java").toString());
+    command.add(Path.of("examples", example + ".java").toString());
+    command.addAll(List.of(arguments));
+    Process process =
+        new ProcessBuilder(command)
+            .redirectErrorStream(true)
+            .redirectInput(input.toFile())
+            .redirectOutput(output.toFile())
+            .start();
+    try {
+      assertThat(process.waitFor(PATIENCE_SECONDS, TimeUnit.SECONDS))
+          .as("%s ends in time", example)
+          .isTrue();
+    } finally {
+      process.destroyForcibly();
+    }
+    return new Ended(process.exitValue(), Files.readAllLines(output));
+  }
+
+  private static int freePort() throws IOException {
+    try (DatagramSocket socket = new DatagramSocket()) {
+      return socket.getLocalPort();
+    }
+  }
+
+  /** What became of an example. */
+  private record Ended(int exitCode, List<String> output) {}
+
+  /** Where a drone is, in cm and degrees, as the console's {@code state} says. */
+  private record Place(String phase, double x, double y, double yaw) {
+    private static final Pattern FORM =
+        Pattern.compile("drone \\d+: ([a-z ]+), x (\\S+) y (\\S+) z \\S+ cm, yaw (\\S+) degrees.*");
+
+    static Place of(MatchResult line) {
+      return new Place(
+          line.group(1),
+          Double.parseDouble(line.group(2)),
+          Double.parseDouble(line.group(3)),
+          Double.parseDouble(line.group(4)));
+    }
+  }
+
+  /** A simulator on free ports of 127.0.0.1. */
+  private static final class Flight implements AutoCloseable {
+    private final HeadlessSimulator simulator;
+    private final List<String> addresses;
+
+    Flight(int drones, Outlets outlets) throws IOException, InterruptedException {
+      SimConfig config =
+          SimConfig.DEFAULT
+              .withRoom(HALL, Swarm.row(drones, Vec3.ZERO, HALL))
+              .withTimeFactor(FAST)
+              .withOutlets(outlets);
+      List<InetAddress> loopback = List.of(InetAddress.getLoopbackAddress());
+      simulator =
+          new HeadlessSimulator(
+              config, AddressPlan.portPerDrone(drones, loopback, 0), OptionalInt.empty());
+      addresses = ADDRESS.matcher(type("")).results().map(MatchResult::group).toList();
+    }
+
+    List<String> addresses() {
+      return addresses;
+    }
+
+    String host() {
+      return addresses.get(0).split(":", -1)[0];
+    }
+
+    String port() {
+      return addresses.get(0).split(":", -1)[1];
+    }
+
+    List<Place> places() throws IOException, InterruptedException {
+      return Place.FORM.matcher(type("state\n")).results().map(Place::of).toList();
+    }
+
+    /** What the simulator prints when it starts, and then to what is typed. */
+    private String type(String lines) throws IOException, InterruptedException {
+      ByteArrayOutputStream printed = new ByteArrayOutputStream();
+      simulator.run(
+          new BufferedReader(new StringReader(lines + "quit\n")),
+          new PrintStream(printed, true, StandardCharsets.UTF_8));
+      return printed.toString(StandardCharsets.UTF_8);
+    }
+
+    @Override
+    public void close() {
+      simulator.close();
+    }
+  }
+}
