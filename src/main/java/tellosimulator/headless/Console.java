@@ -5,6 +5,7 @@ import java.io.IOException;
 import java.io.PrintStream;
 import java.util.List;
 import java.util.Locale;
+import java.util.regex.Pattern;
 import tellosimulator.math.Frames;
 import tellosimulator.math.Vec3;
 import tellosimulator.model.DroneState;
@@ -18,6 +19,9 @@ import tellosimulator.sim.Simulation;
  * that calls {@link #run}.
  */
 final class Console {
+
+  /** Not what Java also takes for a number, such as 0x1p3 or NaN. */
+  private static final Pattern NUMBER = Pattern.compile("-?[0-9]+(\\.[0-9]+)?");
 
   private static final String HELP =
       "type reset [N], power on|off [N], battery PERCENT [N], pause, resume, state or quit";
@@ -65,10 +69,23 @@ final class Console {
       case "reset" -> forDrones(words, 1).forEach(n -> simulation.control(new Control.Reset(n)));
       case "power" -> power(words);
       case "battery" -> battery(words);
-      case "pause" -> simulation.control(new Control.Pause(true));
-      case "resume" -> simulation.control(new Control.Pause(false));
-      case "state" -> out.print(describe(simulation.snapshot()));
+      case "pause" -> alone(words, () -> simulation.control(new Control.Pause(true)));
+      case "resume" -> alone(words, () -> simulation.control(new Control.Pause(false)));
+      case "state" -> alone(words, () -> out.print(describe(simulation.snapshot())));
+      case "quit" -> alone(words, () -> {});
+      case "help" -> out.println(HELP);
       default -> throw new IllegalArgumentException("there is no such command");
+    }
+  }
+
+  private static void alone(List<String> words, Runnable action) {
+    checkEnd(words, 1);
+    action.run();
+  }
+
+  private static void checkEnd(List<String> words, int end) {
+    if (words.size() > end) {
+      throw new IllegalArgumentException("there is a word too many, " + words.get(end));
     }
   }
 
@@ -88,9 +105,7 @@ final class Console {
 
   /** The drone whose number is the word at {@code index}, or all if there is no such word. */
   private List<Integer> forDrones(List<String> words, int index) {
-    if (words.size() > index + 1) {
-      throw new IllegalArgumentException("there is a word too many, " + words.get(index + 1));
-    }
+    checkEnd(words, index + 1);
     List<Integer> all =
         simulation.snapshot().drones().stream().map(drone -> drone.state().drone()).toList();
     if (words.size() <= index) {
@@ -101,7 +116,12 @@ final class Console {
         .filter(n -> n == number)
         .findFirst()
         .map(List::of)
-        .orElseThrow(() -> new IllegalArgumentException("the drones are 1 to " + all.size()));
+        .orElseThrow(
+            () ->
+                new IllegalArgumentException(
+                    all.size() == 1
+                        ? "there is only drone 1"
+                        : "the drones are 1 to " + all.size()));
   }
 
   private static String word(List<String> words, int index, String expected) {
@@ -112,11 +132,10 @@ final class Console {
   }
 
   private static double number(String word, String expected) {
-    try {
-      return Double.parseDouble(word);
-    } catch (NumberFormatException e) {
-      throw new IllegalArgumentException("expected " + expected + ", found " + word, e);
+    if (!NUMBER.matcher(word).matches()) {
+      throw new IllegalArgumentException("expected " + expected + ", found " + word);
     }
+    return Double.parseDouble(word);
   }
 
   private static String describe(SimSnapshot snapshot) {
@@ -133,13 +152,18 @@ final class Console {
         "drone %d: %s, x %.1f y %.1f z %.1f cm, yaw %.1f degrees, battery %d %%, %s, %.3f s%s",
         state.drone(),
         state.phase().words(),
-        position.x(),
-        position.y(),
-        position.z(),
-        Frames.yawOfHeading(state.motion().attitude().heading()),
+        tenths(position.x()),
+        tenths(position.y()),
+        tenths(position.z()),
+        tenths(Frames.yawOfHeading(state.motion().attitude().heading())),
         state.energy().battery().percent(),
         drone.link().operator().map(peer -> "operated by " + peer).orElse("waits for `command`"),
         snapshot.time().seconds(),
         snapshot.clock().paused() ? ", paused" : "");
+  }
+
+  /** Rounded, and never minus zero. */
+  private static double tenths(double value) {
+    return Math.round(value * 10) / 10.0;
   }
 }

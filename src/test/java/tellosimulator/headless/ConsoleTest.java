@@ -1,0 +1,162 @@
+package tellosimulator.headless;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.BufferedReader;
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.io.PrintStream;
+import java.io.StringReader;
+import java.nio.charset.StandardCharsets;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import tellosimulator.math.Vec3;
+import tellosimulator.model.DroneState;
+import tellosimulator.sim.Control;
+import tellosimulator.sim.SimConfig;
+import tellosimulator.sim.Simulation;
+import tellosimulator.sim.Swarm;
+import tellosimulator.world.Room;
+
+class ConsoleTest {
+
+  private static final String HELP =
+      "type reset [N], power on|off [N], battery PERCENT [N], pause, resume, state or quit";
+
+  private final Simulation simulation =
+      new Simulation(
+          SimConfig.DEFAULT.withRoom(Room.DEFAULT, Swarm.row(2, Vec3.ZERO, Room.DEFAULT)),
+          drone -> (to, text) -> {},
+          report -> {},
+          List.of());
+  private final ByteArrayOutputStream printed = new ByteArrayOutputStream();
+
+  @Test
+  void quitEndsItAndTheEndOfInputIsSomethingElse() throws IOException {
+    assertThat(type("state", "quit", "foo")).isTrue();
+    assertThat(type("state")).isFalse();
+    assertThat(type()).isFalse();
+    assertThat(printed()).doesNotContain("foo");
+  }
+
+  @Test
+  void stateDescribesEachDrone() throws IOException {
+    type("power on 1");
+    type("  state  ", "");
+
+    assertThat(printed())
+        .isEqualTo(
+            """
+            drone 1: on the ground, x 0.0 y 30.0 z 0.0 cm, yaw 0.0 degrees, battery 100 %, waits for `command`, 0.000 s
+            drone 2: off, x 0.0 y -30.0 z 0.0 cm, yaw 0.0 degrees, battery 100 %, waits for `command`, 0.000 s
+            """);
+  }
+
+  @Test
+  void powerSwitchesOneDroneOrAll() throws IOException {
+    type("power on");
+    type("power off 2", "state");
+
+    type("state");
+    assertThat(printed().lines().skip(2))
+        .satisfiesExactly(
+            first -> assertThat(first).startsWith("drone 1: on the ground"),
+            second -> assertThat(second).startsWith("drone 2: off"));
+  }
+
+  @Test
+  void batteryIsSetForOneDroneOrAll() throws IOException {
+    type("battery 40");
+    assertThat(percents()).containsExactly(40, 40);
+
+    type("battery 12.5 2", "battery 0 1");
+    assertThat(percents().get(0)).isZero();
+    assertThat(percents().get(1)).isBetween(12, 13);
+  }
+
+  @Test
+  void resetPutsADroneBackToItsStart() throws IOException {
+    Vec3 elsewhere = new Vec3(1, 1, 0);
+    simulation.control(new Control.SetStart(1, elsewhere));
+    type("reset 1", "reset");
+
+    assertThat(drone(0).motion().position()).isEqualTo(elsewhere);
+    assertThat(printed()).isEmpty();
+  }
+
+  @Test
+  void pauseLetsTimeStandStillUntilResume() throws IOException {
+    type("pause");
+    assertThat(simulation.snapshot().clock().paused()).isTrue();
+
+    type("state");
+    assertThat(printed()).contains(", paused\n");
+
+    type("resume");
+    assertThat(simulation.snapshot().clock().paused()).isFalse();
+  }
+
+  @Test
+  void helpListsTheCommands() throws IOException {
+    type("help");
+
+    assertThat(printed()).isEqualTo(HELP + "\n");
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      textBlock =
+          """
+          fly            | there is no such command
+          QUIT           | there is no such command
+          quit now       | there is a word too many, now
+          state 1        | there is a word too many, 1
+          pause 1        | there is a word too many, 1
+          resume all     | there is a word too many, all
+          reset 1 2      | there is a word too many, 2
+          power on 1 2   | there is a word too many, 2
+          battery 50 1 2 | there is a word too many, 2
+          reset 0        | the drones are 1 to 2
+          reset 3        | the drones are 1 to 2
+          reset 1.5      | the drones are 1 to 2
+          reset all      | expected a drone's number, found all
+          power          | expected on or off
+          power 1        | expected on or off, found 1
+          battery        | expected a percentage
+          battery full   | expected a percentage, found full
+          battery NaN    | expected a percentage, found NaN
+          battery 0x1p3  | expected a percentage, found 0x1p3
+          battery 100.5  | battery is 100.5 %, but must be from 0 to 100
+          battery -1     | battery is -1.0 %, but must be from 0 to 100
+          """)
+  void whatCannotBeDoneIsExplainedAndChangesNothing(String line, String reason) throws IOException {
+    assertThat(type(line)).isFalse();
+
+    assertThat(printed()).isEqualTo("`" + line + "` was not done: " + reason + "; " + HELP + ".\n");
+    assertThat(percents()).containsExactly(100, 100);
+    assertThat(simulation.snapshot().clock().paused()).isFalse();
+  }
+
+  private boolean type(String... lines) throws IOException {
+    String input = String.join("\n", lines);
+    PrintStream out = new PrintStream(printed, true, StandardCharsets.UTF_8);
+    boolean quit = new Console(simulation, new BufferedReader(new StringReader(input)), out).run();
+    simulation.drain();
+    return quit;
+  }
+
+  private String printed() {
+    return printed.toString(StandardCharsets.UTF_8).replace(System.lineSeparator(), "\n");
+  }
+
+  private List<Integer> percents() {
+    return List.of(drone(0).energy().battery().percent(), drone(1).energy().battery().percent());
+  }
+
+  private DroneState drone(int index) {
+    return simulation.snapshot().drones().get(index).state();
+  }
+}
