@@ -9,6 +9,7 @@ import java.net.UnknownHostException;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
+import java.util.stream.IntStream;
 
 /**
  * Which drone listens where.
@@ -19,6 +20,8 @@ public record AddressPlan(List<List<InetSocketAddress>> drones) {
 
   /** Ports that operator programs need for themselves. Documented: SDK 1.3 User Guide. */
   private static final Set<Integer> OPERATORS_PORTS = Set.of(8889, 8890, 11111);
+
+  private static final int HIGHEST_PORT = 65535;
 
   /** One address a drone, all on the same port. */
   public static AddressPlan of(List<InetAddress> addresses, int port) {
@@ -32,20 +35,30 @@ public record AddressPlan(List<List<InetSocketAddress>> drones) {
    */
   public static AddressPlan ofMachine(int drones, int port) {
     List<List<InetSocketAddress>> plan = new ArrayList<>();
-    plan.add(onPort(machineAddresses(), port));
-    for (int number = 2; number <= drones; number++) {
-      plan.add(List.of(new InetSocketAddress(loopback(number), port)));
-    }
+    List<InetAddress> others =
+        IntStream.rangeClosed(2, drones).mapToObj(AddressPlan::loopback).toList();
+    List<InetAddress> first = new ArrayList<>(machineAddresses());
+    first.removeAll(others); // where they had to be added, the machine counts them among its own
+    plan.add(onPort(first, port));
+    others.forEach(address -> plan.add(List.of(new InetSocketAddress(address, port))));
     return new AddressPlan(plan);
   }
 
-  /** All drones on the same addresses, each on a port of its own from {@code firstPort} on. */
+  /**
+   * All drones on the same addresses, each on a port of its own from {@code firstPort} on.
+   *
+   * @throws IllegalArgumentException with a sentence, if there are not enough ports
+   */
   public static AddressPlan portPerDrone(int drones, List<InetAddress> addresses, int firstPort) {
     List<List<InetSocketAddress>> plan = new ArrayList<>();
     int port = firstPort;
     for (int number = 1; number <= drones; number++) {
       while (number > 1 && OPERATORS_PORTS.contains(port)) {
         port++;
+      }
+      if (port > HIGHEST_PORT) {
+        throw new IllegalArgumentException(
+            "there are no ports for %d drones from port %d on".formatted(drones, firstPort));
       }
       plan.add(onPort(addresses, port));
       port += firstPort == 0 ? 0 : 1;
