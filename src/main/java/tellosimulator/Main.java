@@ -11,6 +11,7 @@ import picocli.CommandLine;
 import picocli.CommandLine.IVersionProvider;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.ParseResult;
+import picocli.CommandLine.UnmatchedArgumentException;
 import tellosimulator.headless.HeadlessSimulator;
 import tellosimulator.network.PortTakenException;
 
@@ -45,10 +46,10 @@ public final class Main {
         return 0;
       }
       LogSetup.setLevel(options.logLevel());
-      if (!options.headless()) {
-        LoggerFactory.getLogger(Main.class).info("There is no window yet: running headless");
-      }
       return simulate(options, out);
+    } catch (UnmatchedArgumentException e) {
+      err.println("There is no option " + e.getUnmatched().get(0) + ". Try --help.");
+      return WRONG_OPTIONS;
     } catch (ParameterException | IllegalArgumentException e) {
       err.println(sentence(e.getMessage()) + " Try --help.");
       return WRONG_OPTIONS;
@@ -68,6 +69,9 @@ public final class Main {
       throws IOException, InterruptedException {
     try (HeadlessSimulator simulator =
         new HeadlessSimulator(options.simConfig(), options.addressPlan(), options.replyPort())) {
+      if (!options.headless()) {
+        LoggerFactory.getLogger(Main.class).info("There is no window yet: running headless");
+      }
       Runtime.getRuntime().addShutdownHook(new Thread(simulator::close, "shutdown"));
       Charset charset = Charset.defaultCharset();
       simulator.run(new BufferedReader(new InputStreamReader(System.in, charset)), out);

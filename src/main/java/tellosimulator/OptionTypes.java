@@ -2,6 +2,7 @@ package tellosimulator;
 
 import java.net.InetAddress;
 import java.net.UnknownHostException;
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.OptionalInt;
@@ -22,6 +23,10 @@ import tellosimulator.world.Room;
 final class OptionTypes {
 
   private static final String NUMBER = "(-?[0-9]+(?:\\.[0-9]+)?)";
+  private static final int HIGHEST_PORT = 65535;
+
+  /** As many as 127.0.0.1 to 127.0.0.250. Decided. */
+  private static final int MOST_DRONES = 250;
 
   private OptionTypes() {}
 
@@ -32,31 +37,71 @@ final class OptionTypes {
     }
   }
 
-  static final class ReplyPort implements ITypeConverter<OptionalInt> {
-    @Override
-    public OptionalInt convert(String word) {
-      if (word.equals("sender")) {
-        return OptionalInt.empty();
-      }
-      if (!word.matches("[0-9]{1,5}") || !isPort(Integer.parseInt(word))) {
-        throw new TypeConversionException("expected sender or a port, found " + word);
-      }
-      return OptionalInt.of(Integer.parseInt(word));
-    }
+  /** One or more addresses, all different. */
+  record AddressList(List<InetAddress> addresses) {}
 
-    private static boolean isPort(int number) {
-      return number >= 1 && number <= 65535;
+  static final class Port implements ITypeConverter<Integer> {
+    @Override
+    public Integer convert(String word) {
+      return wholeNumber(word, 1, HIGHEST_PORT, "a port from 1 to 65535");
     }
   }
 
-  static final class Address implements ITypeConverter<InetAddress> {
+  static final class PortOrFree implements ITypeConverter<Integer> {
+    @Override
+    public Integer convert(String word) {
+      return wholeNumber(word, 0, HIGHEST_PORT, "a port from 1 to 65535, or 0 for a free one");
+    }
+  }
+
+  static final class ReplyPort implements ITypeConverter<OptionalInt> {
+    @Override
+    public OptionalInt convert(String word) {
+      return word.equals("sender")
+          ? OptionalInt.empty()
+          : OptionalInt.of(wholeNumber(word, 1, HIGHEST_PORT, "sender or a port from 1 to 65535"));
+    }
+  }
+
+  static final class DroneCount implements ITypeConverter<Integer> {
+    @Override
+    public Integer convert(String word) {
+      return wholeNumber(word, 1, MOST_DRONES, "a number from 1 to " + MOST_DRONES);
+    }
+  }
+
+  static final class Seed implements ITypeConverter<Long> {
+    @Override
+    public Long convert(String word) {
+      try {
+        return Long.valueOf(word);
+      } catch (NumberFormatException e) {
+        throw mistake("a whole number of at most 18 digits", word);
+      }
+    }
+  }
+
+  static final class Addresses implements ITypeConverter<AddressList> {
     private static final Pattern FORM = Pattern.compile("[0-9]{1,3}(\\.[0-9]{1,3}){3}");
 
     @Override
-    public InetAddress convert(String word) throws UnknownHostException {
+    public AddressList convert(String words) throws UnknownHostException {
+      List<InetAddress> addresses = new ArrayList<>();
+      for (String word : words.split(",", -1)) {
+        InetAddress address = address(word);
+        if (addresses.contains(address)) {
+          throw new TypeConversionException(
+              word + " is there twice, but each drone needs an address of its own");
+        }
+        addresses.add(address);
+      }
+      return new AddressList(List.copyOf(addresses));
+    }
+
+    private static InetAddress address(String word) throws UnknownHostException {
       if (!FORM.matcher(word).matches()
           || Arrays.stream(word.split("\\.", -1)).anyMatch(part -> Integer.parseInt(part) > 255)) {
-        throw new TypeConversionException("expected an address such as 127.0.0.2, found " + word);
+        throw mistake("an address such as 127.0.0.2", word);
       }
       return InetAddress.getByName(word);
     }
@@ -90,13 +135,12 @@ final class OptionTypes {
     public Room convert(String word) {
       Matcher sizes = FORM.matcher(word);
       if (!sizes.matches()) {
-        throw new TypeConversionException(
-            "expected width, depth and height in cm such as 500x500x300, found " + word);
+        throw mistake("width, depth and height in cm such as 500x500x300", word);
       }
       try {
         return new Room(metres(sizes, 1), metres(sizes, 2), metres(sizes, 3));
       } catch (IllegalArgumentException e) {
-        throw new TypeConversionException(e.getMessage() + " m");
+        throw mistake("width, depth and height from 100 to 20000 cm", word);
       }
     }
   }
@@ -108,7 +152,7 @@ final class OptionTypes {
     public Point convert(String word) {
       Matcher point = FORM.matcher(word);
       if (!point.matches()) {
-        throw new TypeConversionException("expected X,Y in cm such as 100,-50, found " + word);
+        throw mistake("X,Y in cm such as 100,-50", word);
       }
       return new Point(Double.parseDouble(point.group(1)), Double.parseDouble(point.group(2)));
     }
@@ -120,15 +164,26 @@ final class OptionTypes {
       if (word.equals("max")) {
         return TimeFactor.MAX;
       }
-      if (!word.matches(NUMBER)) {
-        throw new TypeConversionException("expected a number or max, found " + word);
-      }
       try {
-        return new TimeFactor(Double.parseDouble(word));
+        return new TimeFactor(word.matches(NUMBER) ? Double.parseDouble(word) : Double.NaN);
       } catch (IllegalArgumentException e) {
-        throw new TypeConversionException(e.getMessage());
+        throw mistake("a number from 0.01 to 5000, or max", word);
       }
     }
+  }
+
+  /** A whole number without sign. */
+  private static int wholeNumber(String word, int least, int most, String expected) {
+    int number = word.matches("[0-9]{1,9}") ? Integer.parseInt(word) : -1;
+    if (number < least || number > most) {
+      throw mistake(expected, word);
+    }
+    return number;
+  }
+
+  private static TypeConversionException mistake(String expected, String word) {
+    return new TypeConversionException(
+        "expected " + expected + ", found " + (word.isEmpty() ? "nothing" : word));
   }
 
   private static double metres(Matcher sizes, int group) {
@@ -141,10 +196,7 @@ final class OptionTypes {
         .findFirst()
         .orElseThrow(
             () ->
-                new TypeConversionException(
-                    "expected one of "
-                        + values.stream().map(name).collect(Collectors.joining(", "))
-                        + ", found "
-                        + word));
+                mistake(
+                    "one of " + values.stream().map(name).collect(Collectors.joining(", ")), word));
   }
 }

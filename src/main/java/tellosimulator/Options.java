@@ -2,7 +2,6 @@ package tellosimulator;
 
 import java.net.InetAddress;
 import java.util.List;
-import java.util.Locale;
 import java.util.OptionalInt;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
@@ -32,9 +31,6 @@ import tellosimulator.world.Room;
     })
 final class Options {
 
-  private static final int MOST_DRONES = 250;
-  private static final int HIGHEST_PORT = 65535;
-
   @Option(
       names = "--headless",
       description = "Run without a window. For now, there is no other way.")
@@ -44,6 +40,7 @@ final class Options {
       names = "--command-port",
       paramLabel = "PORT",
       defaultValue = "8879",
+      converter = OptionTypes.PortOrFree.class,
       description = "Where drones take commands; 0 chooses a free port. Default: 8879.")
   private int commandPort;
 
@@ -51,6 +48,7 @@ final class Options {
       names = "--state-port",
       paramLabel = "PORT",
       defaultValue = "8890",
+      converter = OptionTypes.Port.class,
       description = "Where your program takes the drone's state. Default: 8890.")
   private int statePort;
 
@@ -58,6 +56,7 @@ final class Options {
       names = "--video-port",
       paramLabel = "PORT",
       defaultValue = "11111",
+      converter = OptionTypes.Port.class,
       description = "Where your program takes the drone's video. Default: 11111.")
   private int videoPort;
 
@@ -74,23 +73,23 @@ final class Options {
   @Option(
       names = "--drones",
       paramLabel = "N",
+      converter = OptionTypes.DroneCount.class,
       description = "How many drones to simulate. Default: 1, or as many as --bind has addresses.")
   private Integer drones;
 
   @Option(
       names = "--bind",
-      paramLabel = "A,B,…",
-      split = ",",
-      converter = OptionTypes.Address.class,
+      paramLabel = "A,B,...",
+      converter = OptionTypes.Addresses.class,
       description =
           "One address of this machine for each drone. Default: all addresses for drone 1,"
               + " 127.0.0.2 for drone 2, 127.0.0.3 for drone 3, and so on.")
-  private List<InetAddress> bind;
+  private OptionTypes.AddressList bind;
 
   @Option(
       names = "--port-per-drone",
       description =
-          "Give all drones the same addresses and count the port up: 8879, 8880, …, leaving out"
+          "Give all drones the same addresses and count the port up: 8879, 8880 and so on, leaving out"
               + " 8889, 8890 and 11111.")
   private boolean portPerDrone;
 
@@ -144,6 +143,7 @@ final class Options {
       names = "--seed",
       paramLabel = "N",
       defaultValue = "1",
+      converter = OptionTypes.Seed.class,
       description = "The same seed and the same commands give the same flight. Default: 1.")
   private long seed;
 
@@ -175,9 +175,6 @@ final class Options {
    * @throws IllegalArgumentException with a sentence, if options do not fit together
    */
   SimConfig simConfig() {
-    checkPort("--command-port", commandPort, 0);
-    checkPort("--state-port", statePort, 1);
-    checkPort("--video-port", videoPort, 1);
     return new SimConfig(
         new Product(profile, behaviour),
         room,
@@ -194,41 +191,25 @@ final class Options {
    */
   AddressPlan addressPlan() {
     if (portPerDrone) {
-      List<InetAddress> addresses = bind == null ? AddressPlan.machineAddresses() : bind;
-      return checked(AddressPlan.portPerDrone(droneCount(), addresses, commandPort));
+      List<InetAddress> addresses =
+          bind == null ? AddressPlan.machineAddresses() : bind.addresses();
+      return AddressPlan.portPerDrone(droneCount(), addresses, commandPort);
     }
     return bind == null
         ? AddressPlan.ofMachine(droneCount(), commandPort)
-        : AddressPlan.of(bind, commandPort);
+        : AddressPlan.of(bind.addresses(), commandPort);
   }
 
   private int droneCount() {
-    int addresses = bind == null || portPerDrone ? 0 : bind.size();
-    int count = drones != null ? drones : Math.max(1, addresses);
-    if (count < 1 || count > MOST_DRONES) {
-      throw new IllegalArgumentException(
-          "--drones is %d, but must be from 1 to %d".formatted(count, MOST_DRONES));
+    if (bind == null || portPerDrone) {
+      return drones == null ? 1 : drones;
     }
-    if (addresses != 0 && addresses != count) {
+    int addresses = bind.addresses().size();
+    if (drones != null && drones != addresses) {
       throw new IllegalArgumentException(
           "--bind has %d addresses for %d drones, but each drone needs one"
-              .formatted(addresses, count));
+              .formatted(addresses, drones));
     }
-    return count;
-  }
-
-  private static AddressPlan checked(AddressPlan plan) {
-    plan.drones().stream()
-        .flatMap(List::stream)
-        .forEach(address -> checkPort("the port of the last drone", address.getPort(), 0));
-    return plan;
-  }
-
-  private static void checkPort(String name, int port, int least) {
-    if (port < least || port > HIGHEST_PORT) {
-      throw new IllegalArgumentException(
-          String.format(
-              Locale.ROOT, "%s is %d, but must be from %d to %d", name, port, least, HIGHEST_PORT));
-    }
+    return addresses;
   }
 }

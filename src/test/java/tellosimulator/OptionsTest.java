@@ -1,0 +1,202 @@
+package tellosimulator;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.net.InetSocketAddress;
+import java.util.List;
+import java.util.OptionalInt;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+import picocli.CommandLine;
+import picocli.CommandLine.ParameterException;
+import tellosimulator.math.Vec3;
+import tellosimulator.network.AddressPlan;
+import tellosimulator.profile.Behaviour;
+import tellosimulator.profile.Profile;
+import tellosimulator.sim.SimConfig;
+import tellosimulator.sim.SimConfig.Outlets;
+import tellosimulator.sim.SimConfig.Product;
+import tellosimulator.time.TimeFactor;
+import tellosimulator.world.Room;
+
+class OptionsTest {
+
+  @Test
+  void withoutOptionsOneEduStandsInTheMiddleOfTheDefaultRoom() {
+    Options options = options("");
+
+    assertThat(options.simConfig()).isEqualTo(SimConfig.DEFAULT);
+    assertThat(options.addressPlan()).isEqualTo(AddressPlan.ofMachine(1, 8879));
+    assertThat(options.replyPort()).isEmpty();
+    assertThat(options.logLevel()).isEqualTo("info");
+    assertThat(options.headless()).isFalse();
+  }
+
+  @Test
+  void everyOptionReachesTheSimulation() {
+    Options options =
+        options(
+            "--headless --state-port 9001 --video-port 9002 --reply-port 8889 --profile tt"
+                + " --behaviour measured --room 600x700.5x250 --start 100,-50 --time-factor 2.5"
+                + " --seed -7 --log-level debug");
+
+    SimConfig config = options.simConfig();
+    assertThat(config.product()).isEqualTo(new Product(Profile.TT, Behaviour.MEASURED));
+    assertThat(config.room()).isEqualTo(new Room(6, 7.005, 2.5));
+    assertThat(config.starts()).hasSize(1);
+    assertThat(config.starts().get(0).position()).isEqualTo(new Vec3(1, -0.5, 0));
+    assertThat(config.timeFactor()).isEqualTo(new TimeFactor(2.5));
+    assertThat(config.seed()).isEqualTo(-7);
+    assertThat(config.outlets()).isEqualTo(new Outlets(9001, 9002));
+    assertThat(options.replyPort()).isEqualTo(OptionalInt.of(8889));
+    assertThat(options.logLevel()).isEqualTo("debug");
+    assertThat(options.headless()).isTrue();
+  }
+
+  @ParameterizedTest
+  @CsvSource({"edu, EDU", "tello, TELLO", "tt, TT"})
+  void profilesAreChosenByName(String word, Profile profile) {
+    assertThat(options("--profile " + word).simConfig().product().profile()).isEqualTo(profile);
+  }
+
+  @ParameterizedTest
+  @CsvSource({"report, REPORT", "measured, MEASURED"})
+  void behavioursAreChosenByName(String word, Behaviour behaviour) {
+    assertThat(options("--behaviour " + word).simConfig().product().behaviour())
+        .isEqualTo(behaviour);
+  }
+
+  @ParameterizedTest
+  @CsvSource({"0.01, 0.01", "1, 1", "20, 20", "5000, 5000", "max, Infinity"})
+  void timeFactorsAreNumbersOrMax(String word, double factor) {
+    assertThat(options("--time-factor " + word).simConfig().timeFactor().value()).isEqualTo(factor);
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"error", "warn", "info", "debug", "off"})
+  void logLevelsAreChosenByName(String level) {
+    assertThat(options("--log-level " + level).logLevel()).isEqualTo(level);
+  }
+
+  @ParameterizedTest
+  @ValueSource(ints = {0, 1, 8889, 65535})
+  void everyPortCanBeTheCommandPort(int port) {
+    assertThat(options("--command-port " + port).addressPlan())
+        .isEqualTo(AddressPlan.ofMachine(1, port));
+  }
+
+  @ParameterizedTest
+  @ValueSource(ints = {1, 3, 250})
+  void asManyDronesStandInTheRoomAsAreAskedFor(int drones) {
+    Options options = options("--room 2000x2000x300 --drones " + drones);
+
+    assertThat(options.simConfig().starts()).hasSize(drones);
+    assertThat(options.addressPlan().drones()).hasSize(drones);
+  }
+
+  @Test
+  void eachFurtherDroneTakesTheNextLoopbackAddress() {
+    List<List<InetSocketAddress>> drones = options("--drones 3").addressPlan().drones();
+
+    assertThat(drones.get(0)).contains(at("127.0.0.1", 8879));
+    assertThat(drones.get(0)).doesNotContain(at("127.0.0.2", 8879), at("127.0.0.3", 8879));
+    assertThat(drones.get(1)).containsExactly(at("127.0.0.2", 8879));
+    assertThat(drones.get(2)).containsExactly(at("127.0.0.3", 8879));
+  }
+
+  @Test
+  void eachBoundAddressIsADrone() {
+    Options options = options("--bind 127.0.0.5,127.0.0.6 --command-port 8889");
+
+    assertThat(options.simConfig().starts()).hasSize(2);
+    assertThat(options.addressPlan().drones())
+        .containsExactly(List.of(at("127.0.0.5", 8889)), List.of(at("127.0.0.6", 8889)));
+  }
+
+  @Test
+  void portsCountUpAndLeaveOutThoseOfOperators() {
+    Options options = options("--port-per-drone --bind 127.0.0.1 --drones 3 --command-port 8888");
+
+    assertThat(options.addressPlan().drones())
+        .containsExactly(
+            List.of(at("127.0.0.1", 8888)),
+            List.of(at("127.0.0.1", 8891)),
+            List.of(at("127.0.0.1", 8892)));
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      textBlock =
+          """
+          --command-port | abc       | expected a port from 1 to 65535, or 0 for a free one, found abc
+          --command-port | -1        | expected a port from 1 to 65535, or 0 for a free one, found -1
+          --command-port | 65536     | expected a port from 1 to 65535, or 0 for a free one, found 65536
+          --state-port   | 0         | expected a port from 1 to 65535, found 0
+          --state-port   | 99999999999 | expected a port from 1 to 65535, found 99999999999
+          --video-port   | 1.5       | expected a port from 1 to 65535, found 1.5
+          --reply-port   | receiver  | expected sender or a port from 1 to 65535, found receiver
+          --reply-port   | 0         | expected sender or a port from 1 to 65535, found 0
+          --drones       | 0         | expected a number from 1 to 250, found 0
+          --drones       | 251       | expected a number from 1 to 250, found 251
+          --drones       | three     | expected a number from 1 to 250, found three
+          --bind         | 127.0.0   | expected an address such as 127.0.0.2, found 127.0.0
+          --bind         | 1.2.3.256 | expected an address such as 127.0.0.2, found 1.2.3.256
+          --bind         | localhost | expected an address such as 127.0.0.2, found localhost
+          --bind         | 1.2.3.4,  | expected an address such as 127.0.0.2, found nothing
+          --bind         | 1.2.3.4,1.2.3.4 | 1.2.3.4 is there twice, but each drone needs an address of its own
+          --profile      | EDU       | expected one of edu, tello, tt, found EDU
+          --behaviour    | real      | expected one of report, measured, found real
+          --room         | 500x500   | expected width, depth and height in cm such as 500x500x300, found 500x500
+          --room         | 5x5x3     | expected width, depth and height from 100 to 20000 cm, found 5x5x3
+          --start        | 100       | expected X,Y in cm such as 100,-50, found 100
+          --start        | NaN,0     | expected X,Y in cm such as 100,-50, found NaN,0
+          --time-factor  | fast      | expected a number from 0.01 to 5000, or max, found fast
+          --time-factor  | 0         | expected a number from 0.01 to 5000, or max, found 0
+          --time-factor  | 5001      | expected a number from 0.01 to 5000, or max, found 5001
+          --time-factor  | Infinity  | expected a number from 0.01 to 5000, or max, found Infinity
+          --seed         | 1.5       | expected a whole number of at most 18 digits, found 1.5
+          --log-level    | loud      | expected one of error, warn, info, debug, off, found loud
+          """)
+  void aWrongValueIsNamedWithWhatWasExpected(String option, String value, String sentence) {
+    assertThatThrownBy(() -> options(option + " " + value))
+        .isInstanceOf(ParameterException.class)
+        .hasMessage("Invalid value for option '" + option + "': " + sentence);
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      textBlock =
+          """
+          --bind 127.0.0.1,127.0.0.2 --drones 3 | --bind has 2 addresses for 3 drones, but each drone needs one
+          --start 250,0                         | drone 1 does not fit into the room: its start would be at x 250, y 0 cm
+          --room 100x100x100 --drones 9         | drone 3 does not fit into the room: its start would be at x -60, y 30 cm
+          --port-per-drone --bind 127.0.0.1 --drones 2 --command-port 65535 | there are no ports for 2 drones from port 65535 on
+          """)
+  void optionsThatDoNotFitTogetherAreNamed(String line, String sentence) {
+    Options options = options(line);
+
+    assertThatThrownBy(
+            () -> {
+              options.simConfig();
+              options.addressPlan();
+            })
+        .isInstanceOf(IllegalArgumentException.class)
+        .hasMessage(sentence);
+  }
+
+  private static Options options(String line) {
+    Options options = new Options();
+    String[] words = line.isEmpty() ? new String[0] : line.split(" ", -1);
+    new CommandLine(options).parseArgs(words);
+    return options;
+  }
+
+  private static InetSocketAddress at(String address, int port) {
+    return new InetSocketAddress(address, port);
+  }
+}
