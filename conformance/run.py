@@ -1,0 +1,216 @@
+#!/usr/bin/env python3
+"""Flies unmodified client packages against the simulator and judges every reply and position."""
+
+import argparse
+import contextlib
+import dataclasses
+import json
+import os
+import pathlib
+import shutil
+import signal
+import subprocess
+import sys
+import threading
+import time
+
+import network
+from judge import Judge
+from simulator import Simulator
+
+HERE = pathlib.Path(__file__).resolve().parent
+INSIDE = "TELLO_CONFORMANCE_NETWORK"
+
+FAILED = 1
+MISSING = 77
+FORBIDDEN = 78
+
+FEWEST_STEPS = 15
+LONGEST_FLIGHT_S = 60
+LOOPBACK = ("127.0.0.1", "8879")
+
+
+def python():
+    inside = "Scripts/python.exe" if os.name == "nt" else "bin/python"
+    own = HERE / ".venv" / inside
+    return str(own) if own.exists() else sys.executable
+
+
+class Client:
+    """How a client is started, and how to see whether it is installed."""
+
+    def __init__(self, start, probe, install):
+        self.start, self.probe, self.install = start, probe, install
+
+    def missing(self):
+        """Why it cannot fly; empty if it can."""
+        if shutil.which(self.start[0]) is None:
+            return f"{self.start[0]} is not installed"
+        tried = subprocess.run([self.start[0], *self.probe], cwd=HERE, capture_output=True)
+        return "" if tried.returncode == 0 else f"its package is missing: {self.install}"
+
+
+PIP = "pip install -r conformance/requirements.txt"
+NPM = "npm install --prefix conformance"
+
+CLIENTS = {
+    "djitellopy": Client(
+        [python(), "fly_djitellopy.py"], ["-c", "import djitellopy"], PIP
+    ),
+    "tello-asyncio": Client(
+        [python(), "fly_tello_asyncio.py"], ["-c", "import tello_asyncio"], PIP
+    ),
+    "tellojs": Client(["node", "fly_tellojs.js"], ["-e", "require.resolve('tellojs')"], NPM),
+}
+
+
+def options():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument(
+        "clients", nargs="*", metavar="client", help="which to fly: " + ", ".join(CLIENTS)
+    )
+    parser.add_argument(
+        "--private-network",
+        action="store_true",
+        help="fly without any change, over a network in which the drone is 192.168.10.1:8889",
+    )
+    parser.add_argument("--time-factor", default="5", help="how fast time passes, or max")
+    parser.add_argument("--java", default="java", help="which Java runs the simulator")
+    parser.add_argument("--jar", default=str(HERE.parent / "target" / "tello-simulator.jar"))
+    chosen = parser.parse_args()
+    unknown = [name for name in chosen.clients if name not in CLIENTS]
+    if unknown:
+        parser.error("there is no client " + ", ".join(unknown))
+    chosen.clients = chosen.clients or list(CLIENTS)
+    return chosen
+
+
+def fly(name, chosen):
+    """Whether all went well."""
+    place = "private network" if chosen.private_network else "loopback"
+    print(f"{name} over {place}, time factor {chosen.time_factor}", flush=True)
+    started = time.monotonic()
+    with contextlib.ExitStack() as stack:
+        simulator_options = ["--time-factor", chosen.time_factor, "--room", "2000x2000x400"]
+        command = list(CLIENTS[name].start)
+        if chosen.private_network:
+            cable = stack.enter_context(network.PrivateNetwork())
+            simulator_options += ["--bind", network.DRONE, "--command-port", "8889"]
+            command = cable.way_in() + command
+        else:
+            command += LOOPBACK
+        if chosen.time_factor == "max":
+            command.append("--at-full-speed")
+        simulator = stack.enter_context(Simulator(chosen.java, chosen.jar, simulator_options))
+        judge = Judge(simulator)
+        faults, chatter = follow(command, judge, simulator)
+        seconds = time.monotonic() - started
+        end = f"{judge.steps} steps, at most {judge.worst_cm:.1f} cm off, {seconds:.1f} s"
+        if not faults:
+            print(f"{name} over {place}: passed, {end}\n", flush=True)
+            return True
+        print(f"{name} over {place}: FAILED, {end}")
+        print("\n".join("  " + fault for fault in faults))
+        print("What the client wrote last:", *chatter[-20:], sep="\n  ")
+        log = simulator.log().splitlines()
+        print("What the simulator wrote last:", *log[-40:], sep="\n  ", flush=True)
+        return False
+
+
+def follow(command, judge, simulator):
+    """Runs a client; returns what went wrong, and what it wrote of its own accord."""
+    client = subprocess.Popen(
+        command,
+        cwd=HERE,
+        stdin=subprocess.PIPE,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.STDOUT,
+        text=True,
+        encoding="utf-8",
+        bufsize=1,
+        env={**os.environ, "PYTHONUNBUFFERED": "1", "PYTHONDONTWRITEBYTECODE": "1"},
+    )
+    watch = threading.Timer(LONGEST_FLIGHT_S, lambda: (client.kill(), simulator.kill()))
+    watch.start()
+    faults, chatter, done = [], [], False
+    try:
+        for line in client.stdout:
+            if line.startswith("step "):
+                faults += take(line, judge, client)
+            elif line.rstrip() == "done":
+                done = True
+            else:
+                chatter.append(line.rstrip())
+    finally:
+        watch.cancel()
+        client.kill()
+        client.wait()
+    if not done:
+        faults.append("the client did not come to its end")
+    if judge.steps < FEWEST_STEPS:
+        faults.append(f"fewer than {FEWEST_STEPS} steps")
+    return faults, chatter
+
+
+def take(line, judge, client):
+    """Judges a step, prints it and answers the client with the drone's pose."""
+    step = json.loads(line.removeprefix("step "))
+    pose, faults = judge.judge(step)
+    reply = step["reply"].replace("\r", "\\r").replace("\n", "\\n")
+    verdict = "WRONG" if faults else "right"
+    print(f"  {verdict} {step['command']:28} {pose}  {'; '.join([reply, *faults])}", flush=True)
+    try:
+        client.stdin.write(json.dumps(dataclasses.asdict(pose)) + "\n")
+    except BrokenPipeError:
+        faults.append("the client ended too early")
+    return [f"{step['command']}: {fault}" for fault in faults]
+
+
+def what_is_missing(chosen):
+    missing = [
+        f"{name}: {reason}" for name in chosen.clients if (reason := CLIENTS[name].missing())
+    ]
+    if not pathlib.Path(chosen.jar).exists():
+        missing.append(f"{chosen.jar} is missing: mvn -DskipTests package")
+    if chosen.private_network and sys.platform == "linux":
+        missing += [f"{tool} is not installed" for tool in network.missing_tools()]
+    return missing
+
+
+def enter_network(chosen):
+    """Goes on in a network of its own; returns only if that cannot be had.
+
+    Flights over the loopback need none, but with one they need no free ports on this machine.
+    """
+    if sys.platform != "linux":
+        reason = "it takes the network name spaces of Linux"
+    elif network.missing_tools():
+        reason = "it takes " + ", ".join(network.TOOLS)
+    else:
+        way, reason = network.way_in()
+        if way:
+            os.environ[INSIDE] = "1"
+            sys.stdout.flush()
+            os.execvp(way[0], [*way, sys.executable, *sys.argv])
+    if chosen.private_network:
+        print("skipped: the kernel forbids a private network: " + reason)
+        sys.exit(FORBIDDEN)
+
+
+def main():
+    chosen = options()
+    network.add_system_tools_to_path()
+    missing = what_is_missing(chosen)
+    if missing:
+        print("skipped: " + "; ".join(missing))
+        return MISSING
+    signal.signal(signal.SIGTERM, lambda *_: sys.exit("ended from outside"))
+    if INSIDE in os.environ:
+        network.loopback_up()
+    else:
+        enter_network(chosen)
+    return 0 if all([fly(name, chosen) for name in chosen.clients]) else FAILED
+
+
+if __name__ == "__main__":
+    sys.exit(main())
