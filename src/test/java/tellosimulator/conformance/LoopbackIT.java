@@ -1,0 +1,23 @@
+package tellosimulator.conformance;
+
+import java.io.IOException;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+/** Clients on the simulator's own machine, with the address and port that this takes. */
+class LoopbackIT {
+
+  @ParameterizedTest(name = "{0}, time factor {1}")
+  @CsvSource(
+      textBlock =
+          """
+          djitellopy,    5
+          djitellopy,    max
+          tello-asyncio, 5
+          tellojs,       5
+          """)
+  void clientFliesWhereItsCommandsLead(String client, String timeFactor)
+      throws IOException, InterruptedException {
+    ClientFlight.fly("--time-factor", timeFactor, client);
+  }
+}

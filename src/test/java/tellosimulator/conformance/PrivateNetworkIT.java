@@ -1,0 +1,16 @@
+package tellosimulator.conformance;
+
+import java.io.IOException;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** Clients without any change, in a network where the drone has the address of every drone. */
+class PrivateNetworkIT {
+
+  @ParameterizedTest
+  @ValueSource(strings = {"djitellopy", "tello-asyncio", "tellojs"})
+  void unchangedClientFliesWhereItsCommandsLead(String client)
+      throws IOException, InterruptedException {
+    ClientFlight.fly("--private-network", client);
+  }
+}
