@@ -1,5 +1,12 @@
 package tellosimulator.command;
 
+import static tellosimulator.command.DroneParameters.cm;
+import static tellosimulator.command.DroneParameters.colour;
+import static tellosimulator.command.DroneParameters.curveSpeed;
+import static tellosimulator.command.DroneParameters.hertz;
+import static tellosimulator.command.DroneParameters.pad;
+import static tellosimulator.command.DroneParameters.rgb;
+import static tellosimulator.command.DroneParameters.stick;
 import static tellosimulator.command.GeometryRules.CUBE;
 import static tellosimulator.command.Parameter.choice;
 import static tellosimulator.command.Parameter.number;
@@ -376,33 +383,5 @@ public enum CommandSyntax {
 
   private static Function<Arguments, Command> acknowledge(String reply) {
     return a -> new Command.Acknowledge(new Reply(reply));
-  }
-
-  private static Parameter cm(String name) {
-    return number(name, "cm", -500, 500);
-  }
-
-  private static Parameter curveSpeed() {
-    return number("speed", "cm/s", 10, 60);
-  }
-
-  private static Parameter stick(String name) {
-    return number(name, "", -100, 100);
-  }
-
-  private static Parameter pad(String name) {
-    return choice(name, "m1", "m2", "m3", "m4", "m5", "m6", "m7", "m8", "m-1", "m-2");
-  }
-
-  private static Parameter rgb(String name) {
-    return whole(name, 0, 255);
-  }
-
-  private static Parameter hertz() {
-    return number("t", "Hz", 0.1, 2.5);
-  }
-
-  private static Parameter colour() {
-    return choice("colour", "r", "b", "p");
   }
 }

@@ -14,14 +14,10 @@ import tellosimulator.math.Vec3;
 import tellosimulator.model.DroneModel;
 import tellosimulator.model.DroneSpec;
 import tellosimulator.model.FlightPhase;
-import tellosimulator.model.PadMode;
-import tellosimulator.model.VideoSettings;
 import tellosimulator.physics.Setpoint;
-import tellosimulator.profile.Sdk;
 import tellosimulator.sensor.SeededNoise.Channel;
 import tellosimulator.time.SimTime;
 import tellosimulator.world.Collision;
-import tellosimulator.world.Room;
 
 /**
  * Carries out the commands of one drone: all flight logic, but for how a maneuver is flown. For the
@@ -41,6 +37,7 @@ public final class DroneController implements CommandTarget {
   private final FlightObserver observer;
   private final Flight flight;
   private final Restart restart = new Restart();
+  private final Equipment equipment;
   private SimTime now = SimTime.ZERO;
   private double speed = DroneSpec.DEFAULT_SPEED;
   private long moves;
@@ -51,6 +48,7 @@ public final class DroneController implements CommandTarget {
     this.session = wiring.session();
     this.observer = wiring.observer();
     this.flight = new Flight(model, wiring.behaviour(), observer);
+    this.equipment = new Equipment(model, wiring.profile());
   }
 
   // --- what the simulation calls in a step ---
@@ -308,41 +306,22 @@ public final class DroneController implements CommandTarget {
 
   @Override
   public void detectPads(Command.DetectPads command, Responder responder) {
-    boolean both = wiring.profile().sdk() == Sdk.SDK_2_0;
-    PadMode mode = both ? PadMode.BOTH : PadMode.DOWN;
-    model.setPads(command.on() ? mode : PadMode.OFF);
-    responder.reply(Reply.OK);
+    equipment.detectPads(command, responder);
   }
 
   @Override
   public void setPadDirection(Command.SetPadDirection command, Responder responder) {
-    if (model.pads() == PadMode.OFF) {
-      responder.refuse(Reply.ERROR, "pad detection is off, send `mon` first");
-      return;
-    }
-    PadMode[] modes = {PadMode.DOWN, PadMode.FORWARD, PadMode.BOTH};
-    model.setPads(modes[command.direction()]);
-    responder.reply(Reply.OK);
+    equipment.setPadDirection(command, responder);
   }
 
   @Override
   public void stream(Command.Stream command, Responder responder) {
-    model.setVideo(model.video().withOn(command.on()));
-    responder.reply(Reply.OK);
+    equipment.stream(command, responder);
   }
 
   @Override
   public void setVideo(Command.SetVideo command, Responder responder) {
-    VideoSettings video = model.video();
-    int value = command.value();
-    model.setVideo(
-        switch (command.option()) {
-          case FRAMES_PER_SECOND -> video.withFramesPerSecond(value);
-          case BIT_RATE -> video.withMegabits(value);
-          case LINES -> video.withLines(value);
-          case DOWNWARD -> video.withDownward(value == 1);
-        });
-    responder.reply(Reply.OK);
+    equipment.setVideo(command, responder);
   }
 
   @Override
@@ -407,18 +386,5 @@ public final class DroneController implements CommandTarget {
 
   private static void refusePad(Responder responder, String pad) {
     responder.refuse(Reply.NO_VALID_MARKER, "the drone does not see the pad " + pad);
-  }
-
-  /** Its room changed: it stays inside. */
-  public void moveInto(Room room) {
-    Vec3 position = model.motion().position();
-    Vec3 inside = room.nearestInside(position, DroneSpec.HULL);
-    if (!inside.equals(position)) {
-      boolean resting = model.resting();
-      model.setMotion(model.motion().heldAt(inside, Vec3.ZERO));
-      if (resting) {
-        model.rest();
-      }
-    }
   }
 }

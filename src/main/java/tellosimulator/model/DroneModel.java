@@ -2,9 +2,11 @@ package tellosimulator.model;
 
 import tellosimulator.math.Attitude;
 import tellosimulator.math.Pose;
+import tellosimulator.math.Vec3;
 import tellosimulator.model.DroneState.Energy;
 import tellosimulator.model.DroneState.Reference;
 import tellosimulator.time.SimTime;
+import tellosimulator.world.Room;
 
 /**
  * The single source of truth about a drone. Written only within a step, by the controller and by
@@ -75,6 +77,15 @@ public final class DroneModel {
     pads = PadMode.OFF;
     if (phase != FlightPhase.OFF) {
       phase = FlightPhase.GROUNDED;
+    }
+  }
+
+  /** The room changed: start and drone move inside. */
+  public void moveInto(Room room) {
+    start = new Pose(room.nearestInside(start.position(), DroneSpec.HULL), start.attitude());
+    Vec3 inside = room.nearestInside(motion.position(), DroneSpec.HULL);
+    if (!inside.equals(motion.position())) {
+      motion = motion.heldAt(inside, Vec3.ZERO);
     }
   }
 

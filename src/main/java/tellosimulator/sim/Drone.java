@@ -121,10 +121,7 @@ final class Drone {
   }
 
   void moveInto(Room room) {
-    Pose start = model.start();
-    model.setStart(
-        new Pose(room.nearestInside(start.position(), DroneSpec.HULL), start.attitude()));
-    controller.moveInto(room);
+    model.moveInto(room);
   }
 
   // --- steps 3 to 9 ---

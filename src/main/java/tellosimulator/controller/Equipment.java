@@ -1,0 +1,57 @@
+package tellosimulator.controller;
+
+import tellosimulator.command.Command;
+import tellosimulator.command.Reply;
+import tellosimulator.command.Responder;
+import tellosimulator.model.DroneModel;
+import tellosimulator.model.PadMode;
+import tellosimulator.model.VideoSettings;
+import tellosimulator.profile.Profile;
+import tellosimulator.profile.Sdk;
+
+/** The commands for what a drone carries: camera and pad detector. For the simulation thread. */
+final class Equipment {
+
+  private final DroneModel model;
+  private final Profile profile;
+
+  Equipment(DroneModel model, Profile profile) {
+    this.model = model;
+    this.profile = profile;
+  }
+
+  void detectPads(Command.DetectPads command, Responder responder) {
+    boolean both = profile.sdk() == Sdk.SDK_2_0;
+    PadMode mode = both ? PadMode.BOTH : PadMode.DOWN;
+    model.setPads(command.on() ? mode : PadMode.OFF);
+    responder.reply(Reply.OK);
+  }
+
+  void setPadDirection(Command.SetPadDirection command, Responder responder) {
+    if (model.pads() == PadMode.OFF) {
+      responder.refuse(Reply.ERROR, "pad detection is off, send `mon` first");
+      return;
+    }
+    PadMode[] modes = {PadMode.DOWN, PadMode.FORWARD, PadMode.BOTH};
+    model.setPads(modes[command.direction()]);
+    responder.reply(Reply.OK);
+  }
+
+  void stream(Command.Stream command, Responder responder) {
+    model.setVideo(model.video().withOn(command.on()));
+    responder.reply(Reply.OK);
+  }
+
+  void setVideo(Command.SetVideo command, Responder responder) {
+    VideoSettings video = model.video();
+    int value = command.value();
+    model.setVideo(
+        switch (command.option()) {
+          case FRAMES_PER_SECOND -> video.withFramesPerSecond(value);
+          case BIT_RATE -> video.withMegabits(value);
+          case LINES -> video.withLines(value);
+          case DOWNWARD -> video.withDownward(value == 1);
+        });
+    responder.reply(Reply.OK);
+  }
+}
