@@ -129,7 +129,7 @@ public final class Simulation {
       if (command == null) {
         break;
       }
-      guarded(command);
+      guarded("A command could not be handled", command);
       changed = true;
     }
     if (changed) {
@@ -163,7 +163,7 @@ public final class Simulation {
     }
     tellEvents();
     for (SimListener listener : listeners) {
-      listener.stepped(snapshot);
+      guarded("A listener failed", () -> listener.stepped(snapshot));
     }
   }
 
@@ -186,11 +186,11 @@ public final class Simulation {
     }
   }
 
-  private void guarded(Runnable command) {
+  private static void guarded(String failure, Runnable work) {
     try {
-      command.run();
+      work.run();
     } catch (RuntimeException e) {
-      LOG.error("A command could not be handled; please report this: {}", e.toString(), e);
+      LOG.error("{}; please report this: {}", failure, e.toString(), e);
     }
   }
 
@@ -214,7 +214,7 @@ public final class Simulation {
     events.clear();
     for (SimEvent event : happened) {
       for (SimListener listener : listeners) {
-        listener.event(event);
+        guarded("A listener failed", () -> listener.event(event));
       }
     }
   }

@@ -1,0 +1,240 @@
+package tellosimulator.sim;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
+import static tellosimulator.testing.SimulatedDrone.address;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import tellosimulator.command.Peer;
+import tellosimulator.math.Vec3;
+import tellosimulator.model.DroneSpec;
+import tellosimulator.model.DroneState;
+import tellosimulator.model.FlightPhase;
+import tellosimulator.time.SimTime;
+import tellosimulator.time.TimeFactor;
+import tellosimulator.world.Room;
+
+class SimulationTest {
+
+  private static final int INBOX = 4096;
+  private static final int AT_ONCE = 256;
+  private static final Peer PEER =
+      new Peer(address("192.168.10.2", 9000), address("192.168.10.1", 8889));
+
+  private final List<String> replies = new ArrayList<>();
+  private final List<SimEvent> events = new ArrayList<>();
+  private final List<SimTime> steps = new ArrayList<>();
+  private final SimListener recorder =
+      new SimListener() {
+        @Override
+        public void event(SimEvent event) {
+          events.add(event);
+        }
+
+        @Override
+        public void stepped(SimSnapshot snapshot) {
+          steps.add(snapshot.time());
+        }
+      };
+
+  private final Simulation simulation = simulation(recorder);
+
+  @Test
+  void aStepMovesTimeOnByFiveMillisecondsAndIsToldLast() {
+    simulation.step();
+    simulation.step();
+
+    assertThat(steps).containsExactly(new SimTime(5_000_000), new SimTime(10_000_000));
+    assertThat(simulation.snapshot().time()).isEqualTo(new SimTime(10_000_000));
+  }
+
+  @Test
+  void aListenerThatThrowsNeitherStopsTheStepNorTheOtherListeners() {
+    SimListener broken =
+        new SimListener() {
+          @Override
+          public void event(SimEvent event) {
+            throw new IllegalStateException("broken on purpose");
+          }
+
+          @Override
+          public void stepped(SimSnapshot snapshot) {
+            throw new IllegalStateException("broken on purpose");
+          }
+        };
+    Simulation tested = simulation(broken, recorder);
+
+    tested.control(new Control.Power(1, true));
+    tested.submit(1, PEER, "command");
+    tested.submit(1, PEER, "battery?");
+    tested.step();
+
+    assertThat(replies).containsExactly("ok", "100\r\n");
+    assertThat(events)
+        .filteredOn(SimEvent.CommandReceived.class::isInstance)
+        .extracting(SimEvent::words)
+        .hasSize(2);
+    assertThat(steps).containsExactly(new SimTime(5_000_000));
+    assertThat(tested.snapshot().time()).isEqualTo(new SimTime(5_000_000));
+  }
+
+  @Test
+  void aListenerMaySubmitCommandsForTheNextStep() {
+    List<Simulation> self = new ArrayList<>();
+    SimListener operator =
+        new SimListener() {
+          @Override
+          public void stepped(SimSnapshot snapshot) {
+            self.get(0).submit(1, PEER, "command");
+          }
+        };
+    Simulation tested = simulation(operator);
+    self.add(tested);
+    tested.control(new Control.Power(1, true));
+
+    tested.step();
+    assertThat(replies).isEmpty();
+    tested.step();
+    assertThat(replies).containsExactly("ok");
+  }
+
+  @ParameterizedTest
+  @ValueSource(ints = {0, -1, 3, Integer.MAX_VALUE})
+  void thereAreControlsAndCommandsOnlyForExistingDrones(int drone) {
+    String message = "there is no drone " + drone + ", the drones are 1 to 2";
+
+    assertThatIllegalArgumentException()
+        .isThrownBy(() -> simulation.control(new Control.Reset(drone)))
+        .withMessage(message);
+    assertThatIllegalArgumentException()
+        .isThrownBy(() -> simulation.control(new Control.Power(drone, true)))
+        .withMessage(message);
+    assertThatIllegalArgumentException()
+        .isThrownBy(() -> simulation.submit(drone, PEER, "command"))
+        .withMessage(message);
+
+    simulation.step();
+    assertThat(events).isEmpty();
+  }
+
+  @ParameterizedTest
+  @ValueSource(doubles = {-0.1, 100.1, Double.NaN})
+  void aBatteryHasNoOtherLevels(double percent) {
+    assertThatIllegalArgumentException()
+        .isThrownBy(() -> new Control.SetBattery(1, percent))
+        .withMessage("battery is " + percent + " %, but must be from 0 to 100");
+  }
+
+  @Test
+  void aFullInboxLosesWhatComesOnTop() {
+    simulation.control(new Control.Power(1, true));
+    for (int i = 0; i < INBOX; i++) {
+      assertThat(simulation.submit(1, PEER, "command")).isTrue();
+    }
+
+    assertThat(simulation.submit(1, PEER, "command")).isFalse();
+    assertThat(simulation.submit(2, PEER, "command")).isFalse();
+
+    simulation.drain();
+    assertThat(simulation.submit(1, PEER, "command")).isTrue();
+  }
+
+  @Test
+  void aFloodIsTakenInPartsSoThatTimeGoesOn() {
+    simulation.control(new Control.Power(1, true));
+    for (int i = 0; i < INBOX; i++) {
+      simulation.submit(1, PEER, "command");
+    }
+
+    simulation.step();
+    assertThat(replies).hasSize(AT_ONCE);
+    assertThat(steps).hasSize(1);
+
+    for (int i = 1; i < INBOX / AT_ONCE; i++) {
+      simulation.step();
+    }
+    assertThat(replies).hasSize(INBOX);
+  }
+
+  @Test
+  void aDroneThatIsOffHearsNothing() {
+    simulation.submit(1, PEER, "command");
+    simulation.step();
+
+    assertThat(replies).isEmpty();
+    assertThat(events).isEmpty();
+    assertThat(state(1).phase()).isEqualTo(FlightPhase.OFF);
+  }
+
+  @Test
+  void powerConcernsOneDrone() {
+    simulation.control(new Control.Power(2, true));
+    simulation.drain();
+
+    assertThat(state(1).phase()).isEqualTo(FlightPhase.OFF);
+    assertThat(state(2).phase()).isEqualTo(FlightPhase.GROUNDED);
+    assertThat(events).extracting(SimEvent::drone).containsExactly(2);
+  }
+
+  @Test
+  void controlsAreSeenAtOnceWhileTimeStandsStill() {
+    simulation.control(new Control.Pause(true));
+    simulation.control(new Control.SetTimeFactor(TimeFactor.MAX));
+    simulation.control(new Control.SetBattery(2, 42));
+    simulation.drain();
+
+    assertThat(simulation.snapshot().clock())
+        .isEqualTo(new SimSnapshot.Clock(TimeFactor.MAX, true));
+    assertThat(state(1).energy().battery().percent()).isEqualTo(100);
+    assertThat(state(2).energy().battery().percent()).isEqualTo(42);
+    assertThat(simulation.snapshot().time()).isEqualTo(SimTime.ZERO);
+    assertThat(events)
+        .extracting(SimEvent::line)
+        .containsExactly(
+            "    0.000 s  all: time stands still", "    0.000 s  all: the time factor is max now");
+  }
+
+  @Test
+  void aSmallerRoomTakesDronesAndStartsIn() {
+    simulation.control(new Control.SetStart(1, new Vec3(2, -2, 0)));
+    simulation.drain();
+    assertThat(state(1).motion().position()).isEqualTo(new Vec3(2, -2, 0));
+
+    Room small = new Room(2, 3, 2);
+    simulation.control(new Control.SetRoom(small));
+    simulation.drain();
+
+    assertThat(simulation.snapshot().room()).isEqualTo(small);
+    assertThat(state(1).motion().position())
+        .isEqualTo(small.nearestInside(new Vec3(2, -2, 0), DroneSpec.HULL));
+    simulation.control(new Control.Reset(1));
+    simulation.drain();
+    assertThat(Control.fits(state(1).motion().position(), small)).isTrue();
+  }
+
+  @Test
+  void nothingIsBusyBeforeSomebodyFlies() {
+    assertThat(simulation.busy()).isFalse();
+    simulation.control(new Control.Power(1, true));
+    simulation.submit(1, PEER, "command");
+    simulation.submit(1, PEER, "takeoff");
+    simulation.drain();
+
+    assertThat(simulation.busy()).isTrue();
+  }
+
+  private DroneState state(int drone) {
+    return simulation.snapshot().drones().get(drone - 1).state();
+  }
+
+  private Simulation simulation(SimListener... listeners) {
+    SimConfig config =
+        SimConfig.DEFAULT.withRoom(Room.DEFAULT, Swarm.row(2, Vec3.ZERO, Room.DEFAULT));
+    return new Simulation(
+        config, drone -> (peer, text) -> replies.add(text), report -> {}, List.of(listeners));
+  }
+}
