@@ -117,6 +117,11 @@ public final class Simulation {
     return clock;
   }
 
+  /** Whether commands are left that {@link #drain} did not take. */
+  boolean pending() {
+    return !commands.isEmpty();
+  }
+
   /** Takes what has arrived, between two steps; replies that need no time go out at once. */
   public void drain() {
     boolean changed = false;

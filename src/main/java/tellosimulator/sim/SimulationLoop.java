@@ -41,7 +41,7 @@ public final class SimulationLoop implements AutoCloseable {
     adopt(simulation.clock());
     if (pacer.stepDue(simulation::busy)) {
       simulation.step();
-    } else {
+    } else if (!simulation.pending()) {
       pacer.await();
     }
   }

@@ -1,0 +1,139 @@
+package tellosimulator.sim;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static tellosimulator.testing.SimulatedDrone.address;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.LinkedBlockingQueue;
+import java.util.concurrent.TimeUnit;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import tellosimulator.command.Peer;
+import tellosimulator.time.SimTime;
+import tellosimulator.time.TimeFactor;
+
+/**
+ * The thread that owns a simulation. Whatever a test waits for comes, or it fails after a while.
+ */
+@Timeout(value = 60, unit = TimeUnit.SECONDS, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
+class SimulationLoopTest {
+
+  private static final Peer PEER =
+      new Peer(address("192.168.10.2", 9000), address("192.168.10.1", 8889));
+
+  private final BlockingQueue<String> replies = new LinkedBlockingQueue<>();
+
+  @Test
+  void asFastAsPossibleAFlightTakesNoTime() throws InterruptedException {
+    Simulation simulation = simulation(TimeFactor.MAX);
+    try (SimulationLoop loop = new SimulationLoop(simulation)) {
+      assertThat(loop).isNotNull();
+      assertThat(ask(simulation, "command")).isEqualTo("ok");
+      assertThat(ask(simulation, "takeoff")).isEqualTo("ok");
+      assertThat(ask(simulation, "forward 50")).isEqualTo("ok");
+      assertThat(ask(simulation, "land")).isEqualTo("ok");
+    }
+    assertThat(simulation.snapshot().time().seconds()).isGreaterThan(6);
+  }
+
+  @Test
+  void inAPauseCommandsAreTakenButTimeStandsStill() throws InterruptedException {
+    Simulation simulation = simulation(new TimeFactor(100));
+    simulation.control(new Control.Pause(true));
+    try (SimulationLoop loop = new SimulationLoop(simulation)) {
+      assertThat(loop).isNotNull();
+      assertThat(ask(simulation, "command")).isEqualTo("ok");
+      simulation.submit(1, PEER, "takeoff");
+      assertThat(ask(simulation, "battery?")).isEqualTo("error Not joystick");
+      assertThat(simulation.snapshot().time()).isEqualTo(SimTime.ZERO);
+
+      simulation.control(new Control.Pause(false));
+      assertThat(reply()).isEqualTo("ok");
+      assertThat(simulation.snapshot().time().seconds()).isGreaterThan(2);
+    }
+  }
+
+  @Test
+  void aBurstThatIsTakenInPartsIsAnsweredInFullAlsoInAPause() throws InterruptedException {
+    int burst = 3000;
+    Simulation simulation = simulation(TimeFactor.REAL_TIME);
+    simulation.control(new Control.Pause(true));
+    for (int i = 0; i < burst; i++) {
+      assertThat(simulation.submit(1, PEER, "command")).isTrue();
+    }
+
+    try (SimulationLoop loop = new SimulationLoop(simulation)) {
+      assertThat(loop).isNotNull();
+      for (int i = 0; i < burst; i++) {
+        assertThat(reply()).isEqualTo("ok");
+      }
+    }
+  }
+
+  @Test
+  void aPortThatThrowsDoesNotEndTheThread() throws InterruptedException {
+    List<String> broken = new ArrayList<>(List.of("replies", "states"));
+    Simulation simulation =
+        new Simulation(
+            SimConfig.DEFAULT.withTimeFactor(TimeFactor.MAX),
+            drone ->
+                (peer, text) -> {
+                  replies.add(text);
+                  failOnce(broken, "replies");
+                },
+            report -> failOnce(broken, "states"),
+            List.of());
+    simulation.control(new Control.Power(1, true));
+
+    try (SimulationLoop loop = new SimulationLoop(simulation)) {
+      assertThat(loop).isNotNull();
+      assertThat(ask(simulation, "command")).isEqualTo("ok");
+      assertThat(ask(simulation, "takeoff")).isEqualTo("ok");
+      assertThat(broken).isEmpty();
+    }
+  }
+
+  @Test
+  void closingWaitsUntilTheThreadHasEnded() {
+    Simulation simulation = simulation(TimeFactor.REAL_TIME);
+    SimulationLoop loop = new SimulationLoop(simulation);
+
+    loop.close();
+    SimTime end = simulation.snapshot().time();
+    simulation.submit(1, PEER, "command");
+    loop.close();
+
+    assertThat(simulation.snapshot().time()).isEqualTo(end);
+    assertThat(replies).isEmpty();
+  }
+
+  private static void failOnce(List<String> broken, String port) {
+    if (broken.remove(port)) {
+      throw new IllegalStateException("broken on purpose");
+    }
+  }
+
+  private String ask(Simulation simulation, String text) throws InterruptedException {
+    simulation.submit(1, PEER, text);
+    return reply();
+  }
+
+  private String reply() throws InterruptedException {
+    String reply = replies.poll(20, TimeUnit.SECONDS);
+    assertThat(reply).as("a reply within 20 s").isNotNull();
+    return reply;
+  }
+
+  private Simulation simulation(TimeFactor factor) {
+    Simulation simulation =
+        new Simulation(
+            SimConfig.DEFAULT.withTimeFactor(factor),
+            drone -> (peer, text) -> replies.add(text),
+            report -> {},
+            List.of());
+    simulation.control(new Control.Power(1, true));
+    return simulation;
+  }
+}
