@@ -16,8 +16,11 @@ import java.util.concurrent.Future;
 /**
  * Three drones that fly at the same time and wait for each other after each step.
  *
- * <p>Start the simulator first, in another terminal: {@code mvn javafx:run -Djavafx.args="--drones
- * 3"}. Then start this, with nothing but a JDK:
+ * <p>Start the simulator with three drones first, in another terminal:
+ *
+ * <pre>mvn javafx:run "-Djavafx.args=--drones 3"</pre>
+ *
+ * <p>Then start this, with nothing but a JDK:
  *
  * <pre>java examples/SwarmOfThree.java [host:port host:port host:port]</pre>
  *

@@ -50,7 +50,7 @@ class ExamplesTest {
 
   @Test
   void firstFlightEndsAMetreAheadTurnedToTheRight() throws Exception {
-    try (Flight flight = new Flight(1, Outlets.DEFAULT)) {
+    try (Flight flight = new Flight(1)) {
       Ended ended = java("FirstFlight", "", flight.host(), flight.port());
 
       assertThat(ended.output())
@@ -86,10 +86,8 @@ class ExamplesTest {
 
   @Test
   void readStateShowsTheStateOnceASecond() throws Exception {
-    int statePort = freePort();
-    try (Flight flight = new Flight(1, new Outlets(statePort, 11111))) {
-      Ended ended =
-          java("ReadState", "", flight.host(), flight.port(), Integer.toString(statePort), "21");
+    try (Flight flight = new Flight(1)) {
+      Ended ended = java("ReadState", "", flight.host(), flight.port(), flight.statePort(), "21");
 
       // Lines 1, 11 and 21 of ten in a second.
       String line = "height 0 cm, battery 100 %, pitch 0, roll 0, yaw 0 degrees";
@@ -101,7 +99,7 @@ class ExamplesTest {
   @ParameterizedTest
   @ValueSource(strings = {"ww\n?\nq\n", "ww"})
   void keyboardSteersUntilQuitOrTheEndOfInputAndLands(String typed) throws Exception {
-    try (Flight flight = new Flight(1, Outlets.DEFAULT)) {
+    try (Flight flight = new Flight(1)) {
       Ended ended = java("SteerWithKeyboard", typed, flight.host(), flight.port());
 
       assertThat(ended.output())
@@ -118,7 +116,7 @@ class ExamplesTest {
 
   @Test
   void threeDronesFlyTogether() throws Exception {
-    try (Flight flight = new Flight(3, Outlets.DEFAULT)) {
+    try (Flight flight = new Flight(3)) {
       Ended ended = java("SwarmOfThree", "", flight.addresses().toArray(String[]::new));
 
       assertThat(ended.output()).hasSize(19).endsWith("All have landed.");
@@ -206,13 +204,14 @@ class ExamplesTest {
   private static final class Flight implements AutoCloseable {
     private final HeadlessSimulator simulator;
     private final List<String> addresses;
+    private final int statePort = freePort();
 
-    Flight(int drones, Outlets outlets) throws IOException, InterruptedException {
+    Flight(int drones) throws IOException, InterruptedException {
       SimConfig config =
           SimConfig.DEFAULT
               .withRoom(HALL, Swarm.row(drones, Vec3.ZERO, HALL))
               .withTimeFactor(FAST)
-              .withOutlets(outlets);
+              .withOutlets(new Outlets(statePort, Outlets.DEFAULT.videoPort()));
       List<InetAddress> loopback = List.of(InetAddress.getLoopbackAddress());
       simulator =
           new HeadlessSimulator(
@@ -230,6 +229,11 @@ class ExamplesTest {
 
     String port() {
       return addresses.get(0).split(":", -1)[1];
+    }
+
+    /** Not 8890, at which another simulator's state may arrive. */
+    String statePort() {
+      return Integer.toString(statePort);
     }
 
     List<Place> places() throws IOException, InterruptedException {

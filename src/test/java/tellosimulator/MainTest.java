@@ -120,7 +120,7 @@ class MainTest {
   @Test
   @Timeout(2 * PATIENCE_SECONDS)
   void theEndOfInputChangesNothingAndATerminationFreesThePort() throws Exception {
-    Process process = start("--headless --bind 127.0.0.1 --command-port 0");
+    Process process = start("--headless --bind 127.0.0.1 --command-port 0 --state-port 9");
     try (BufferedReader printed = process.inputReader(StandardCharsets.UTF_8)) {
       int port = Integer.parseInt(printed.readLine().replaceAll(".*:", ""));
       process.outputWriter(StandardCharsets.UTF_8).close();
