@@ -5,6 +5,7 @@ import java.io.IOException;
 import java.io.PrintStream;
 import java.util.List;
 import java.util.Locale;
+import java.util.function.Consumer;
 import java.util.regex.Pattern;
 import tellosimulator.math.Frames;
 import tellosimulator.math.Vec3;
@@ -27,11 +28,18 @@ final class Console {
       "type reset [N], power on|off [N], battery PERCENT [N], pause, resume, state or quit";
 
   private final Simulation simulation;
+  private final Consumer<Control> controls;
   private final BufferedReader in;
   private final PrintStream out;
 
-  Console(Simulation simulation, BufferedReader in, PrintStream out) {
+  /**
+   * Reads nothing yet.
+   *
+   * @param controls carries a control out before it returns
+   */
+  Console(Simulation simulation, Consumer<Control> controls, BufferedReader in, PrintStream out) {
     this.simulation = simulation;
+    this.controls = controls;
     this.in = in;
     this.out = out;
   }
@@ -66,11 +74,11 @@ final class Console {
 
   private void carryOut(List<String> words) {
     switch (words.get(0)) {
-      case "reset" -> forDrones(words, 1).forEach(n -> simulation.control(new Control.Reset(n)));
+      case "reset" -> forDrones(words, 1).forEach(n -> controls.accept(new Control.Reset(n)));
       case "power" -> power(words);
       case "battery" -> battery(words);
-      case "pause" -> alone(words, () -> simulation.control(new Control.Pause(true)));
-      case "resume" -> alone(words, () -> simulation.control(new Control.Pause(false)));
+      case "pause" -> alone(words, () -> controls.accept(new Control.Pause(true)));
+      case "resume" -> alone(words, () -> controls.accept(new Control.Pause(false)));
       case "state" -> alone(words, () -> out.print(describe(simulation.snapshot())));
       case "quit" -> alone(words, () -> {});
       case "help" -> out.println(HELP);
@@ -95,12 +103,12 @@ final class Console {
       throw new IllegalArgumentException("expected on or off, found " + position);
     }
     boolean on = position.equals("on");
-    forDrones(words, 2).forEach(n -> simulation.control(new Control.Power(n, on)));
+    forDrones(words, 2).forEach(n -> controls.accept(new Control.Power(n, on)));
   }
 
   private void battery(List<String> words) {
     double percent = number(word(words, 1, "a percentage"), "a percentage");
-    forDrones(words, 2).forEach(n -> simulation.control(new Control.SetBattery(n, percent)));
+    forDrones(words, 2).forEach(n -> controls.accept(new Control.SetBattery(n, percent)));
   }
 
   /** The drone whose number is the word at {@code index}, or all if there is no such word. */

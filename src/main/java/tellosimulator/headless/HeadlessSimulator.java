@@ -51,7 +51,7 @@ public final class HeadlessSimulator implements AutoCloseable {
     shrinkHeap();
     out.println(ready());
     out.flush();
-    if (!new Console(simulation, in, out).run()) {
+    if (!new Console(simulation, loop::carryOut, in, out).run()) {
       new CountDownLatch(1).await();
     }
   }

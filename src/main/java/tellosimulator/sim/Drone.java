@@ -57,7 +57,10 @@ final class Drone {
   private final Consumer<SimEvent> events;
   private SimTime now = SimTime.ZERO;
   private Optional<Periodic> stateLines = Optional.empty();
-  private boolean firstLineDue;
+
+  /** Whether a command came since the last state line, so that the operator waits for the next. */
+  private boolean lineOwed;
+
   private long stateCount;
   private long replyCount;
 
@@ -101,6 +104,7 @@ final class Drone {
   void handle(Peer peer, String text) {
     if (model.phase() != tellosimulator.model.FlightPhase.OFF) {
       handler.handle(peer, text, now);
+      lineOwed = stateLines.isPresent();
     }
   }
 
@@ -169,7 +173,7 @@ final class Drone {
 
   void output(StatePort states) {
     if (stateLines.isPresent() && stateLines.get().due(now)) {
-      firstLineDue = false;
+      lineOwed = false;
       DroneState state = model.state();
       states.send(
           new StatePort.StateReport(
@@ -184,7 +188,7 @@ final class Drone {
 
   /** Whether time must pass for it. */
   boolean busy() {
-    return firstLineDue || !outbox.isEmpty() || controller.busy();
+    return lineOwed || !outbox.isEmpty() || controller.busy();
   }
 
   private void setStart(Vec3 position) {
@@ -213,7 +217,7 @@ final class Drone {
   private void forgetLink() {
     handler.powerOff();
     stateLines = Optional.empty();
-    firstLineDue = false;
+    lineOwed = false;
   }
 
   /** Turns what operators and drone tell each other into events. */
@@ -244,7 +248,6 @@ final class Drone {
       events.accept(new SimEvent.OperatorChanged(now, model.drone(), peer));
       if (stateLines.isEmpty()) {
         stateLines = Optional.of(new Periodic(now, Drone.this::statePeriod));
-        firstLineDue = true;
       }
     }
   }

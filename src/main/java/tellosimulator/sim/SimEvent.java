@@ -25,7 +25,7 @@ public sealed interface SimEvent {
   record CommandReceived(SimTime time, int drone, Peer peer, String text) implements SimEvent {
     @Override
     public String words() {
-      return "`%s` from %s".formatted(WireText.printable(text), peer);
+      return String.format(Locale.ROOT, "`%s` from %s", WireText.printable(text), peer);
     }
   }
 
@@ -34,7 +34,8 @@ public sealed interface SimEvent {
       implements SimEvent {
     @Override
     public String words() {
-      return "`%s` from %s ignored: %s".formatted(WireText.printable(text), peer, reason);
+      return String.format(
+          Locale.ROOT, "`%s` from %s ignored: %s", WireText.printable(text), peer, reason);
     }
   }
 
@@ -43,8 +44,12 @@ public sealed interface SimEvent {
       implements SimEvent {
     @Override
     public String words() {
-      return "`%s` refused: %s; answered `%s`"
-          .formatted(WireText.printable(text), reason, WireText.printable(reply.text()));
+      return String.format(
+          Locale.ROOT,
+          "`%s` refused: %s; answered `%s`",
+          WireText.printable(text),
+          reason,
+          WireText.printable(reply.text()));
     }
   }
 
@@ -53,8 +58,11 @@ public sealed interface SimEvent {
       implements SimEvent {
     @Override
     public String words() {
-      return "`%s` answered `%s`"
-          .formatted(WireText.printable(text), WireText.printable(reply.text().stripTrailing()));
+      return String.format(
+          Locale.ROOT,
+          "`%s` answered `%s`",
+          WireText.printable(text),
+          WireText.printable(reply.text().stripTrailing()));
     }
   }
 
@@ -62,7 +70,7 @@ public sealed interface SimEvent {
   record OperatorChanged(SimTime time, int drone, Peer peer) implements SimEvent {
     @Override
     public String words() {
-      return "is operated by %s now, its state goes to that host".formatted(peer);
+      return String.format(Locale.ROOT, "is operated by %s now, its state goes to that host", peer);
     }
   }
 

@@ -2,6 +2,7 @@ package tellosimulator.sim;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.Queue;
 import java.util.concurrent.ArrayBlockingQueue;
 import java.util.concurrent.ConcurrentLinkedQueue;
@@ -179,8 +180,12 @@ public final class Simulation {
       room = change.room();
       drones.forEach(drone -> drone.moveInto(room));
       tell(
-          "the room is %.0f cm wide, %.0f cm deep and %.0f cm high now"
-              .formatted(room.width() * 100, room.depth() * 100, room.height() * 100));
+          String.format(
+              Locale.ROOT,
+              "the room is %.0f cm wide, %.0f cm deep and %.0f cm high now",
+              room.width() * 100,
+              room.depth() * 100,
+              room.height() * 100));
     } else if (control instanceof Control.Pause pause) {
       clock = new Clock(clock.factor(), pause.paused());
       tell(pause.paused() ? "time stands still" : "time goes on");

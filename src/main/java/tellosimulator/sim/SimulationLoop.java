@@ -1,5 +1,11 @@
 package tellosimulator.sim;
 
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Queue;
+import java.util.concurrent.ConcurrentLinkedQueue;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.LockSupport;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -12,9 +18,13 @@ public final class SimulationLoop implements AutoCloseable {
 
   private static final Logger LOG = LoggerFactory.getLogger(SimulationLoop.class);
 
+  /** How often {@link #carryOut} looks whether the thread has been stopped [ms]. */
+  private static final int PATIENCE_MS = 1000;
+
   private final Simulation simulation;
   private final Pacer pacer;
   private final Thread thread;
+  private final Queue<CountDownLatch> waiting = new ConcurrentLinkedQueue<>();
   private volatile boolean closed;
 
   /** Starts at once. */
@@ -37,7 +47,9 @@ public final class SimulationLoop implements AutoCloseable {
   }
 
   private void turn() {
+    List<CountDownLatch> served = takeWaiting();
     simulation.drain();
+    served.forEach(CountDownLatch::countDown);
     adopt(simulation.clock());
     if (pacer.stepDue(simulation::busy)) {
       simulation.step();
@@ -46,12 +58,41 @@ public final class SimulationLoop implements AutoCloseable {
     }
   }
 
+  /** Those whose control lies in the inbox by now. */
+  private List<CountDownLatch> takeWaiting() {
+    List<CountDownLatch> served = new ArrayList<>();
+    for (CountDownLatch latch = waiting.poll(); latch != null; latch = waiting.poll()) {
+      served.add(latch);
+    }
+    return served;
+  }
+
   private void adopt(Clock clock) {
     if (!pacer.factor().equals(clock.factor())) {
       pacer.setFactor(clock.factor());
     }
     if (pacer.paused() != clock.paused()) {
       pacer.setPaused(clock.paused());
+    }
+  }
+
+  /**
+   * Hands over what a person does, and waits until the snapshot shows it. For any thread but that
+   * of the simulation.
+   *
+   * @throws IllegalArgumentException if there is no such drone
+   */
+  public void carryOut(Control control) {
+    simulation.control(control);
+    CountDownLatch taken = new CountDownLatch(1);
+    waiting.add(taken);
+    LockSupport.unpark(thread);
+    try {
+      while (!closed && !taken.await(PATIENCE_MS, TimeUnit.MILLISECONDS)) {
+        LOG.debug("{} waits for the simulation", control);
+      }
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
     }
   }
 

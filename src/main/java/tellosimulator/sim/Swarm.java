@@ -2,6 +2,7 @@ package tellosimulator.sim;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import tellosimulator.math.Attitude;
 import tellosimulator.math.Pose;
 import tellosimulator.math.Vec3;
@@ -33,8 +34,12 @@ public final class Swarm {
       Vec3 start = middle.plus(new Vec3(-row * DISTANCE, left, 0));
       if (!room.contains(start, DroneSpec.HULL)) {
         throw new IllegalArgumentException(
-            "drone %d does not fit into the room: its start would be at x %.0f, y %.0f cm"
-                .formatted(i + 1, start.x() * 100, start.y() * 100));
+            String.format(
+                Locale.ROOT,
+                "drone %d does not fit into the room: its start would be at x %.0f, y %.0f cm",
+                i + 1,
+                start.x() * 100,
+                start.y() * 100));
       }
       starts.add(new Pose(start, Attitude.LEVEL));
     }

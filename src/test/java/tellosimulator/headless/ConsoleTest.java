@@ -143,9 +143,13 @@ class ConsoleTest {
   private boolean type(String... lines) throws IOException {
     String input = String.join("\n", lines);
     PrintStream out = new PrintStream(printed, true, StandardCharsets.UTF_8);
-    boolean quit = new Console(simulation, new BufferedReader(new StringReader(input)), out).run();
+    BufferedReader in = new BufferedReader(new StringReader(input));
+    return new Console(simulation, this::carryOut, in, out).run();
+  }
+
+  private void carryOut(Control control) {
+    simulation.control(control);
     simulation.drain();
-    return quit;
   }
 
   private String printed() {

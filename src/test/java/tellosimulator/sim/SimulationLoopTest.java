@@ -96,6 +96,43 @@ class SimulationLoopTest {
   }
 
   @Test
+  void aControlThatIsCarriedOutShowsInTheNextSnapshot() {
+    Simulation simulation = simulation(TimeFactor.REAL_TIME);
+    try (SimulationLoop loop = new SimulationLoop(simulation)) {
+      for (int percent = 100; percent > 0; percent--) {
+        loop.carryOut(new Control.SetBattery(1, percent));
+        assertThat(simulation.snapshot().drones().get(0).state().energy().battery().percent())
+            .isEqualTo(percent);
+      }
+    }
+  }
+
+  /** A program that waits for the state after {@code mon} must not wait for ever. */
+  @Test
+  void asFastAsPossibleAStateLineFollowsEachCommand() throws InterruptedException {
+    BlockingQueue<StatePort.StateReport> lines = new LinkedBlockingQueue<>();
+    Simulation simulation =
+        new Simulation(
+            SimConfig.DEFAULT.withTimeFactor(TimeFactor.MAX),
+            drone -> (peer, text) -> replies.add(text),
+            lines::add,
+            List.of());
+    simulation.control(new Control.Power(1, true));
+    try (SimulationLoop loop = new SimulationLoop(simulation)) {
+      assertThat(loop).isNotNull();
+      assertThat(ask(simulation, "command")).isEqualTo("ok");
+      assertThat(lines.poll(20, TimeUnit.SECONDS)).isNotNull();
+      assertThat(ask(simulation, "mon")).isEqualTo("ok");
+
+      StatePort.StateReport line = lines.poll(20, TimeUnit.SECONDS);
+      while (line != null && line.pad().id() == -2) {
+        line = lines.poll(20, TimeUnit.SECONDS);
+      }
+      assertThat(line).as("a state line with detection on").isNotNull();
+    }
+  }
+
+  @Test
   void closingWaitsUntilTheThreadHasEnded() {
     Simulation simulation = simulation(TimeFactor.REAL_TIME);
     SimulationLoop loop = new SimulationLoop(simulation);
