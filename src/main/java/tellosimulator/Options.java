@@ -2,6 +2,7 @@ package tellosimulator;
 
 import java.net.InetAddress;
 import java.util.List;
+import java.util.Locale;
 import java.util.OptionalInt;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
@@ -207,8 +208,11 @@ final class Options {
     int addresses = bind.addresses().size();
     if (drones != null && drones != addresses) {
       throw new IllegalArgumentException(
-          "--bind has %d addresses for %d drones, but each drone needs one"
-              .formatted(addresses, drones));
+          String.format(
+              Locale.ROOT,
+              "--bind has %d addresses for %d drones, but each drone needs one",
+              addresses,
+              drones));
     }
     return addresses;
   }

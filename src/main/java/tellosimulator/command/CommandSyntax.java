@@ -189,8 +189,8 @@ public enum CommandSyntax {
   MULTI_WIFI(
       row("multiwifi", SDK_3_0)
           .with(word("ssid"), word("password"))
-          .from("SDK 3.0 guide; decided for a simulator"),
-      a -> new Command.SetNetwork(Reply.OK)),
+          .from("SDK 3.0 guide"),
+      acknowledge("ok")),
   DOWN_VISION(
       row("downvision", SDK_3_0).with(whole("x", 0, 1)).from("DJITelloPy 92, 140, 213"),
       a -> new Command.SetVideo(VideoOption.DOWNWARD, a.integer(0))),

@@ -1,5 +1,6 @@
 package tellosimulator.command;
 
+import java.util.Locale;
 import java.util.Optional;
 import tellosimulator.math.Arc;
 import tellosimulator.math.Vec3;
@@ -87,7 +88,8 @@ final class GeometryRules {
     if (radius >= SMALLEST_RADIUS && radius <= LARGEST_RADIUS) {
       return Optional.empty();
     }
-    String reason = "the radius is %.2f m, allowed is 0.5 to 10 m".formatted(radius);
+    String reason =
+        String.format(Locale.ROOT, "the radius is %.2f m, allowed is 0.5 to 10 m", radius);
     return Optional.of(new Refusal(Reply.RADIUS, reason));
   }
 }

@@ -48,14 +48,22 @@ public final class OperatorSession {
     if (link.sdkMode() && (isOperator(peer) || !silent)) {
       return false;
     }
-    link = link.with(peer);
+    link = unlinked.with(peer);
     lastHeard = now;
     return true;
   }
 
-  /** Takes a {@code port}. */
-  public void setPorts(int statePort, int videoPort) {
+  /**
+   * Takes a {@code port}, which moves the ports of its sender only.
+   *
+   * @return false if the sender is not the operator
+   */
+  public boolean setPorts(Peer peer, int statePort, int videoPort) {
+    if (!isOperator(peer)) {
+      return false;
+    }
     link = link.withPorts(statePort, videoPort);
+    return true;
   }
 
   /** Forgets everything, as without power. */

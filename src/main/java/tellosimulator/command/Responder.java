@@ -10,7 +10,7 @@ import tellosimulator.time.SimTime;
  */
 public final class Responder {
 
-  /** Copies of one command that are answered. The vendor's client sends at most five. */
+  /** Copies that wait for one answer. The vendor's client sends at most five. */
   private static final int MOST_COPIES = 8;
 
   private final Peer peer;
@@ -60,9 +60,9 @@ public final class Responder {
 
   /** Answers a copy of the same command under its own header, now and from now on. */
   void alsoAnswer(String header) {
+    given.forEach(reply -> outbox.add(peer, header + reply.text(), outbox.now()));
     if (headers.size() < MOST_COPIES) {
       headers.add(header);
-      given.forEach(reply -> outbox.add(peer, header + reply.text(), outbox.now()));
     }
   }
 

@@ -1,6 +1,7 @@
 package tellosimulator.command;
 
 import java.nio.charset.StandardCharsets;
+import java.util.Locale;
 
 /** Bytes of the wire as text and back, without loss: one character a byte (ISO-8859-1). */
 public final class WireText {
@@ -45,7 +46,7 @@ public final class WireText {
       }
       char c = text.charAt(i);
       boolean plain = c >= ' ' && c < 0x7f;
-      out.append(plain ? Character.toString(c) : String.format("\\x%02x", (int) c));
+      out.append(plain ? Character.toString(c) : String.format(Locale.ROOT, "\\x%02x", (int) c));
     }
     return out.toString();
   }

@@ -326,8 +326,11 @@ public final class DroneController implements CommandTarget {
 
   @Override
   public void setPorts(Command.SetPorts command, Responder responder) {
-    session.setPorts(command.statePort(), command.videoPort());
-    responder.reply(Reply.OK);
+    if (session.setPorts(responder.peer(), command.statePort(), command.videoPort())) {
+      responder.reply(Reply.OK);
+    } else {
+      responder.refuse(Reply.ERROR, "state and video go to another host");
+    }
   }
 
   @Override

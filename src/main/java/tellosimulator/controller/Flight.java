@@ -1,5 +1,6 @@
 package tellosimulator.controller;
 
+import java.util.Locale;
 import java.util.Optional;
 import tellosimulator.command.Reply;
 import tellosimulator.command.Responder;
@@ -72,7 +73,11 @@ final class Flight {
     return task == Task.NOBODY
         ? Optional.empty()
         : Optional.of(
-            "`%s` is still running, %s".formatted(task.text(), autopilot.maneuver().progress()));
+            String.format(
+                Locale.ROOT,
+                "`%s` is still running, %s",
+                task.text(),
+                autopilot.maneuver().progress()));
   }
 
   /** Whether something moves, or somebody waits for time to pass. */

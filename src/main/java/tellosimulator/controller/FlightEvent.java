@@ -1,5 +1,6 @@
 package tellosimulator.controller;
 
+import java.util.Locale;
 import tellosimulator.math.Vec3;
 import tellosimulator.world.Surface;
 
@@ -67,8 +68,11 @@ public sealed interface FlightEvent {
   record Crashed(Surface surface, double speed, Vec3 position) implements FlightEvent {
     @Override
     public String words() {
-      return "crashed into %s at %.1f m/s; its motors stay off until reset or power cycle"
-          .formatted(surface.words(), speed);
+      return String.format(
+          Locale.ROOT,
+          "crashed into %s at %.1f m/s; its motors stay off until reset or power cycle",
+          surface.words(),
+          speed);
     }
   }
 

@@ -1,5 +1,6 @@
 package tellosimulator.controller;
 
+import java.util.Locale;
 import tellosimulator.math.Vec3;
 import tellosimulator.model.DroneSpec;
 import tellosimulator.model.Motion;
@@ -85,7 +86,7 @@ final class Flip implements Maneuver {
 
   @Override
   public String progress() {
-    return "%.0f of 360 degrees turned".formatted(StrictMath.toDegrees(turned));
+    return String.format(Locale.ROOT, "%.0f of 360 degrees turned", StrictMath.toDegrees(turned));
   }
 
   @Override

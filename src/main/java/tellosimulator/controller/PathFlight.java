@@ -1,5 +1,6 @@
 package tellosimulator.controller;
 
+import java.util.Locale;
 import tellosimulator.math.Vec3;
 import tellosimulator.model.DroneSpec;
 import tellosimulator.physics.Setpoint;
@@ -56,6 +57,6 @@ final class PathFlight implements Maneuver {
   @Override
   public String progress() {
     double way = profile.at(time).way();
-    return "%.0f of %.0f cm flown".formatted(way * 100, path.length() * 100);
+    return String.format(Locale.ROOT, "%.0f of %.0f cm flown", way * 100, path.length() * 100);
   }
 }

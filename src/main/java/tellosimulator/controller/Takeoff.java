@@ -1,5 +1,6 @@
 package tellosimulator.controller;
 
+import java.util.Locale;
 import tellosimulator.math.Vec3;
 import tellosimulator.model.DroneSpec;
 import tellosimulator.physics.Setpoint;
@@ -66,7 +67,7 @@ final class Takeoff implements Maneuver {
   @Override
   public String progress() {
     double way = profile.at(time - DroneSpec.LIFT_OFF_DELAY).way();
-    return "%.0f of %.0f cm climbed".formatted(way * 100, path.length() * 100);
+    return String.format(Locale.ROOT, "%.0f of %.0f cm climbed", way * 100, path.length() * 100);
   }
 
   @Override

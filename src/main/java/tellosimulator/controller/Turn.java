@@ -1,5 +1,6 @@
 package tellosimulator.controller;
 
+import java.util.Locale;
 import tellosimulator.math.Vec3;
 import tellosimulator.model.DroneSpec;
 import tellosimulator.physics.Setpoint;
@@ -47,7 +48,10 @@ final class Turn implements Maneuver {
   @Override
   public String progress() {
     double way = profile.at(time).way();
-    return "%.0f of %.0f degrees turned"
-        .formatted(StrictMath.toDegrees(way), StrictMath.toDegrees(profile.length()));
+    return String.format(
+        Locale.ROOT,
+        "%.0f of %.0f degrees turned",
+        StrictMath.toDegrees(way),
+        StrictMath.toDegrees(profile.length()));
   }
 }

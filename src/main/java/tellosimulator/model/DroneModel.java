@@ -96,7 +96,7 @@ public final class DroneModel {
     }
     boolean motorsOn = phase.motorsOn();
     double flight = video.on() ? filmingEndurance : DroneSpec.ENDURANCE;
-    battery = battery.after(seconds, motorsOn ? flight : DroneSpec.IDLE_ENDURANCE);
+    battery = battery.after(seconds, phase.flying() ? flight : DroneSpec.IDLE_ENDURANCE);
     temperature = Temperature.after(temperature, motorsOn, seconds);
     if (motorsOn) {
       motorTime += seconds;

@@ -8,6 +8,7 @@ import java.net.SocketException;
 import java.net.UnknownHostException;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.Set;
 import java.util.stream.IntStream;
 
@@ -58,7 +59,11 @@ public record AddressPlan(List<List<InetSocketAddress>> drones) {
       }
       if (port > HIGHEST_PORT) {
         throw new IllegalArgumentException(
-            "there are no ports for %d drones from port %d on".formatted(drones, firstPort));
+            String.format(
+                Locale.ROOT,
+                "there are no ports for %d drones from port %d on",
+                drones,
+                firstPort));
       }
       plan.add(onPort(addresses, port));
       port += firstPort == 0 ? 0 : 1;

@@ -2,6 +2,7 @@ package tellosimulator.network;
 
 import java.io.IOException;
 import java.net.InetSocketAddress;
+import java.util.Locale;
 
 /** An address or port that cannot be had; its message is one sentence for people. */
 public final class PortTakenException extends IOException {
@@ -22,8 +23,12 @@ public final class PortTakenException extends IOException {
             ? "probably by an operator program, which needs that port for itself"
             : "probably by a Tello simulator that is still running";
     return new PortTakenException(
-        "Port %d of %s is taken, %s: end that program, or choose another port with --command-port."
-            .formatted(port, address.getAddress().getHostAddress(), who),
+        String.format(
+            Locale.ROOT,
+            "Port %d of %s is taken, %s: end that program, or choose another port with --command-port.",
+            port,
+            address.getAddress().getHostAddress(),
+            who),
         cause);
   }
 
@@ -31,17 +36,23 @@ public final class PortTakenException extends IOException {
     String host = address.getAddress().getHostAddress();
     String remedy =
         address.getAddress().isLoopbackAddress()
-            ? "add it with `sudo ifconfig lo0 alias %s up`, or use --port-per-drone".formatted(host)
+            ? String.format(
+                Locale.ROOT,
+                "add it (macOS: `sudo ifconfig lo0 alias %s up`), or use --port-per-drone",
+                host)
             : "choose one of this machine's own addresses with --bind";
     return new PortTakenException(
-        "This machine has no address %s: %s.".formatted(host, remedy), cause);
+        String.format(Locale.ROOT, "This machine has no address %s: %s.", host, remedy), cause);
   }
 
   static PortTakenException forbidden(InetSocketAddress address, IOException cause) {
     return new PortTakenException(
-        "Port %d of %s cannot be opened (%s): choose another port with --command-port."
-            .formatted(
-                address.getPort(), address.getAddress().getHostAddress(), cause.getMessage()),
+        String.format(
+            Locale.ROOT,
+            "Port %d of %s cannot be opened (%s): choose another port with --command-port.",
+            address.getPort(),
+            address.getAddress().getHostAddress(),
+            cause.getMessage()),
         cause);
   }
 }

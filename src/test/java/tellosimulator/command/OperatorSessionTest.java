@@ -89,13 +89,26 @@ class OperatorSessionTest {
   void portsMoveAndWithoutPowerTheyAreAsBefore() {
     session.open(OPERATOR, at(0));
 
-    session.setPorts(9000, 9001);
+    assertThat(session.setPorts(OPERATOR, 9000, 9001)).isTrue();
     assertThat(session.link().statePort()).isEqualTo(9000);
     assertThat(session.link().videoPort()).isEqualTo(9001);
     assertThat(session.link().operator()).contains(OPERATOR);
 
     session.close();
     assertThat(session.link().sdkMode()).isFalse();
+    assertThat(session.link().statePort()).isEqualTo(8890);
+    assertThat(session.link().videoPort()).isEqualTo(11_111);
+  }
+
+  @Test
+  void onlyTheOperatorMovesThePortsAndTheNextOneFindsThemAsBefore() {
+    session.open(OPERATOR, at(0));
+
+    assertThat(session.setPorts(OTHER, 9000, 9001)).isFalse();
+    assertThat(session.link().statePort()).isEqualTo(8890);
+
+    session.setPorts(OPERATOR, 9000, 9001);
+    session.open(OTHER, at(15));
     assertThat(session.link().statePort()).isEqualTo(8890);
     assertThat(session.link().videoPort()).isEqualTo(11_111);
   }

@@ -187,6 +187,20 @@ class RetransmissionTest {
   }
 
   @Test
+  void eachCopyOfAnAnsweredCommandIsAnswered() {
+    HandlerFixture drone = HandlerFixture.flying(EDU, REPORT);
+    drone.handle("Re0110 land");
+    drone.responder().reply(Reply.OK);
+    drone.after(0);
+    drone.takeReplies();
+
+    for (int i = 0; i < 50; i++) {
+      drone.handle("Re01" + (11 + i) + " land");
+      assertThat(drone.takeReplies()).containsExactly("Re01" + (11 + i) + " ok");
+    }
+  }
+
+  @Test
   void ofThousandsOfPeersTheLatestAreRemembered() {
     HandlerFixture drone = HandlerFixture.flying(EDU, REPORT);
 
