@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.within;
 import org.junit.jupiter.api.Test;
 import tellosimulator.profile.Behaviour;
 import tellosimulator.profile.Profile;
+import tellosimulator.sim.SimConfig;
 
 class SimulatedDroneTest {
 
@@ -37,5 +38,14 @@ class SimulatedDroneTest {
     assertThat(drone.stateLines().get(0).to())
         .isEqualTo(SimulatedDrone.address("192.168.10.2", 8890));
     assertThat(drone.stateLines().get(0).text()).startsWith("mid:-2;").endsWith("\r\n");
+  }
+
+  @Test
+  void repliesGoToTheFixedPortOfTheClientsHost() {
+    SimulatedDrone fixed = SimulatedDrone.withReplyPort(SimConfig.DEFAULT, 8889);
+
+    fixed.ask("command");
+
+    assertThat(fixed.replies().get(0).to()).isEqualTo(SimulatedDrone.address("192.168.10.2", 8889));
   }
 }
