@@ -187,9 +187,7 @@ public enum CommandSyntax {
       row("setresolution", SDK_3_0).with(choice("x", "high", "low")).from("SDK 3.0 guide"),
       a -> new Command.SetVideo(VideoOption.LINES, VideoWords.lines(a.word(0)))),
   MULTI_WIFI(
-      row("multiwifi", SDK_3_0)
-          .with(word("ssid"), word("password"))
-          .from("SDK 3.0 guide"),
+      row("multiwifi", SDK_3_0).with(word("ssid"), word("password")).from("SDK 3.0 guide"),
       acknowledge("ok")),
   DOWN_VISION(
       row("downvision", SDK_3_0).with(whole("x", 0, 1)).from("DJITelloPy 92, 140, 213"),

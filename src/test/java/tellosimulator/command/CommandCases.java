@@ -97,7 +97,7 @@ final class CommandCases {
       SET_BIT_RATE | setbitrate 5 | setVideo SetVideo[option=BIT_RATE, value=5]
       SET_RESOLUTION | setresolution high | setVideo SetVideo[option=LINES, value=720]
       SET_RESOLUTION | setresolution low | setVideo SetVideo[option=LINES, value=480]
-      MULTI_WIFI | multiwifi name secret | setNetwork SetNetwork[done=Reply[text=ok]]
+      MULTI_WIFI | multiwifi name secret | acknowledge Acknowledge[reply=Reply[text=ok]]
       DOWN_VISION | downvision 0 | setVideo SetVideo[option=DOWNWARD, value=0]
       DOWN_VISION | downvision 1 | setVideo SetVideo[option=DOWNWARD, value=1]
       KEEP_ALIVE | keepalive | acknowledge Acknowledge[reply=Reply[text=ok]]
