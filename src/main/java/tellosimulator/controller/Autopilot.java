@@ -121,9 +121,14 @@ final class Autopilot {
   }
 
   private Setpoint steered(Setpoint.Track track, Motion motion, double seconds) {
-    if (!maneuver.steerable() || (rc.atRest() && shift.equals(Vec3.ZERO) && turn == 0)) {
-      return withinHeights(track);
-    }
+    boolean untouched = rc.atRest() && shift.equals(Vec3.ZERO) && turn == 0;
+    Setpoint.Track wanted =
+        untouched || !maneuver.steerable() ? track : underSticks(track, motion, seconds);
+    return maneuver.leavesHoverHeights() ? wanted : withinHeights(wanted, motion, seconds);
+  }
+
+  /** The target with what the sticks have added to it. */
+  private Setpoint.Track underSticks(Setpoint.Track track, Motion motion, double seconds) {
     turn += rc.yawRate() * seconds;
     double heading = track.heading().angle() + turn;
     Vec3 velocity = rc.velocity().turned(heading);
@@ -132,26 +137,54 @@ final class Autopilot {
     if (!runsAway) {
       shift = shift.plusScaled(velocity, seconds);
     }
-    return withinHeights(
-        new Setpoint.Track(
-            track.position().plus(shift),
-            track.velocity().plus(velocity),
-            track.acceleration().plus(rc.acceleration().turned(heading)),
-            new Setpoint.Heading(heading, track.heading().rate() + rc.yawRate())));
+    return new Setpoint.Track(
+        track.position().plus(shift),
+        track.velocity().plus(velocity),
+        track.acceleration().plus(rc.acceleration().turned(heading)),
+        new Setpoint.Heading(heading, track.heading().rate() + rc.yawRate()));
   }
 
-  private Setpoint.Track withinHeights(Setpoint.Track track) {
-    double height = track.position().z();
-    double allowed = Math.max(behaviour.lowestHover(), Math.min(DroneSpec.MAX_HEIGHT, height));
-    if (maneuver.leavesHoverHeights() || height == allowed) {
+  /**
+   * The target, kept within the heights in which a drone hovers and braked before it gets there.
+   * What the sticks asked for in vain is forgotten.
+   */
+  private Setpoint.Track withinHeights(Setpoint.Track track, Motion motion, double seconds) {
+    double wanted = track.position().z();
+    double last =
+        setpoint instanceof Setpoint.Track before ? before.position().z() : motion.position().z();
+    double height = reachableHeight(wanted, last, seconds);
+    if (height == wanted) {
       return track;
     }
-    shift = shift.plusScaled(Vec3.UP, allowed - height);
+    double asked = rc.velocity().z() * seconds;
+    double inVain = height - wanted;
+    if (asked * inVain < 0) {
+      shift =
+          shift.plusScaled(
+              Vec3.UP, Math.copySign(Math.min(Math.abs(asked), Math.abs(inVain)), inVain));
+    }
+    boolean still = height == last;
+    Vec3 vertical = Vec3.UP.times((height - last) / seconds);
     return new Setpoint.Track(
-        track.position().withZ(allowed),
-        track.velocity().horizontal(),
-        track.acceleration().horizontal(),
+        track.position().withZ(height),
+        track.velocity().horizontal().plus(vertical),
+        track.acceleration().withZ(still ? 0 : Math.copySign(DroneSpec.HARD_BRAKING, inVain)),
         track.heading());
+  }
+
+  /** The height nearest to {@code wanted} from which it can still brake before the limits [m]. */
+  private double reachableHeight(double wanted, double last, double seconds) {
+    double lowest = behaviour.lowestHover();
+    double highest = DroneSpec.MAX_HEIGHT;
+    double down = seconds * brakingSpeed(last - lowest);
+    double up = seconds * brakingSpeed(highest - last);
+    double reachable = Math.max(last - down, Math.min(last + up, wanted));
+    return Math.max(lowest, Math.min(highest, reachable));
+  }
+
+  /** The speed that can be lost over a distance [m/s]. */
+  private static double brakingSpeed(double distance) {
+    return Math.sqrt(2 * DroneSpec.HARD_BRAKING * Math.max(0, distance));
   }
 
   /** Motors off. Has no end. */

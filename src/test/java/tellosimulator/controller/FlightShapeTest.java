@@ -98,6 +98,34 @@ class FlightShapeTest {
     assertThat(moved.distanceTo(new Vec3(0, 1.2, 0))).isLessThan(0.01);
   }
 
+  /** Half a circle of 60 cm radius that stands upright would dip by 60 cm, far below the floor. */
+  @Test
+  void curveThatDipsTooLowStaysAtTheLowestHoverAndStillEndsInPlace() {
+    Vec3 start = drone.state().motion().position();
+
+    List<Motion> way = record("curve 60 0 -60 120 0 0 60");
+
+    assertThat(least(way, motion -> motion.position().z())).isCloseTo(0.10, within(0.01));
+    Vec3 moved = drone.state().motion().position().minus(start);
+    assertThat(moved.distanceTo(new Vec3(1.2, 0, 0))).isLessThan(0.01);
+  }
+
+  @Test
+  void sticksSinkNoLowerThanTheLowestHover() {
+    drone.send("rc 0 0 -50 0");
+    drone.advance(3);
+    assertThat(drone.state().motion().position().z()).isCloseTo(0.10, within(0.01));
+
+    drone.send("rc 0 0 50 0");
+    drone.advance(2);
+    drone.send("rc 0 0 0 0");
+    drone.advance(3);
+    // The speed follows 0.5 - e^(-t / 0.6) m/s, so it climbs from t = 0.42 s on. Until the sticks
+    // are centred it gains 0.5 · 2 - 0.6 = 0.4 m, plus 0.09 m that the ground kept it from losing;
+    // then it coasts 0.6 s · 0.5 m/s. From the lowest hover, and not from below it: 0.89 m.
+    assertThat(drone.state().motion().position().z()).isCloseTo(0.89, within(0.03));
+  }
+
   @Test
   void movesFollowTheNose() {
     drone.ask("cw 90");
