@@ -67,6 +67,11 @@ public final class CommandHandler {
     outbox.flush(now);
   }
 
+  /** Lets each command be carried out anew, though a copy of an earlier one. */
+  public void forgetCopies() {
+    retransmission.forgetAll();
+  }
+
   /** Forgets SDK mode and everything that waits, as without power. */
   public void powerOff() {
     session.close();

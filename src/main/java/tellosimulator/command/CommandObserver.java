@@ -18,7 +18,4 @@ public interface CommandObserver {
    * @param reason why, in plain words that follow "refused: "
    */
   void refused(Peer peer, String text, Reply reply, String reason);
-
-  /** {@code peer} became the operator, to whom state and video go. */
-  void operatorChanged(Peer peer);
 }

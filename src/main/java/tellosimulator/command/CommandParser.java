@@ -2,6 +2,7 @@ package tellosimulator.command;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.stream.Collectors;
@@ -64,7 +65,7 @@ final class CommandParser {
               .collect(Collectors.joining(" or "))
           + ", words separated by one blank and numbers in plain digits";
     }
-    String lower = first.toLowerCase(java.util.Locale.ROOT);
+    String lower = first.toLowerCase(Locale.ROOT);
     return byFirstWord.containsKey(lower)
         ? "commands are written in small letters: `" + lower + "`"
         : "this drone has no such command";

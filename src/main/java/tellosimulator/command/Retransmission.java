@@ -16,6 +16,8 @@ final class Retransmission {
   private static final String MARK = "Re";
   private static final int LENGTH = 7;
   private static final int INDEX_END = 4;
+
+  /** Peers whose latest index is remembered. Assumed: more than any class has. */
   private static final int MOST_PEERS = 64;
 
   private record Known(String index, String text, Responder responder) {}

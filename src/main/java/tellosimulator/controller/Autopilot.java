@@ -24,13 +24,16 @@ final class Autopilot {
     RESTLESS
   }
 
-  /** How far the drone may hang behind its target before the target waits [m]. */
+  /** How far the target may lie inside an obstacle before the drone waits [m]. Assumed. */
   private static final double LEASH = 0.3;
+
+  /** How far the target lies inside what it leans against at the least [m]: not yet arrived. */
+  private static final double LEANING_LAG = 0.006;
 
   /** How long it leans against something before it gives up [s]. Decided. */
   private static final double LEANING = 1;
 
-  /** A target that is missed by less is where the next maneuver starts from [m, rad]. */
+  /** A target missed by less is where the next maneuver starts from [m, rad]. Assumed. */
   private static final double ON_TARGET = 0.02;
 
   private final Behaviour behaviour;
@@ -41,6 +44,7 @@ final class Autopilot {
   private Vec3 shift = Vec3.ZERO;
   private double turn;
   private double leaning;
+  private boolean touched;
 
   Autopilot(Behaviour behaviour, RcSteering rc) {
     this.behaviour = behaviour;
@@ -74,6 +78,7 @@ final class Autopilot {
   /** Where a maneuver starts: the last target if the drone is on it, else where it is. */
   Vec3 basePosition(Motion motion) {
     return setpoint instanceof Setpoint.Track track
+            && !touched
             && track.position().distanceTo(motion.position()) < ON_TARGET
         ? track.position()
         : motion.position();
@@ -90,17 +95,18 @@ final class Autopilot {
 
   /** Sets the target for the next step. */
   void steer(Motion motion, boolean onGround, double seconds) {
-    boolean blocked = lag(motion).norm() > LEASH;
+    boolean blocked = touched && lag(motion).norm() > LEASH;
     Setpoint planned = maneuver.advance(new Sensed(motion, blocked, onGround), seconds);
     setpoint = planned instanceof Setpoint.Track track ? steered(track, motion, seconds) : planned;
   }
 
   /** Looks at what the step has made of the target. */
   void observe(Motion motion, Vec3 contactNormal, double seconds) {
-    boolean leans = lag(motion).dot(contactNormal) < 0;
+    touched = !contactNormal.equals(Vec3.ZERO);
+    boolean leans = lag(motion).dot(contactNormal) < -LEANING_LAG;
     leaning = leans ? leaning + seconds : 0;
     if (maneuver.planned()) {
-      settling.observe(setpoint, motion, seconds);
+      settling.observe(setpoint, motion, !rc.atRest());
     }
   }
 
@@ -121,26 +127,46 @@ final class Autopilot {
   }
 
   private Setpoint steered(Setpoint.Track track, Motion motion, double seconds) {
-    boolean untouched = rc.atRest() && shift.equals(Vec3.ZERO) && turn == 0;
-    Setpoint.Track wanted =
-        untouched || !maneuver.steerable() ? track : underSticks(track, motion, seconds);
+    if (maneuver.steerable() && !rc.atRest()) {
+      follow(motion, track.heading().angle(), seconds);
+    }
+    Setpoint.Track wanted = shifted(track);
     return maneuver.leavesHoverHeights() ? wanted : withinHeights(wanted, motion, seconds);
   }
 
-  /** The target with what the sticks have added to it. */
-  private Setpoint.Track underSticks(Setpoint.Track track, Motion motion, double seconds) {
+  /** Moves the target as the sticks ask for. */
+  private void follow(Motion motion, double planned, double seconds) {
     turn += rc.yawRate() * seconds;
-    double heading = track.heading().angle() + turn;
-    Vec3 velocity = rc.velocity().turned(heading);
+    Vec3 velocity = allowed(rc.velocity()).turned(planned + turn);
     Vec3 lag = lag(motion);
-    boolean runsAway = lag.norm() > LEASH && lag.dot(velocity) > 0;
+    boolean runsAway = touched && lag.norm() > LEASH && lag.dot(velocity) > 0;
     if (!runsAway) {
       shift = shift.plusScaled(velocity, seconds);
     }
+  }
+
+  /** What the sticks may add: a takeoff is not pushed back to the ground. */
+  private Vec3 allowed(Vec3 asked) {
+    boolean down = rc.velocity().z() < 0 && maneuver.leavesHoverHeights();
+    return down ? asked.horizontal() : asked;
+  }
+
+  /** The target with what the sticks have added to it. */
+  private Setpoint.Track shifted(Setpoint.Track track) {
+    double heading = track.heading().angle() + turn;
+    Setpoint.Track shifted =
+        new Setpoint.Track(
+            track.position().plus(shift),
+            track.velocity(),
+            track.acceleration(),
+            new Setpoint.Heading(heading, track.heading().rate()));
+    if (!maneuver.steerable() || rc.atRest()) {
+      return shifted;
+    }
     return new Setpoint.Track(
-        track.position().plus(shift),
-        track.velocity().plus(velocity),
-        track.acceleration().plus(rc.acceleration().turned(heading)),
+        shifted.position(),
+        track.velocity().plus(allowed(rc.velocity()).turned(heading)),
+        track.acceleration().plus(allowed(rc.acceleration()).turned(heading)),
         new Setpoint.Heading(heading, track.heading().rate() + rc.yawRate()));
   }
 
@@ -198,6 +224,11 @@ final class Autopilot {
     @Override
     public boolean planned() {
       return false;
+    }
+
+    @Override
+    public boolean atRest() {
+      return true;
     }
 
     @Override

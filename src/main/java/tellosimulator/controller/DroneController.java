@@ -9,7 +9,6 @@ import tellosimulator.command.Reply;
 import tellosimulator.command.Responder;
 import tellosimulator.controller.FlightEvent.Fell;
 import tellosimulator.controller.FlightEvent.Note;
-import tellosimulator.math.Arc;
 import tellosimulator.math.Vec3;
 import tellosimulator.model.DroneModel;
 import tellosimulator.model.DroneSpec;
@@ -100,17 +99,17 @@ public final class DroneController implements CommandTarget {
 
   /** Power goes: in the air the drone falls. */
   public void powerOff() {
+    restart.forget();
     if (model.phase() == FlightPhase.OFF) {
       return;
     }
-    if (flight.flying()) {
+    if (flight.airborne()) {
       observer.happened(new Fell("it was switched off"));
     }
     flight.reset();
     speed = DroneSpec.DEFAULT_SPEED;
     model.powerOff();
     wiring.forgetLink().run();
-    restart.forget();
     observer.happened(new Note("is off"));
   }
 
@@ -163,7 +162,12 @@ public final class DroneController implements CommandTarget {
       responder.refuse(Reply.MOTOR_STOP, "the battery is empty");
     } else if (percent <= TOO_LOW_TO_START) {
       responder.refuse(
-          Reply.ERROR, "the battery is at " + percent + " %, a takeoff needs more than 10 %");
+          Reply.ERROR,
+          "the battery is at "
+              + percent
+              + " %, a takeoff needs more than "
+              + TOO_LOW_TO_START
+              + " %");
     } else if (!model.resting()) {
       responder.refuse(Reply.ERROR, "the drone is still falling");
     } else if (!model.upright()) {
@@ -175,15 +179,19 @@ public final class DroneController implements CommandTarget {
 
   @Override
   public void land(Command.Land command, Responder responder) {
+    if (flight.landsOnCommand()) {
+      responder.refuse(Reply.NOT_JOYSTICK, running().orElseThrow());
+      return;
+    }
     flight.interrupt(Reply.AUTO_LAND, "`land` cut it off");
     flight.land(Task.of(responder));
   }
 
   @Override
   public void stop(Command.Stop command, Responder responder) {
-    if (!flight.flying()) {
+    if (!flight.airborne()) {
       responder.refuse(Reply.ERROR, "the drone does not fly");
-    } else if (!landsForBattery(responder)) {
+    } else if (!refusedForBattery(responder)) {
       responder.reply(Reply.OK);
       flight.stop(responder);
     }
@@ -194,18 +202,17 @@ public final class DroneController implements CommandTarget {
     if (model.phase() == FlightPhase.IDLING) {
       model.setPhase(FlightPhase.GROUNDED);
     }
-    if (flight.flying()) {
+    if (flight.flying() && model.resting()) {
+      flight.motorsOff(FlightPhase.GROUNDED, true);
+    } else if (flight.flying()) {
       flight.motorsOff(FlightPhase.FALLING, true);
       observer.happened(new Fell("`emergency` stopped its motors"));
-      if (model.resting()) {
-        model.setPhase(FlightPhase.GROUNDED);
-      }
     }
   }
 
   @Override
   public void move(Command.Move command, Responder responder) {
-    if (landsForBattery(responder)) {
+    if (refusedForBattery(responder)) {
       return;
     }
     Vec3 way = command.direction().unit().times(command.distance());
@@ -216,32 +223,31 @@ public final class DroneController implements CommandTarget {
     boolean silent = stoppedShort && !wiring.behaviour().answersLowDown();
     if (silent) {
       observer.happened(
-          new Note("sinks no lower than 28 cm and never answers `" + responder.text() + "`"));
+          new Note("stops above the floor and never answers `" + responder.text() + "`"));
     }
     flight.fly(pathTo(goal, speed), silent ? Task.NOBODY : Task.of(responder));
   }
 
   @Override
   public void go(Command.Go command, Responder responder) {
-    if (!landsForBattery(responder)) {
+    if (!refusedForBattery(responder)) {
       flight.fly(pathTo(goal(command.way()), command.speed()), Task.of(responder));
     }
   }
 
   @Override
   public void curve(Command.Curve command, Responder responder) {
-    if (landsForBattery(responder)) {
+    if (refusedForBattery(responder)) {
       return;
     }
-    Arc arc = command.arc();
     double heading = flight.baseHeading();
-    Path path = new Path.Curve(flight.basePosition(), arc, heading);
+    Path path = new Path.Curve(flight.basePosition(), command.arc(), heading, miss());
     flight.fly(new PathFlight(path, command.speed(), heading), Task.of(responder));
   }
 
   @Override
   public void turn(Command.Turn command, Responder responder) {
-    if (landsForBattery(responder)) {
+    if (refusedForBattery(responder)) {
       return;
     }
     double miss = miss(Channel.MOVE_HEADING, wiring.behaviour().headingSigma());
@@ -254,16 +260,17 @@ public final class DroneController implements CommandTarget {
   @Override
   public void flip(Command.Flip command, Responder responder) {
     int percent = model.battery().percent();
-    if (landsForBattery(responder)) {
+    if (refusedForBattery(responder)) {
       return;
     }
     if (percent < ENOUGH_FOR_FLIP) {
       responder.refuse(
-          Reply.ERROR, "the battery is at " + percent + " %, a flip needs at least 50 %");
+          Reply.ERROR,
+          "the battery is at " + percent + " %, a flip needs at least " + ENOUGH_FOR_FLIP + " %");
       return;
     }
     flight.fly(
-        new Flip(flight.basePosition(), flight.baseHeading(), command.direction().unit()),
+        new Flip(flight.basePosition(), flight.baseHeading(), command.direction().unit(), miss()),
         Task.of(responder));
   }
 
@@ -361,14 +368,19 @@ public final class DroneController implements CommandTarget {
   }
 
   private Vec3 goal(Vec3 way) {
+    Vec3 goal = flight.basePosition().plus(way.turned(flight.baseHeading())).plus(miss());
+    double lowest = wiring.behaviour().lowestHover();
+    return goal.withZ(Math.max(lowest, Math.min(DroneSpec.MAX_HEIGHT, goal.z())));
+  }
+
+  /** By how much the next motion ends elsewhere [m]. */
+  private Vec3 miss() {
     double sigma = wiring.behaviour().positionSigma();
     Vec3 miss =
         new Vec3(
             miss(Channel.MOVE_X, sigma), miss(Channel.MOVE_Y, sigma), miss(Channel.MOVE_Z, sigma));
     moves++;
-    Vec3 goal = flight.basePosition().plus(way.turned(flight.baseHeading())).plus(miss);
-    double lowest = wiring.behaviour().lowestHover();
-    return goal.withZ(Math.max(lowest, Math.min(DroneSpec.MAX_HEIGHT, goal.z())));
+    return miss;
   }
 
   private double miss(Channel channel, double sigma) {
@@ -380,7 +392,7 @@ public final class DroneController implements CommandTarget {
         Path.Line.between(flight.basePosition(), goal), limit, flight.baseHeading());
   }
 
-  private boolean landsForBattery(Responder responder) {
+  private boolean refusedForBattery(Responder responder) {
     if (flight.landsForBattery()) {
       responder.refuse(Reply.AUTO_LAND, "the drone lands because of its battery");
     }

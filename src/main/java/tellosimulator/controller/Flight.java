@@ -33,6 +33,9 @@ final class Flight {
   /** Silence after which it lands by itself [s]. Documented: SDK 2.0 User Guide. */
   private static final double SILENCE = 15;
 
+  /** Below this speed there is nothing to brake from [m/s]. Decided: it counts as balanced out. */
+  static final double STILL = 0.05;
+
   private static final double STEP = SimTime.STEP;
 
   private final DroneModel model;
@@ -47,6 +50,7 @@ final class Flight {
   private Optional<Collision> touching = Optional.empty();
   private boolean landingForSilence;
   private boolean landingForBattery;
+  private boolean stands;
   private boolean softFall;
   private double fallFrom;
 
@@ -62,6 +66,17 @@ final class Flight {
 
   boolean flying() {
     return model.phase().flying();
+  }
+
+  /** Whether it is in the air, carried by its motors. */
+  boolean airborne() {
+    boolean down = autopilot.maneuver() instanceof Landing landing && landing.down();
+    return flying() && !model.resting() && !down;
+  }
+
+  /** Whether it comes down because somebody said so, and that somebody waits. */
+  boolean landsOnCommand() {
+    return landing() && task != Task.NOBODY;
   }
 
   boolean landsForBattery() {
@@ -82,7 +97,7 @@ final class Flight {
 
   /** Whether something moves, or somebody waits for time to pass. */
   boolean busy() {
-    boolean moves = flying() && (!rc.atRest() || landingForSilence || landingForBattery);
+    boolean moves = flying() && !(rc.atRest() && autopilot.maneuver().atRest());
     boolean falls = !flying() && !model.resting();
     return task != Task.NOBODY || moves || falls || forcedStop.pending();
   }
@@ -129,7 +144,7 @@ final class Flight {
     fly(new Takeoff(model.motion().position(), baseHeading(), behaviour), newTask);
     model.countTakeoff();
     model.setPhase(FlightPhase.TAKING_OFF);
-    observer.happened(new TookOff());
+    stands = true;
   }
 
   void land(Task newTask) {
@@ -139,9 +154,14 @@ final class Flight {
 
   /** Brakes and stays. */
   void hover() {
-    Vec3 velocity = model.motion().velocity();
-    Vec3 position = velocity.norm() < 0.05 ? basePosition() : model.motion().position();
-    fly(new Hover(position, velocity, baseHeading()), Task.NOBODY);
+    Vec3 steered = rc.velocity().turned(model.motion().attitude().heading());
+    Vec3 own = model.motion().velocity().minus(steered);
+    boolean still = own.norm() < STILL;
+    fly(
+        still
+            ? new Hover(basePosition(), Vec3.ZERO, baseHeading())
+            : new Hover(model.motion().position(), own, baseHeading()),
+        Task.NOBODY);
   }
 
   /** Centres the sticks, brakes, and answers the second time when it stands still. */
@@ -160,8 +180,10 @@ final class Flight {
 
   /** Stops the motors, whatever the drone is doing; nobody is answered. */
   void motorsOff(FlightPhase phase, boolean soft) {
-    softFall = soft;
-    fallFrom = model.motion().position().z();
+    if (flying()) {
+      softFall = soft;
+      fallFrom = model.motion().position().z();
+    }
     task = Task.NOBODY;
     landingForSilence = false;
     landingForBattery = false;
@@ -184,7 +206,11 @@ final class Flight {
   /** Sets the targets of the step that ends at {@code time}. */
   void plan(SimTime time) {
     now = time;
-    rc.follow(now, STEP);
+    if (airborne()) {
+      rc.follow(now, STEP);
+    } else {
+      rc.hold(now);
+    }
     autopilot.steer(model.motion(), onGround(), STEP);
     touching = Optional.empty();
   }
@@ -202,6 +228,10 @@ final class Flight {
 
   /** Ends what has come to its end. */
   void finish() {
+    if (stands && airborne()) {
+      stands = false;
+      observer.happened(new TookOff());
+    }
     if (flying()) {
       autopilot.observe(
           model.motion(),
@@ -217,11 +247,14 @@ final class Flight {
         case RUNNING -> {}
       }
     }
-    forcedStop.report(now, model.motion(), task == Task.NOBODY);
+    forcedStop.report(now, model.motion(), task == Task.NOBODY && rc.sticks().centred());
   }
 
   /** Lands if the battery or a silent operator asks for it. */
   void watchOver() {
+    if (model.phase() == FlightPhase.IDLING && model.battery().empty()) {
+      model.setPhase(FlightPhase.GROUNDED);
+    }
     if (task != Task.NOBODY) {
       lastContact = now;
     }
@@ -241,7 +274,8 @@ final class Flight {
     } else if (now.since(lastContact) >= SILENCE && !landing()) {
       land(Task.NOBODY);
       landingForSilence = true;
-      observer.happened(new LandsByItself("no command came for 15 s"));
+      observer.happened(
+          new LandsByItself(String.format(Locale.ROOT, "no command came for %.0f s", SILENCE)));
     }
   }
 

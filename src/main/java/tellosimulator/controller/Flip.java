@@ -12,15 +12,16 @@ import tellosimulator.physics.Setpoint;
  */
 final class Flip implements Maneuver {
 
-  /** Upward acceleration and duration of the jump. Assumed: the loop must clear the floor. */
+  /** Upward acceleration of the jump [m/s²]. Assumed: the loop must clear the floor. */
   private static final double JUMP_ACCELERATION = 9;
 
+  /** Duration of the jump [s]. Assumed: the loop must clear the floor. */
   private static final double JUMP_TIME = 0.22;
 
   /** Thrust for each unit of weight while it turns. Assumed: a small circle. */
   private static final double LOOP_THRUST = 0.25;
 
-  /** What is left of the turn when it starts to catch itself [rad]. */
+  /** What is left of the turn when it starts to catch itself [rad]. Assumed. */
   private static final double CATCH_ANGLE = 0.9;
 
   /** How far it ends in its direction [m]. Measured: about 30 cm. */
@@ -40,10 +41,11 @@ final class Flip implements Maneuver {
    * @param start where it is, room frame [m]
    * @param heading where the nose points [rad]
    * @param direction unit vector in the level body frame, horizontal
+   * @param miss by how much it ends elsewhere, room frame [m]
    */
-  Flip(Vec3 start, double heading, Vec3 direction) {
+  Flip(Vec3 start, double heading, Vec3 direction, Vec3 miss) {
     this.start = start;
-    this.goal = start.plusScaled(direction.turned(heading), ADVANCE);
+    this.goal = start.plusScaled(direction.turned(heading), ADVANCE).plus(miss);
     this.heading = new Setpoint.Heading(heading, 0);
     this.axis = Vec3.UP.cross(direction);
   }

@@ -16,10 +16,8 @@ final class ForcedStop {
   /** Earliest time of the answer [s]. Measured: 0.5 to 1 s later. */
   private static final double EARLIEST = 0.5;
 
-  /** Latest time of the answer once another command runs [s]. */
+  /** Time of the answer when something else moves the drone [s]. Measured: 0.5 to 1 s later. */
   private static final double LATEST = 1;
-
-  private static final double STILL = 0.05;
 
   /** Answers that wait at the most; a flood of {@code stop} gets no more. */
   private static final int MOST_WAITING = 100;
@@ -42,12 +40,16 @@ final class ForcedStop {
     waiting.clear();
   }
 
-  /** Answers those whose time has come. */
+  /**
+   * Answers those whose time has come.
+   *
+   * @param hovering whether neither a command nor {@code rc} moves the drone
+   */
   void report(SimTime now, Motion motion, boolean hovering) {
     if (waiting.isEmpty()) {
       return;
     }
-    boolean still = hovering && motion.velocity().norm() < STILL;
+    boolean still = hovering && motion.velocity().norm() < Flight.STILL;
     double due = still ? EARLIEST : LATEST;
     List<Waiting> ripe =
         waiting.stream()

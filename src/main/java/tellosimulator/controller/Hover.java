@@ -42,6 +42,11 @@ final class Hover implements Maneuver {
   }
 
   @Override
+  public boolean atRest() {
+    return velocity.equals(Vec3.ZERO);
+  }
+
+  @Override
   public String progress() {
     return "hovering";
   }

@@ -7,12 +7,13 @@ import tellosimulator.physics.Setpoint;
 /** Sinks until it stands on something, stops the motors and waits a moment. */
 final class Landing implements Maneuver {
 
+  /** How the sinking starts and slows down [m/s²]. Assumed. */
   private static final double ACCELERATION = 2;
 
-  /** How long it must stand before the motors stop [s]. */
+  /** How long it must stand before the motors stop [s]. Assumed. */
   private static final double CONTACT = 0.1;
 
-  /** How far the target may run ahead into the ground [m]. */
+  /** How far the target may run ahead into the ground [m]. Assumed. */
   private static final double LEAD = 0.05;
 
   private final Setpoint.Heading heading;

@@ -27,6 +27,11 @@ interface Maneuver {
   /** How far it is, in plain words: {@code 64 of 100 cm flown}. */
   String progress();
 
+  /** Whether nothing changes until the next command, so that no time need pass. */
+  default boolean atRest() {
+    return false;
+  }
+
   /** Whether {@code rc} may steer on top of it now. */
   default boolean steerable() {
     return true;

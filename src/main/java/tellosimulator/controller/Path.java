@@ -41,8 +41,9 @@ sealed interface Path {
    * @param start room frame [m]
    * @param arc relative to the start, in axes turned by {@code turn}
    * @param turn heading of the arc's axes [rad]
+   * @param miss by how much it ends elsewhere, room frame; it grows evenly on the way [m]
    */
-  record Curve(Vec3 start, Arc arc, double turn) implements Path {
+  record Curve(Vec3 start, Arc arc, double turn, Vec3 miss) implements Path {
 
     @Override
     public double length() {
@@ -55,7 +56,7 @@ sealed interface Path {
       Vec3 along = arc.direction(swept);
       Vec3 centripetal = arc.inward(swept).times(sample.speed() * sample.speed() / arc.radius());
       return new Setpoint.Track(
-          start.plus(arc.point(swept).turned(turn)),
+          start.plus(arc.point(swept).turned(turn)).plusScaled(miss, sample.way() / arc.length()),
           along.times(sample.speed()).turned(turn),
           along.times(sample.acceleration()).plus(centripetal).turned(turn),
           heading);

@@ -18,7 +18,7 @@ final class RcSteering {
   /** Time constant of the turning rate [s]. Measured: 0.1 to 0.2. */
   private static final double YAW_TIME_CONSTANT = 0.15;
 
-  /** Speeds below this count as none [m/s, rad/s]. */
+  /** Speeds below this count as none [m/s, rad/s]. Assumed. */
   private static final double NEGLIGIBLE = 1e-4;
 
   private record Change(SimTime time, Sticks sticks) {}
@@ -54,7 +54,16 @@ final class RcSteering {
     still();
   }
 
-  /** Forgets the motion, but not the values: they act again at the next takeoff. */
+  /** The drone stands: the values are kept, and act from lift-off on as if set then. */
+  void hold(SimTime now) {
+    Sticks kept = sticks();
+    centre();
+    if (!kept.centred()) {
+      changes.add(new Change(now, kept));
+    }
+  }
+
+  /** Forgets the motion, but not the values. */
   void still() {
     velocity = Vec3.ZERO;
     acceleration = Vec3.ZERO;

@@ -13,6 +13,7 @@ import tellosimulator.model.DroneState;
 import tellosimulator.model.PadMode;
 import tellosimulator.model.PadReading;
 import tellosimulator.profile.Profile;
+import tellosimulator.profile.Sdk;
 import tellosimulator.sensor.Instruments;
 import tellosimulator.sensor.SensorReadings;
 import tellosimulator.sensor.SensorReadings.AttitudeDeg;
@@ -42,7 +43,7 @@ public final class ReadReplies {
     line(Reading.BATTERY, f -> Integer.toString(f.sensors().health().batteryPercent()));
     line(Reading.TIME, f -> f.sensors().health().motorSeconds() + "s");
     line(Reading.WIFI, f -> WIFI);
-    line(Reading.SDK, f -> profile.knows(tellosimulator.profile.Sdk.SDK_3_0) ? "30" : "20");
+    line(Reading.SDK, f -> profile.knows(Sdk.SDK_3_0) ? "30" : "20");
     table.put(Reading.SERIAL_NUMBER, f -> new Reply(format("0TQSIMUL%06d", drone)));
     line(Reading.HEIGHT, f -> f.sensors().range().heightDm() + "dm");
     line(Reading.TEMPERATURE, f -> temperature(f.sensors().health()));

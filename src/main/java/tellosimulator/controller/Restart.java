@@ -15,8 +15,11 @@ final class Restart {
   private Optional<SimTime> offAt = Optional.empty();
   private Optional<SimTime> onAt = Optional.empty();
 
+  /** Plans a restart, unless one is on its way. */
   void schedule(SimTime now, double notice) {
-    offAt = Optional.of(now.plus(notice));
+    if (!pending()) {
+      offAt = Optional.of(now.plus(notice));
+    }
   }
 
   boolean pending() {

@@ -4,14 +4,18 @@ import tellosimulator.math.Frames;
 import tellosimulator.math.Vec3;
 import tellosimulator.model.Motion;
 import tellosimulator.physics.Setpoint;
+import tellosimulator.time.SimTime;
 
 /** Decides when a drone has balanced out on its target. For one drone. */
 final class Settling {
 
-  /** Nearest to the target [m], heading [rad] and speed [m/s]. Decided: 1 cm, 0.5°, 5 cm/s. */
+  /** Greatest distance from the target [m]. Decided: 1 cm when {@code ok} comes, so a bit less. */
   private static final double DISTANCE = 0.006;
 
+  /** Greatest turn from the target [rad]. Decided: 0.5 degrees, so a bit less. */
   private static final double HEADING = StrictMath.toRadians(0.4);
+
+  /** Greatest speed [m/s]. Decided: 5 cm/s, so a bit less. */
   private static final double SPEED = 0.03;
 
   /** How long it must stay so [s]. Measured: about 0.3. */
@@ -28,9 +32,14 @@ final class Settling {
     waited = 0;
   }
 
-  void observe(Setpoint setpoint, Motion motion, double seconds) {
-    waited += seconds;
-    steady = near(setpoint, motion) ? steady + seconds : 0;
+  /**
+   * Looks at the end of a step.
+   *
+   * @param steered whether sticks move the target, so that only time counts
+   */
+  void observe(Setpoint setpoint, Motion motion, boolean steered) {
+    waited += SimTime.STEP;
+    steady = steered || near(setpoint, motion) ? steady + SimTime.STEP : 0;
   }
 
   boolean settled() {

@@ -9,7 +9,10 @@ import tellosimulator.profile.Behaviour;
 /** Starts the motors, climbs, and hovers for a moment. */
 final class Takeoff implements Maneuver {
 
+  /** Acceleration of the climb [m/s²]. Measured: 80 cm at 2.2 s. */
   private static final double CLIMB_ACCELERATION = 1.6;
+
+  /** Braking of the climb [m/s²]. Measured: 80 cm at 2.2 s. */
   private static final double CLIMB_BRAKING = 0.8;
 
   /** Time over which the hover creeps up [s]. Measured: from 2.2 to 4.3 s. */

@@ -9,8 +9,8 @@ import tellosimulator.time.SimTime;
 import tellosimulator.world.Room;
 
 /**
- * The single source of truth about a drone. Written only within a step, by the controller and by
- * what it calls; everybody else reads the {@link DroneState} that it publishes.
+ * The single source of truth about a drone. Written only on the simulation thread, by the
+ * controller and by what it calls; everybody else reads the {@link DroneState} that it publishes.
  */
 public final class DroneModel {
 

@@ -19,7 +19,7 @@ final class PositionLoop {
   /** Vertical position gain [1/s]. Assumed: thrust answers at once, so stiffer than level. */
   private static final double VERTICAL_POSITION_GAIN = 3;
 
-  /** Vertical velocity gain [1/s]. */
+  /** Vertical velocity gain [1/s]. Assumed: as the position gain. */
   private static final double VERTICAL_VELOCITY_GAIN = 8;
 
   /** Fastest correction of a position error [m/s]. Assumed. */

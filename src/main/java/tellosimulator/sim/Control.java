@@ -1,7 +1,6 @@
 package tellosimulator.sim;
 
 import tellosimulator.math.Vec3;
-import tellosimulator.model.DroneSpec;
 import tellosimulator.time.TimeFactor;
 import tellosimulator.world.Room;
 
@@ -52,9 +51,4 @@ public sealed interface Control {
 
   /** How fast simulated time passes. */
   record SetTimeFactor(TimeFactor factor) implements Control {}
-
-  /** Whether a start fits into a room. */
-  static boolean fits(Vec3 start, Room room) {
-    return room.contains(start, DroneSpec.HULL);
-  }
 }

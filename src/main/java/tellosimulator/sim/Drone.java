@@ -19,6 +19,7 @@ import tellosimulator.model.Battery;
 import tellosimulator.model.DroneModel;
 import tellosimulator.model.DroneSpec;
 import tellosimulator.model.DroneState;
+import tellosimulator.model.FlightPhase;
 import tellosimulator.model.Motion;
 import tellosimulator.physics.QuadcopterDynamics;
 import tellosimulator.physics.Setpoint;
@@ -102,7 +103,10 @@ final class Drone {
   // --- step 1 ---
 
   void handle(Peer peer, String text) {
-    if (model.phase() != tellosimulator.model.FlightPhase.OFF) {
+    if (model.phase() == FlightPhase.OFF) {
+      events.accept(
+          new SimEvent.CommandIgnored(now, model.drone(), peer, text, "the drone is off"));
+    } else {
       handler.handle(peer, text, now);
       lineOwed = stateLines.isPresent();
     }
@@ -117,6 +121,7 @@ final class Drone {
       }
     } else if (control instanceof Control.Reset) {
       controller.reset();
+      handler.forgetCopies();
     } else if (control instanceof Control.SetBattery battery) {
       model.setBattery(new Battery(battery.percent() / 100));
     } else if (control instanceof Control.SetStart start) {
@@ -194,7 +199,7 @@ final class Drone {
   private void setStart(Vec3 position) {
     Pose start = new Pose(position, Attitude.LEVEL);
     model.setStart(start);
-    if (model.resting()) {
+    if (model.resting() && !controller.flying()) {
       controller.reset();
     }
   }
@@ -243,8 +248,7 @@ final class Drone {
       events.accept(new SimEvent.CommandRefused(now, model.drone(), peer, text, reply, reason));
     }
 
-    @Override
-    public void operatorChanged(Peer peer) {
+    void operatorChanged(Peer peer) {
       events.accept(new SimEvent.OperatorChanged(now, model.drone(), peer));
       if (stateLines.isEmpty()) {
         stateLines = Optional.of(new Periodic(now, Drone.this::statePeriod));

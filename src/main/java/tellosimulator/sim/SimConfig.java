@@ -2,6 +2,7 @@ package tellosimulator.sim;
 
 import java.util.List;
 import tellosimulator.math.Pose;
+import tellosimulator.math.Vec3;
 import tellosimulator.profile.Behaviour;
 import tellosimulator.profile.Profile;
 import tellosimulator.time.TimeFactor;
@@ -40,7 +41,7 @@ public record SimConfig(
       new SimConfig(
           new Product(Profile.EDU, Behaviour.REPORT),
           Room.DEFAULT,
-          Swarm.row(1, tellosimulator.math.Vec3.ZERO, Room.DEFAULT),
+          Swarm.row(1, Vec3.ZERO, Room.DEFAULT),
           TimeFactor.REAL_TIME,
           1,
           Outlets.DEFAULT);

@@ -8,7 +8,8 @@ import tellosimulator.time.TimeFactor;
 import tellosimulator.world.Room;
 
 /**
- * The whole simulation at the end of a step. Immutable; for any thread.
+ * The whole simulation at the end of a step, and what was commanded since. Immutable; for any
+ * thread.
  *
  * @param time the end of the step
  * @param clock how simulated time relates to the wall clock

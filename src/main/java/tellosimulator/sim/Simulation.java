@@ -1,6 +1,7 @@
 package tellosimulator.sim;
 
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
 import java.util.Locale;
 import java.util.Queue;
@@ -209,7 +210,7 @@ public final class Simulation {
     for (Drone drone : drones) {
       states.add(drone.publish());
     }
-    snapshot = new SimSnapshot(now, clock, room, java.util.Collections.unmodifiableList(states));
+    snapshot = new SimSnapshot(now, clock, room, Collections.unmodifiableList(states));
   }
 
   private void tell(String words) {

@@ -1,6 +1,7 @@
 package tellosimulator.world;
 
 import java.util.Optional;
+import java.util.stream.Stream;
 import tellosimulator.math.Vec3;
 
 /**
@@ -72,7 +73,7 @@ public record Room(double width, double depth, double height) {
   private record Hit(Surface surface, Vec3 normal, double speed) {}
 
   private static Hit[] hits(Vec3 push, Vec3 velocity) {
-    return java.util.stream.Stream.of(
+    return Stream.of(
             hit(push.x(), new Vec3(1, 0, 0), velocity, Surface.BACK_WALL, Surface.FRONT_WALL),
             hit(push.y(), new Vec3(0, 1, 0), velocity, Surface.RIGHT_WALL, Surface.LEFT_WALL),
             hit(push.z(), new Vec3(0, 0, 1), velocity, Surface.FLOOR, Surface.CEILING))

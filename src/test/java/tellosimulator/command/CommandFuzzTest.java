@@ -101,8 +101,5 @@ class CommandFuzzTest {
         throw new AssertionError("no reason for " + reply);
       }
     }
-
-    @Override
-    public void operatorChanged(Peer peer) {}
   }
 }

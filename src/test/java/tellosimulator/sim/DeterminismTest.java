@@ -29,7 +29,7 @@ class DeterminismTest {
   @ValueSource(strings = {"stepped", "20"})
   void anotherJdkGivesTheSameTrace(String pace) throws Exception {
     Optional<Path> other = otherJdk();
-    if (System.getenv("CI") == null) {
+    if (!"true".equals(System.getenv("CI"))) {
       assumeTrue(other.isPresent(), "there is no other JDK beside this one");
     }
     assertThat(other).as("a JDK of another version beside this one").isPresent();

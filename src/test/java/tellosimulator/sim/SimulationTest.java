@@ -161,12 +161,14 @@ class SimulationTest {
   }
 
   @Test
-  void aDroneThatIsOffHearsNothing() {
+  void aDroneThatIsOffAnswersNothingAndTheEventSaysWhy() {
     simulation.submit(1, PEER, "command");
     simulation.step();
 
     assertThat(replies).isEmpty();
-    assertThat(events).isEmpty();
+    assertThat(events)
+        .extracting(SimEvent::words)
+        .containsExactly("`command` from " + PEER + " ignored: the drone is off");
     assertThat(state(1).phase()).isEqualTo(FlightPhase.OFF);
   }
 
@@ -213,7 +215,7 @@ class SimulationTest {
         .isEqualTo(small.nearestInside(new Vec3(2, -2, 0), DroneSpec.HULL));
     simulation.control(new Control.Reset(1));
     simulation.drain();
-    assertThat(Control.fits(state(1).motion().position(), small)).isTrue();
+    assertThat(small.contains(state(1).motion().position(), DroneSpec.HULL)).isTrue();
   }
 
   @Test

@@ -11,6 +11,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import tellosimulator.math.Attitude;
 import tellosimulator.math.Pose;
 import tellosimulator.math.Vec3;
+import tellosimulator.model.DroneSpec;
 import tellosimulator.world.Room;
 
 class SwarmTest {
@@ -56,7 +57,7 @@ class SwarmTest {
 
     assertThat(starts).hasSize(drones);
     assertThat(starts.stream().map(start -> start.position().x()).distinct()).hasSize(rows);
-    assertThat(starts).allMatch(start -> Control.fits(start.position(), Room.DEFAULT));
+    assertThat(starts).allMatch(start -> Room.DEFAULT.contains(start.position(), DroneSpec.HULL));
     for (int i = 0; i < drones; i++) {
       for (int k = 0; k < i; k++) {
         assertThat(starts.get(i).position().distanceTo(starts.get(k).position()))

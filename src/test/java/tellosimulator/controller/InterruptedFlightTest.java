@@ -1,0 +1,154 @@
+package tellosimulator.controller;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import org.junit.jupiter.api.Test;
+import tellosimulator.controller.FlightEvent.Fell;
+import tellosimulator.controller.FlightEvent.TookOff;
+import tellosimulator.model.FlightPhase;
+import tellosimulator.profile.Behaviour;
+import tellosimulator.profile.Profile;
+import tellosimulator.sim.Control;
+import tellosimulator.sim.SimConfig;
+import tellosimulator.sim.SimEvent;
+import tellosimulator.testing.SimulatedDrone;
+import tellosimulator.world.Room;
+
+/** Stops, restarts and power switches at awkward moments. */
+class InterruptedFlightTest {
+
+  private final SimulatedDrone drone = SimulatedDrone.of(Profile.EDU, Behaviour.REPORT);
+
+  @Test
+  void stopBeforeLiftOffIsRefusedAndTheTakeoffGoesOn() {
+    drone.ask("command");
+    drone.send("takeoff");
+    drone.advance(0.3);
+
+    assertThat(drone.ask("stop")).isEqualTo("error");
+    assertThat(drone.state().motion().position().z()).isZero();
+    drone.advance(4);
+    assertThat(drone.replies().get(drone.replies().size() - 1).text()).isEqualTo("ok");
+    assertThat(drone.state().motion().position().z()).isCloseTo(0.30, within(0.01));
+  }
+
+  @Test
+  void stopAfterTouchdownIsRefusedAndTheLandingEnds() {
+    flying(drone);
+    drone.send("land");
+    drone.advanceUntil(() -> drone.state().motion().position().z() == 0, 5);
+    drone.advance(0.15);
+
+    assertThat(drone.ask("stop")).isEqualTo("error");
+    drone.advance(1);
+    assertThat(drone.state().phase()).isEqualTo(FlightPhase.GROUNDED);
+    assertThat(drone.replies().get(drone.replies().size() - 1).text()).isEqualTo("ok");
+  }
+
+  @Test
+  void takingOffIsToldWhenTheDroneLeavesTheGround() {
+    drone.ask("command");
+    drone.send("takeoff");
+    drone.advance(0.5);
+    assertThat(happened(TookOff.class)).isFalse();
+
+    drone.advance(0.5);
+    assertThat(happened(TookOff.class)).isTrue();
+  }
+
+  @Test
+  void emergencyBeforeLiftOffIsNoFall() {
+    drone.ask("command");
+    drone.send("takeoff");
+    drone.advance(0.3);
+    drone.send("emergency");
+    drone.advance(1);
+
+    assertThat(drone.state().phase()).isEqualTo(FlightPhase.GROUNDED);
+    assertThat(happened(Fell.class)).isFalse();
+    assertThat(happened(TookOff.class)).isFalse();
+  }
+
+  /** From 3.3 m the floor is hit at the root of 2 · 9.81 · 3.3, 8 m/s without drag. */
+  @Test
+  void switchingOnOnTheWayDownDoesNotSoftenTheFall() {
+    SimulatedDrone high =
+        SimulatedDrone.of(
+            SimConfig.DEFAULT.withRoom(new Room(5, 5, 5), SimConfig.DEFAULT.starts()));
+    flying(high);
+    high.ask("up 300");
+    high.control(new Control.Power(1, false));
+    high.advanceUntil(() -> high.state().motion().position().z() < 1, 3);
+    high.control(new Control.Power(1, true));
+    high.advance(1);
+
+    assertThat(high.state().phase()).isEqualTo(FlightPhase.CRASHED);
+  }
+
+  @Test
+  void switchingOffDuringARestartKeepsTheDroneOff() {
+    SimulatedDrone tt = SimulatedDrone.of(Profile.TT, Behaviour.REPORT);
+    tt.ask("command");
+    tt.send("reboot");
+    tt.advance(1);
+    tt.control(new Control.Power(1, false));
+
+    tt.advance(10);
+
+    assertThat(tt.state().phase()).isEqualTo(FlightPhase.OFF);
+  }
+
+  @Test
+  void aSecondRestartDoesNotPostponeTheFirst() {
+    SimulatedDrone measured = SimulatedDrone.of(Profile.EDU, Behaviour.MEASURED);
+    measured.ask("command");
+    for (int i = 0; i < 3; i++) {
+      measured.send("ap school secret");
+      measured.advance(1.1);
+    }
+
+    assertThat(measured.state().phase()).isEqualTo(FlightPhase.OFF);
+  }
+
+  @Test
+  void aLandingIsNotCutOffByASecondOne() {
+    SimulatedDrone measured = SimulatedDrone.of(Profile.EDU, Behaviour.MEASURED);
+    flying(measured);
+    measured.send("land");
+    measured.advance(1);
+
+    assertThat(measured.ask("land")).isEqualTo("error Not joystick");
+    measured.advance(4);
+    assertThat(measured.replies().get(measured.replies().size() - 1).text()).isEqualTo("ok");
+    assertThat(measured.state().phase()).isEqualTo(FlightPhase.GROUNDED);
+  }
+
+  @Test
+  void aDroneThatWaitsJustInsideAWallTakesCommands() {
+    flying(drone);
+    drone.ask("up 50");
+
+    for (double distance = 240; distance <= 243.5; distance += 0.5) {
+      drone.ask("forward " + distance);
+      assertThat(drone.ask("cw 90")).as("after forward %s", distance).isEqualTo("ok");
+      assertThat(drone.ask("ccw 90")).isEqualTo("ok");
+      assertThat(drone.ask("land")).isEqualTo("ok");
+      drone.control(new Control.Reset(1));
+      drone.ask("takeoff");
+      drone.ask("up 50");
+    }
+  }
+
+  private static void flying(SimulatedDrone drone) {
+    drone.ask("command");
+    drone.ask("takeoff");
+  }
+
+  private boolean happened(Class<? extends FlightEvent> kind) {
+    return drone.events().stream()
+        .anyMatch(
+            event ->
+                event instanceof SimEvent.DroneFlight flight && kind.isInstance(flight.event()));
+  }
+}
