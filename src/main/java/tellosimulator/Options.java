@@ -27,7 +27,7 @@ import tellosimulator.world.Room;
       "Two changes make an existing program fly the simulator on the same machine:",
       "the drone's address becomes 127.0.0.1, and the command port becomes 8879.",
       "",
-      "While it runs, type: reset [N], power on|off [N], battery PERCENT [N],",
+      "While it runs, type: help, reset [N], power on|off [N], battery PERCENT [N],",
       "pause, resume, state or quit. N is a drone's number; without it, all drones."
     })
 final class Options {
@@ -117,7 +117,8 @@ final class Options {
       paramLabel = "WxDxH",
       defaultValue = "500x500x300",
       converter = OptionTypes.RoomSize.class,
-      description = "Width, depth and height of the room in cm. Default: 500x500x300.")
+      description =
+          "Width, depth and height of the room in cm, each 100 to 20000. Default: 500x500x300.")
   private Room room;
 
   @Option(

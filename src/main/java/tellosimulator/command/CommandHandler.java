@@ -86,6 +86,10 @@ public final class CommandHandler {
       observer.ignored(peer, text, "it belongs to the app's binary protocol");
       return true;
     }
+    if (Reply.isEcho(text)) {
+      observer.ignored(peer, text, "it is a drone's own reply, and an answer would go on for ever");
+      return true;
+    }
     if (!session.link().sdkMode() && !text.equals(CommandSyntax.COMMAND.verb())) {
       observer.ignored(peer, text, "the drone waits for `command` first");
       return true;

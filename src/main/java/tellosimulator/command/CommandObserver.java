@@ -13,6 +13,13 @@ public interface CommandObserver {
   void replied(Peer peer, String text, Reply reply);
 
   /**
+   * {@code text} was begun, but came to another end.
+   *
+   * @param reason why, in plain words that follow "failed: "
+   */
+  void failed(Peer peer, String text, Reply reply, String reason);
+
+  /**
    * {@code text} was refused.
    *
    * @param reason why, in plain words that follow "refused: "

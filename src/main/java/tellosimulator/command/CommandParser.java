@@ -1,8 +1,8 @@
 package tellosimulator.command;
 
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.stream.Collectors;
@@ -65,10 +65,24 @@ final class CommandParser {
               .collect(Collectors.joining(" or "))
           + ", words separated by one blank and numbers in plain digits";
     }
-    String lower = first.toLowerCase(Locale.ROOT);
-    return byFirstWord.containsKey(lower)
-        ? "commands are written in small letters: `" + lower + "`"
-        : "this drone has no such command";
+    if (first.isEmpty()) {
+      return text.isEmpty() ? "it is empty" : "it begins with a blank";
+    }
+    return byFirstWord.keySet().stream()
+        .filter(verb -> verb.equalsIgnoreCase(first))
+        .findFirst()
+        .map(verb -> "this command is written `" + verb + "`")
+        .or(() -> otherProfiles(first))
+        .orElse("there is no such command");
+  }
+
+  /** Which products would know a verb. */
+  private static Optional<String> otherProfiles(String verb) {
+    return Stream.of(CommandSyntax.values())
+        .filter(syntax -> words(syntax.verb()).get(0).equals(verb))
+        .map(CommandSyntax::since)
+        .min(Comparator.naturalOrder())
+        .map(since -> "this drone does not know it, it came with SDK " + since.version());
   }
 
   /** The words between single blanks; two blanks in a row give an empty word. */

@@ -43,6 +43,11 @@ public record Reply(String text) {
   /** Numeric reads end with it. Report: FHNW 2020. */
   private static final String LINE_END = "\r\n";
 
+  /** Whether a text is what a drone answers to an unknown command. */
+  static boolean isEcho(String text) {
+    return text.startsWith(UNKNOWN);
+  }
+
   /** The reply to something that is no command. */
   public static Reply unknown(String echo) {
     return new Reply(UNKNOWN + echo);

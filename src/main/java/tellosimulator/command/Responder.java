@@ -58,6 +58,16 @@ public final class Responder {
     send(reply);
   }
 
+  /**
+   * Replies, and says why the command that was begun came to another end.
+   *
+   * @param reason in plain words that follow "failed: "
+   */
+  public void fail(Reply reply, String reason) {
+    observer.failed(peer, text, reply, reason);
+    send(reply);
+  }
+
   /** Answers a copy of the same command under its own header, now and from now on. */
   void alsoAnswer(String header) {
     given.forEach(reply -> outbox.add(peer, header + reply.text(), outbox.now()));

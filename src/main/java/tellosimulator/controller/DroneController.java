@@ -47,7 +47,7 @@ public final class DroneController implements CommandTarget {
     this.session = wiring.session();
     this.observer = wiring.observer();
     this.flight = new Flight(model, wiring.behaviour(), observer);
-    this.equipment = new Equipment(model, wiring.profile());
+    this.equipment = new Equipment(model, wiring.profile(), observer);
   }
 
   // --- what the simulation calls in a step ---
@@ -147,6 +147,10 @@ public final class DroneController implements CommandTarget {
   public void enterSdkMode(Command.EnterSdkMode command, Responder responder) {
     if (session.open(responder.peer(), now)) {
       wiring.operatorChanged().accept(responder.peer());
+    }
+    String operator = session.link().operator().orElseThrow().host();
+    if (!operator.equals(responder.peer().host())) {
+      observer.happened(new Note("still sends its state to " + operator + ", which is not silent"));
     }
     responder.reply(Reply.OK);
   }

@@ -14,10 +14,12 @@ final class Equipment {
 
   private final DroneModel model;
   private final Profile profile;
+  private final FlightObserver observer;
 
-  Equipment(DroneModel model, Profile profile) {
+  Equipment(DroneModel model, Profile profile, FlightObserver observer) {
     this.model = model;
     this.profile = profile;
+    this.observer = observer;
   }
 
   void detectPads(Command.DetectPads command, Responder responder) {
@@ -39,6 +41,8 @@ final class Equipment {
 
   void stream(Command.Stream command, Responder responder) {
     model.setVideo(model.video().withOn(command.on()));
+    observer.happened(
+        new FlightEvent.Note(command.on() ? "films, but sends no pictures yet" : "films no more"));
     responder.reply(Reply.OK);
   }
 

@@ -56,6 +56,9 @@ final class PathFlight implements Maneuver {
 
   @Override
   public String progress() {
+    if (planned()) {
+      return "it has arrived and balances out";
+    }
     double way = profile.at(time).way();
     return String.format(Locale.ROOT, "%.0f of %.0f cm flown", way * 100, path.length() * 100);
   }

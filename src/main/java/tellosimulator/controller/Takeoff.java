@@ -69,6 +69,9 @@ final class Takeoff implements Maneuver {
 
   @Override
   public String progress() {
+    if (time - DroneSpec.LIFT_OFF_DELAY > profile.duration()) {
+      return "it is up and balances out";
+    }
     double way = profile.at(time - DroneSpec.LIFT_OFF_DELAY).way();
     return String.format(Locale.ROOT, "%.0f of %.0f cm climbed", way * 100, path.length() * 100);
   }

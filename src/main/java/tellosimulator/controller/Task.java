@@ -40,7 +40,7 @@ interface Task {
 
       @Override
       public void failed(Reply reply, String reason) {
-        responder.refuse(reply, reason);
+        responder.fail(reply, reason);
       }
 
       @Override

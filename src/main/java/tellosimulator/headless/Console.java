@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.function.Consumer;
 import java.util.regex.Pattern;
+import tellosimulator.command.WireText;
 import tellosimulator.math.Frames;
 import tellosimulator.math.Vec3;
 import tellosimulator.model.DroneState;
@@ -25,7 +26,18 @@ final class Console {
   private static final Pattern NUMBER = Pattern.compile("-?[0-9]+(\\.[0-9]+)?");
 
   private static final String HELP =
-      "type reset [N], power on|off [N], battery PERCENT [N], pause, resume, state or quit";
+      "type reset [N], power on|off [N], battery PERCENT [N], pause, resume, state, help or quit";
+
+  private static final String LONG_HELP =
+      """
+      state             see where each drone is and what it does
+      reset [N]         put drones back to their start
+      power on [N]      use the power switch; also: power off [N]
+      battery P [N]     charge or drain the battery to P percent
+      pause, resume     let time stand still, and go on
+      quit              end the simulator
+      N is a drone's number; without it, all drones.
+      """;
 
   private final Simulation simulation;
   private final Consumer<Control> controls;
@@ -67,7 +79,8 @@ final class Console {
     try {
       carryOut(words);
     } catch (IllegalArgumentException e) {
-      out.println("`" + line + "` was not done: " + e.getMessage() + "; " + HELP + ".");
+      out.println(
+          "`" + WireText.printable(line) + "` was not done: " + e.getMessage() + "; " + HELP + ".");
     }
     out.flush();
   }
@@ -81,7 +94,7 @@ final class Console {
       case "resume" -> alone(words, () -> controls.accept(new Control.Pause(false)));
       case "state" -> alone(words, () -> out.print(describe(simulation.snapshot())));
       case "quit" -> alone(words, () -> {});
-      case "help" -> out.println(HELP);
+      case "help" -> out.print(LONG_HELP);
       default -> throw new IllegalArgumentException("there is no such command");
     }
   }
@@ -165,7 +178,11 @@ final class Console {
         tenths(position.z()),
         tenths(Frames.yawOfHeading(state.motion().attitude().heading())),
         state.energy().battery().percent(),
-        drone.link().operator().map(peer -> "operated by " + peer).orElse("waits for `command`"),
+        drone
+            .link()
+            .operator()
+            .map(peer -> "operated by " + peer.host())
+            .orElse("waits for `command`"),
         snapshot.time().seconds(),
         snapshot.clock().paused() ? ", paused" : "");
   }

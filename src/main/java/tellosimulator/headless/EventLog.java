@@ -18,7 +18,9 @@ public final class EventLog implements SimListener {
 
   @Override
   public void event(SimEvent event) {
-    if (event instanceof SimEvent.CommandRefused || event instanceof SimEvent.CommandIgnored) {
+    if (event instanceof SimEvent.CommandRefused
+        || event instanceof SimEvent.CommandFailed
+        || event instanceof SimEvent.CommandIgnored) {
       LOG.warn("{}", lineOf(event));
     } else if (frequent(event)) {
       LOG.debug("{}", lineOf(event));

@@ -18,11 +18,14 @@ public final class CommandConnection {
 
   private final int drone;
   private final DatagramPort port;
+  private final Ports ports;
   private final Simulation simulation;
+  private boolean warned;
 
-  private CommandConnection(int drone, DatagramPort port, Simulation simulation) {
+  private CommandConnection(int drone, DatagramPort port, Ports ports, Simulation simulation) {
     this.drone = drone;
     this.port = port;
+    this.ports = ports;
     this.simulation = simulation;
   }
 
@@ -30,9 +33,10 @@ public final class CommandConnection {
    * Starts receiving.
    *
    * @param drone its number, from 1
+   * @param ports of all drones; what comes from one of them is no command
    */
-  public static void listen(int drone, DatagramPort port, Simulation simulation) {
-    CommandConnection connection = new CommandConnection(drone, port, simulation);
+  public static void listen(int drone, DatagramPort port, Ports ports, Simulation simulation) {
+    CommandConnection connection = new CommandConnection(drone, port, ports, simulation);
     Threads.start("command-" + drone, connection::run);
   }
 
@@ -50,8 +54,23 @@ public final class CommandConnection {
     }
   }
 
+  private void warnOnce() {
+    if (!warned) {
+      LOG.warn(
+          "Drone {} receives its own replies or state lines at {}: give --command-port, --state-port"
+              + " and --reply-port different ports",
+          drone,
+          port.address());
+    }
+    warned = true;
+  }
+
   private void receive() throws IOException {
     DatagramPort.Received received = port.receive();
+    if (ports.own(received.sender())) {
+      warnOnce();
+      return;
+    }
     Peer peer = new Peer(received.sender(), port.address());
     if (!simulation.submit(drone, peer, received.text())) {
       LOG.debug("Drone {} is flooded, a datagram from {} is lost", drone, peer);

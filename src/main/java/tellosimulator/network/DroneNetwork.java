@@ -57,7 +57,7 @@ public final class DroneNetwork implements AutoCloseable {
   public void listen(Simulation simulation) {
     for (int i = 0; i < drones.size(); i++) {
       for (UdpPort port : drones.get(i)) {
-        CommandConnection.listen(i + 1, port, simulation);
+        CommandConnection.listen(i + 1, port, ports, simulation);
       }
     }
   }

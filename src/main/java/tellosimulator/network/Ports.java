@@ -22,6 +22,11 @@ public final class Ports implements AutoCloseable {
     }
   }
 
+  /** Whether what came from {@code sender} was sent by one of these ports. */
+  boolean own(InetSocketAddress sender) {
+    return byAddress.containsKey(sender);
+  }
+
   @Override
   public void close() {
     byAddress.values().forEach(DatagramPort::close);

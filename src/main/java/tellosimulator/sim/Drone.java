@@ -1,6 +1,7 @@
 package tellosimulator.sim;
 
 import java.util.Optional;
+import java.util.Set;
 import java.util.function.Consumer;
 import tellosimulator.command.CommandHandler;
 import tellosimulator.command.CommandObserver;
@@ -10,6 +11,7 @@ import tellosimulator.command.Peer;
 import tellosimulator.command.Reply;
 import tellosimulator.command.ReplyPort;
 import tellosimulator.controller.DroneController;
+import tellosimulator.controller.FlightEvent;
 import tellosimulator.controller.ReadReplies;
 import tellosimulator.controller.Wiring;
 import tellosimulator.math.Attitude;
@@ -44,6 +46,9 @@ final class Drone {
 
   /** Period of state lines [s]. Report. */
   private static final double PERIOD = 0.1;
+
+  /** Battery percentages worth a line: no flip, soon no takeoff, lands by itself. */
+  private static final Set<Integer> TOLD_PERCENTAGES = Set.of(49, 20, 10, 5);
 
   private final Profile profile;
   private final Behaviour behaviour;
@@ -124,6 +129,7 @@ final class Drone {
       handler.forgetCopies();
     } else if (control instanceof Control.SetBattery battery) {
       model.setBattery(new Battery(battery.percent() / 100));
+      note("has " + model.battery().percent() + " % of its battery now");
     } else if (control instanceof Control.SetStart start) {
       setStart(room.nearestInside(start.position().withZ(0), DroneSpec.HULL));
     }
@@ -163,7 +169,12 @@ final class Drone {
   }
 
   void consume() {
+    int before = model.battery().percent();
     model.consume(SimTime.STEP, behaviour.filmingEndurance());
+    int left = model.battery().percent();
+    if (left != before && TOLD_PERCENTAGES.contains(left)) {
+      note("has " + left + " % of its battery left");
+    }
   }
 
   void finish() {
@@ -202,6 +213,10 @@ final class Drone {
     if (model.resting() && !controller.flying()) {
       controller.reset();
     }
+  }
+
+  private void note(String words) {
+    events.accept(new SimEvent.DroneFlight(now, model.drone(), new FlightEvent.Note(words)));
   }
 
   private double replyDelay() {
@@ -244,12 +259,18 @@ final class Drone {
     }
 
     @Override
+    public void failed(Peer peer, String text, Reply reply, String reason) {
+      events.accept(new SimEvent.CommandFailed(now, model.drone(), peer, text, reply, reason));
+    }
+
+    @Override
     public void refused(Peer peer, String text, Reply reply, String reason) {
       events.accept(new SimEvent.CommandRefused(now, model.drone(), peer, text, reply, reason));
     }
 
     void operatorChanged(Peer peer) {
-      events.accept(new SimEvent.OperatorChanged(now, model.drone(), peer));
+      int statePort = session.link().statePort();
+      events.accept(new SimEvent.OperatorChanged(now, model.drone(), peer, statePort));
       if (stateLines.isEmpty()) {
         stateLines = Optional.of(new Periodic(now, Drone.this::statePeriod));
       }

@@ -53,6 +53,20 @@ public sealed interface SimEvent {
     }
   }
 
+  /** A command was begun, but came to another end, and the drone said so. */
+  record CommandFailed(SimTime time, int drone, Peer peer, String text, Reply reply, String reason)
+      implements SimEvent {
+    @Override
+    public String words() {
+      return String.format(
+          Locale.ROOT,
+          "`%s` failed: %s; answered `%s`",
+          WireText.printable(text),
+          reason,
+          WireText.printable(reply.text()));
+    }
+  }
+
   /** A command was answered. */
   record ReplySent(SimTime time, int drone, Peer peer, String text, Reply reply)
       implements SimEvent {
@@ -67,10 +81,14 @@ public sealed interface SimEvent {
   }
 
   /** State and video go to another host from now on. */
-  record OperatorChanged(SimTime time, int drone, Peer peer) implements SimEvent {
+  record OperatorChanged(SimTime time, int drone, Peer peer, int statePort) implements SimEvent {
     @Override
     public String words() {
-      return String.format(Locale.ROOT, "is operated by %s now, its state goes to that host", peer);
+      return String.format(
+          Locale.ROOT,
+          "is operated by %s now, its state goes to port %d of that host",
+          peer.host(),
+          statePort);
     }
   }
 

@@ -95,6 +95,11 @@ class CommandFuzzTest {
     }
 
     @Override
+    public void failed(Peer peer, String text, Reply reply, String reason) {
+      throw new AssertionError("nothing was begun that could fail: " + reason);
+    }
+
+    @Override
     public void refused(Peer peer, String text, Reply reply, String reason) {
       refused++;
       if (reason.isBlank()) {

@@ -89,6 +89,38 @@ class CommandHandlerTest {
 
   // --- form ---
 
+  /** Two simulators whose ports point at each other would answer each other without end. */
+  @Test
+  void anEchoOfAnotherDroneIsNotEchoed() {
+    HandlerFixture drone = HandlerFixture.flying(Profile.EDU, Behaviour.REPORT);
+
+    drone.handle("unknown command: mid:-2;x:-200;");
+
+    assertThat(drone.takeReplies()).isEmpty();
+    verify(drone.observer).ignored(any(), any(), contains("own reply"));
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      ignoreLeadingAndTrailingWhitespace = false,
+      textBlock =
+          """
+           land|it begins with a blank
+          Land|this command is written `land`
+          ext tof?|there is no such command
+          motoron|this drone does not know it, it came with SDK 3.0
+          fly|there is no such command
+          forward|expected `forward x`
+          """)
+  void anUnknownCommandIsExplained(String text, String reason) {
+    HandlerFixture drone = HandlerFixture.flying(Profile.EDU, Behaviour.REPORT);
+
+    drone.handle(text);
+
+    verify(drone.observer).refused(any(), eq(text), any(), contains(reason));
+  }
+
   @ParameterizedTest
   @CsvSource(
       delimiter = '|',

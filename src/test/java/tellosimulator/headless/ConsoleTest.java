@@ -23,7 +23,7 @@ import tellosimulator.world.Room;
 class ConsoleTest {
 
   private static final String HELP =
-      "type reset [N], power on|off [N], battery PERCENT [N], pause, resume, state or quit";
+      "type reset [N], power on|off [N], battery PERCENT [N], pause, resume, state, help or quit";
 
   private final Simulation simulation =
       new Simulation(
@@ -102,7 +102,9 @@ class ConsoleTest {
   void helpListsTheCommands() throws IOException {
     type("help");
 
-    assertThat(printed()).isEqualTo(HELP + "\n");
+    assertThat(printed().lines())
+        .anyMatch(line -> line.matches("reset \\[N] +put drones back to their start"))
+        .anyMatch(line -> line.startsWith("quit "));
   }
 
   @ParameterizedTest

@@ -11,6 +11,7 @@ import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.util.List;
 import java.util.OptionalInt;
+import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -18,6 +19,8 @@ import tellosimulator.math.Vec3;
 import tellosimulator.sim.Control;
 import tellosimulator.sim.SimConfig;
 import tellosimulator.sim.SimConfig.Outlets;
+import tellosimulator.sim.SimEvent;
+import tellosimulator.sim.SimListener;
 import tellosimulator.sim.Simulation;
 import tellosimulator.sim.SimulationLoop;
 import tellosimulator.sim.Swarm;
@@ -143,7 +146,35 @@ class DroneNetworkTest {
     }
   }
 
-  private static SimulationLoop run(DroneNetwork network, int statePort, OptionalInt replyPort) {
+  /** Otherwise each state line would be answered, and each answer too, without end. */
+  @Test
+  void whatADroneSendsToItselfIsNoCommand() throws IOException {
+    List<String> received = new CopyOnWriteArrayList<>();
+    SimListener listener =
+        new SimListener() {
+          @Override
+          public void event(SimEvent event) {
+            if (event instanceof SimEvent.CommandReceived command) {
+              received.add(command.text());
+            }
+          }
+        };
+    try (DatagramSocket client = client();
+        DroneNetwork network = DroneNetwork.open(AddressPlan.of(List.of(FIRST), 0))) {
+      InetSocketAddress drone = network.addresses().get(0).get(0);
+      SimulationLoop loop = run(network, drone.getPort(), OptionalInt.empty(), listener);
+      send(client, "command", drone);
+      assertThat(text(receive(client))).isEqualTo("ok");
+      send(client, "takeoff", drone); // three simulated seconds, and thirty state lines
+      assertThat(text(receive(client))).isEqualTo("ok");
+      loop.close();
+    }
+
+    assertThat(received).contains("command", "takeoff").noneMatch(text -> text.startsWith("mid:"));
+  }
+
+  private static SimulationLoop run(
+      DroneNetwork network, int statePort, OptionalInt replyPort, SimListener... listeners) {
     int drones = network.addresses().size();
     SimConfig config =
         SimConfig.DEFAULT
@@ -151,7 +182,8 @@ class DroneNetworkTest {
             .withTimeFactor(new TimeFactor(20))
             .withOutlets(new Outlets(statePort, 11_111));
     Simulation simulation =
-        new Simulation(config, drone -> network.replies(replyPort), network.states(), List.of());
+        new Simulation(
+            config, drone -> network.replies(replyPort), network.states(), List.of(listeners));
     for (int drone = 1; drone <= drones; drone++) {
       simulation.control(new Control.Power(drone, true));
     }

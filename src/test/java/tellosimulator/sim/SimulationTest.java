@@ -197,7 +197,9 @@ class SimulationTest {
     assertThat(events)
         .extracting(SimEvent::line)
         .containsExactly(
-            "    0.000 s  all: time stands still", "    0.000 s  all: the time factor is max now");
+            "    0.000 s  all: time stands still",
+            "    0.000 s  all: the time factor is max now",
+            "    0.000 s  drone 2: has 42 % of its battery now");
   }
 
   @Test
