@@ -24,9 +24,6 @@ import tellosimulator.world.Collision;
  */
 public final class DroneController implements CommandTarget {
 
-  /** Battery percentage at which a takeoff is refused. Assumed. */
-  private static final int TOO_LOW_TO_START = 10;
-
   /** Battery percentage that a flip needs. Measured: DJITelloPy issue 224. */
   private static final int ENOUGH_FOR_FLIP = 50;
 
@@ -157,25 +154,9 @@ public final class DroneController implements CommandTarget {
 
   @Override
   public void takeoff(Command.Takeoff command, Responder responder) {
-    int percent = model.battery().percent();
-    if (flight.flying()) {
-      responder.refuse(Reply.ERROR, "the drone flies already");
-    } else if (model.phase() == FlightPhase.CRASHED) {
-      responder.refuse(Reply.MOTOR_STOP, "the drone has crashed, reset it first");
-    } else if (model.battery().empty()) {
-      responder.refuse(Reply.MOTOR_STOP, "the battery is empty");
-    } else if (percent <= TOO_LOW_TO_START) {
-      responder.refuse(
-          Reply.ERROR,
-          "the battery is at "
-              + percent
-              + " %, a takeoff needs more than "
-              + TOO_LOW_TO_START
-              + " %");
-    } else if (!model.resting()) {
-      responder.refuse(Reply.ERROR, "the drone is still falling");
-    } else if (!model.upright()) {
-      responder.refuse(Reply.ERROR, "the drone lies on its back, reset it first");
+    Optional<Preflight.Objection> objection = Preflight.check(model);
+    if (objection.isPresent()) {
+      responder.refuse(objection.get().reply(), objection.get().reason());
     } else {
       flight.takeoff(Task.of(responder));
     }

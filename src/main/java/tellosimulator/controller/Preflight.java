@@ -1,0 +1,51 @@
+package tellosimulator.controller;
+
+import java.util.Optional;
+import tellosimulator.command.Reply;
+import tellosimulator.model.DroneModel;
+import tellosimulator.model.FlightPhase;
+
+/** What keeps a drone from taking off. */
+final class Preflight {
+
+  /** Battery percentage at which a takeoff is refused. Assumed. */
+  private static final int TOO_LOW = 10;
+
+  /**
+   * Why not.
+   *
+   * @param reason in plain words that follow "refused: "
+   */
+  record Objection(Reply reply, String reason) {}
+
+  private Preflight() {}
+
+  /** Empty if it may take off. */
+  static Optional<Objection> check(DroneModel model) {
+    int percent = model.battery().percent();
+    if (model.phase().flying()) {
+      return objection(Reply.ERROR, "the drone flies already");
+    }
+    if (model.phase() == FlightPhase.CRASHED) {
+      return objection(Reply.MOTOR_STOP, "the drone has crashed, reset it first");
+    }
+    if (model.battery().empty()) {
+      return objection(Reply.MOTOR_STOP, "the battery is empty");
+    }
+    if (percent <= TOO_LOW) {
+      return objection(
+          Reply.ERROR,
+          "the battery is at " + percent + " %, a takeoff needs more than " + TOO_LOW + " %");
+    }
+    if (!model.resting()) {
+      return objection(Reply.ERROR, "the drone is still falling");
+    }
+    return model.upright()
+        ? Optional.empty()
+        : objection(Reply.ERROR, "the drone lies on its back, reset it first");
+  }
+
+  private static Optional<Objection> objection(Reply reply, String reason) {
+    return Optional.of(new Objection(reply, reason));
+  }
+}
