@@ -93,10 +93,10 @@ class DroneNetworkTest {
 
   @Test
   void anAddressOfAnotherMachineIsNamed() {
-    assertThatThrownBy(() -> DroneNetwork.open(plan(address("192.0.2.1", 0))))
+    assertThatThrownBy(() -> DroneNetwork.open(plan(address("203.0.113.77", 0))))
         .isInstanceOf(PortTakenException.class)
         .hasMessage(
-            "This machine has no address 192.0.2.1: choose one of this machine's own addresses"
+            "This machine has no address 203.0.113.77: choose one of this machine's own addresses"
                 + " with --bind.");
   }
 
