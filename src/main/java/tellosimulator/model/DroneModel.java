@@ -10,7 +10,8 @@ import tellosimulator.world.Room;
 
 /**
  * The single source of truth about a drone. Written only on the simulation thread, by the
- * controller and by what it calls; everybody else reads the {@link DroneState} that it publishes.
+ * controller and by what it calls; everybody else reads a {@link DroneState} that was copied from
+ * it.
  */
 public final class DroneModel {
 
@@ -25,7 +26,6 @@ public final class DroneModel {
   private Reference reference;
   private PadMode pads = PadMode.OFF;
   private VideoSettings video = VideoSettings.DEFAULT;
-  private volatile DroneState state;
 
   /**
    * @param drone its number, from 1
@@ -36,20 +36,9 @@ public final class DroneModel {
     this.start = start;
     this.motion = Motion.restingAt(start);
     this.reference = new Reference(SimTime.ZERO, start.attitude().heading(), 0);
-    publish(SimTime.ZERO);
   }
 
-  /** The state at the end of the last step. For any thread. */
-  public DroneState state() {
-    return state;
-  }
-
-  /** Makes the present state visible to all. */
-  public void publish(SimTime now) {
-    state = snapshot(now);
-  }
-
-  /** The present state, also between two publications. For the simulation thread. */
+  /** An immutable copy of the present state. */
   public DroneState snapshot(SimTime now) {
     Energy energy = new Energy(battery, temperature, motorTime);
     return new DroneState(drone, now, motion, phase, energy, reference, pads, video);

@@ -62,6 +62,7 @@ final class Drone {
   private final QuadcopterDynamics dynamics = new QuadcopterDynamics();
   private final Consumer<SimEvent> events;
   private SimTime now = SimTime.ZERO;
+  private DroneState state;
   private Optional<Periodic> stateLines = Optional.empty();
 
   /** Whether a command came since the last state line, so that the operator waits for the next. */
@@ -81,6 +82,7 @@ final class Drone {
     this.noise = new SeededNoise(config.seed(), number);
     this.instruments = new Instruments(behaviour, noise);
     this.model = new DroneModel(number, config.starts().get(number - 1));
+    this.state = model.snapshot(now);
     this.session = new OperatorSession(config.outlets().statePort(), config.outlets().videoPort());
     this.outbox = new Outbox(replies, this::replyDelay);
     Observer observer = new Observer();
@@ -183,14 +185,13 @@ final class Drone {
   }
 
   SimSnapshot.DroneSnapshot publish() {
-    model.publish(now);
-    return new SimSnapshot.DroneSnapshot(model.state(), session.link());
+    state = model.snapshot(now);
+    return new SimSnapshot.DroneSnapshot(state, session.link());
   }
 
   void output(StatePort states) {
     if (stateLines.isPresent() && stateLines.get().due(now)) {
       lineOwed = false;
-      DroneState state = model.state();
       states.send(
           new StatePort.StateReport(
               state,

@@ -16,6 +16,7 @@ import tellosimulator.sensor.SensorReadings.Health;
 import tellosimulator.sensor.SensorReadings.Range;
 import tellosimulator.sim.SimConfig;
 import tellosimulator.sim.StatePort.StateReport;
+import tellosimulator.time.SimTime;
 
 /** Lines that were recorded from real drones, byte for byte. */
 class StateLineTest {
@@ -132,7 +133,7 @@ class StateLineTest {
   private static StateReport report(Profile profile, PadReading pad, SensorReadings sensors) {
     DroneModel model = new DroneModel(1, SimConfig.DEFAULT.starts().get(0));
     return new StateReport(
-        model.state(),
+        model.snapshot(SimTime.ZERO),
         sensors,
         pad,
         profile,
