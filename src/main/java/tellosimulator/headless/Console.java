@@ -5,16 +5,17 @@ import java.io.IOException;
 import java.io.PrintStream;
 import java.util.List;
 import java.util.Locale;
-import java.util.function.Consumer;
+import java.util.function.IntFunction;
+import java.util.function.Supplier;
 import java.util.regex.Pattern;
 import tellosimulator.command.WireText;
 import tellosimulator.math.Frames;
 import tellosimulator.math.Vec3;
 import tellosimulator.model.DroneState;
+import tellosimulator.network.PortTakenException;
 import tellosimulator.sim.Control;
 import tellosimulator.sim.SimSnapshot;
 import tellosimulator.sim.SimSnapshot.DroneSnapshot;
-import tellosimulator.sim.Simulation;
 
 /**
  * What a person or a script can type while the program runs without a window. Reads on the thread
@@ -39,18 +40,20 @@ final class Console {
       N is a drone's number; without it, all drones.
       """;
 
-  private final Simulation simulation;
-  private final Consumer<Control> controls;
+  /** Carries out what a person does, before it returns. */
+  @FunctionalInterface
+  interface Controls {
+    void carryOut(Control control) throws PortTakenException;
+  }
+
+  private final Supplier<SimSnapshot> snapshots;
+  private final Controls controls;
   private final BufferedReader in;
   private final PrintStream out;
 
-  /**
-   * Reads nothing yet.
-   *
-   * @param controls carries a control out before it returns
-   */
-  Console(Simulation simulation, Consumer<Control> controls, BufferedReader in, PrintStream out) {
-    this.simulation = simulation;
+  /** Reads nothing yet. */
+  Console(Supplier<SimSnapshot> snapshots, Controls controls, BufferedReader in, PrintStream out) {
+    this.snapshots = snapshots;
     this.controls = controls;
     this.in = in;
     this.out = out;
@@ -79,29 +82,39 @@ final class Console {
     try {
       carryOut(words);
     } catch (IllegalArgumentException e) {
-      out.println(
-          "`" + WireText.printable(line) + "` was not done: " + e.getMessage() + "; " + HELP + ".");
+      out.println(notDone(line) + e.getMessage() + "; " + HELP + ".");
+    } catch (PortTakenException e) {
+      out.println(notDone(line) + e.getMessage());
     }
     out.flush();
   }
 
-  private void carryOut(List<String> words) {
+  private static String notDone(String line) {
+    return "`" + WireText.printable(line) + "` was not done: ";
+  }
+
+  private void carryOut(List<String> words) throws PortTakenException {
     switch (words.get(0)) {
-      case "reset" -> forDrones(words, 1).forEach(n -> controls.accept(new Control.Reset(n)));
+      case "reset" -> forDrones(words, 1, Control.Reset::new);
       case "power" -> power(words);
       case "battery" -> battery(words);
-      case "pause" -> alone(words, () -> controls.accept(new Control.Pause(true)));
-      case "resume" -> alone(words, () -> controls.accept(new Control.Pause(false)));
-      case "state" -> alone(words, () -> out.print(describe(simulation.snapshot())));
-      case "quit" -> alone(words, () -> {});
+      case "pause" -> pause(words, true);
+      case "resume" -> pause(words, false);
+      case "state" -> state(words);
+      case "quit" -> checkEnd(words, 1);
       case "help" -> out.print(LONG_HELP);
       default -> throw new IllegalArgumentException("there is no such command");
     }
   }
 
-  private static void alone(List<String> words, Runnable action) {
+  private void pause(List<String> words, boolean paused) throws PortTakenException {
     checkEnd(words, 1);
-    action.run();
+    controls.carryOut(new Control.Pause(paused));
+  }
+
+  private void state(List<String> words) {
+    checkEnd(words, 1);
+    out.print(describe(snapshots.get()));
   }
 
   private static void checkEnd(List<String> words, int end) {
@@ -110,25 +123,32 @@ final class Console {
     }
   }
 
-  private void power(List<String> words) {
+  private void power(List<String> words) throws PortTakenException {
     String position = word(words, 1, "on or off");
     if (!List.of("on", "off").contains(position)) {
       throw new IllegalArgumentException("expected on or off, found " + position);
     }
     boolean on = position.equals("on");
-    forDrones(words, 2).forEach(n -> controls.accept(new Control.Power(n, on)));
+    forDrones(words, 2, n -> new Control.Power(n, on));
   }
 
-  private void battery(List<String> words) {
+  private void battery(List<String> words) throws PortTakenException {
     double percent = number(word(words, 1, "a percentage"), "a percentage");
-    forDrones(words, 2).forEach(n -> controls.accept(new Control.SetBattery(n, percent)));
+    forDrones(words, 2, n -> new Control.SetBattery(n, percent));
+  }
+
+  private void forDrones(List<String> words, int index, IntFunction<Control> control)
+      throws PortTakenException {
+    for (int drone : drones(words, index)) {
+      controls.carryOut(control.apply(drone));
+    }
   }
 
   /** The drone whose number is the word at {@code index}, or all if there is no such word. */
-  private List<Integer> forDrones(List<String> words, int index) {
+  private List<Integer> drones(List<String> words, int index) {
     checkEnd(words, index + 1);
     List<Integer> all =
-        simulation.snapshot().drones().stream().map(drone -> drone.state().drone()).toList();
+        snapshots.get().drones().stream().map(drone -> drone.state().drone()).toList();
     if (words.size() <= index) {
       return all;
     }

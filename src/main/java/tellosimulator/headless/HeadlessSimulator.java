@@ -3,26 +3,20 @@ package tellosimulator.headless;
 import java.io.BufferedReader;
 import java.io.IOException;
 import java.io.PrintStream;
-import java.net.InetSocketAddress;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.OptionalInt;
 import java.util.concurrent.CountDownLatch;
 import java.util.stream.Collectors;
 import tellosimulator.network.AddressPlan;
-import tellosimulator.network.DroneNetwork;
+import tellosimulator.network.OnlineSimulation;
 import tellosimulator.network.PortTakenException;
-import tellosimulator.sim.Control;
 import tellosimulator.sim.SimConfig;
-import tellosimulator.sim.Simulation;
-import tellosimulator.sim.SimulationLoop;
 
 /** The program without a window: drones that are on, a console, and a line when it is ready. */
 public final class HeadlessSimulator implements AutoCloseable {
 
-  private final DroneNetwork network;
-  private final Simulation simulation;
-  private final SimulationLoop loop;
+  private final OnlineSimulation simulation;
 
   /**
    * Opens the sockets and starts the simulation; all drones are on.
@@ -32,15 +26,13 @@ public final class HeadlessSimulator implements AutoCloseable {
    */
   public HeadlessSimulator(SimConfig config, AddressPlan plan, OptionalInt replyPort)
       throws PortTakenException {
-    network = DroneNetwork.open(plan);
-    simulation =
-        new Simulation(
-            config, drone -> network.replies(replyPort), network.states(), List.of(new EventLog()));
-    for (int drone = 1; drone <= config.starts().size(); drone++) {
-      simulation.control(new Control.Power(drone, true));
+    simulation = new OnlineSimulation(config, plan, replyPort, List.of(new EventLog()));
+    try {
+      simulation.switchAllOn();
+    } catch (PortTakenException e) {
+      simulation.close();
+      throw e;
     }
-    loop = new SimulationLoop(simulation);
-    network.listen(simulation);
   }
 
   /**
@@ -51,7 +43,7 @@ public final class HeadlessSimulator implements AutoCloseable {
     shrinkHeap();
     out.println(ready());
     out.flush();
-    if (!new Console(simulation, loop::carryOut, in, out).run()) {
+    if (!new Console(simulation::snapshot, simulation::carryOut, in, out).run()) {
       new CountDownLatch(1).await();
     }
   }
@@ -67,19 +59,18 @@ public final class HeadlessSimulator implements AutoCloseable {
 
   private String ready() {
     List<String> drones = new ArrayList<>();
-    for (List<InetSocketAddress> addresses : network.addresses()) {
+    for (int drone = 1; drone <= simulation.snapshot().drones().size(); drone++) {
       String where =
-          addresses.stream()
+          simulation.addresses(drone).stream()
               .map(address -> address.getAddress().getHostAddress() + ":" + address.getPort())
               .collect(Collectors.joining(", "));
-      drones.add("drone " + (drones.size() + 1) + " at " + where);
+      drones.add("drone " + drone + " at " + where);
     }
     return "ready: " + String.join("; ", drones);
   }
 
   @Override
   public void close() {
-    network.close();
-    loop.close();
+    simulation.close();
   }
 }

@@ -12,7 +12,7 @@ import tellosimulator.time.Threads;
  * Receives the commands that come to one port of a drone, on a thread of its own, and hands them to
  * the simulation. Nothing that arrives ends it; closing its port does.
  */
-public final class CommandConnection {
+final class CommandConnection {
 
   private static final Logger LOG = LoggerFactory.getLogger(CommandConnection.class);
 
@@ -22,7 +22,13 @@ public final class CommandConnection {
   private final Simulation simulation;
   private boolean warned;
 
-  private CommandConnection(int drone, DatagramPort port, Ports ports, Simulation simulation) {
+  /**
+   * Receives nothing yet.
+   *
+   * @param drone its number, from 1
+   * @param ports of all drones; what comes from one of them is no command
+   */
+  CommandConnection(int drone, DatagramPort port, Ports ports, Simulation simulation) {
     this.drone = drone;
     this.port = port;
     this.ports = ports;
@@ -30,21 +36,19 @@ public final class CommandConnection {
   }
 
   /**
-   * Starts receiving.
+   * Starts receiving, and counts what comes.
    *
-   * @param drone its number, from 1
-   * @param ports of all drones; what comes from one of them is no command
+   * @return the thread, which ends soon after its port was closed, and frees it then
    */
-  public static void listen(int drone, DatagramPort port, Ports ports, Simulation simulation) {
-    CommandConnection connection = new CommandConnection(drone, port, ports, simulation);
-    Threads.start("command-" + drone, connection::run);
+  Thread listen(Traffic traffic) {
+    return Threads.start("command-" + drone, () -> run(traffic));
   }
 
-  private void run() {
+  private void run(Traffic traffic) {
     boolean open = true;
     while (open) {
       try {
-        receive();
+        receive(traffic);
       } catch (ClosedChannelException e) {
         open = false;
       } catch (IOException | RuntimeException e) {
@@ -65,8 +69,9 @@ public final class CommandConnection {
     warned = true;
   }
 
-  private void receive() throws IOException {
+  private void receive(Traffic traffic) throws IOException {
     DatagramPort.Received received = port.receive();
+    traffic.countReceived();
     if (ports.own(received.sender())) {
       warnOnce();
       return;

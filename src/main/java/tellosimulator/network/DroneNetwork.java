@@ -1,44 +1,51 @@
 package tellosimulator.network;
 
-import java.io.IOException;
-import java.net.BindException;
 import java.net.InetSocketAddress;
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
+import java.util.Optional;
 import java.util.OptionalInt;
 import tellosimulator.command.ReplyPort;
 import tellosimulator.sim.Simulation;
 import tellosimulator.sim.StatePort;
+import tellosimulator.time.Threads;
 
-/** The sockets of all drones: opened first, then connected with a simulation. */
+/**
+ * The sockets of all drones, opened and closed drone by drone, and connected with a simulation. For
+ * any thread.
+ */
 public final class DroneNetwork implements AutoCloseable {
 
-  private final List<List<UdpPort>> drones;
-  private final Ports ports;
+  private final List<DroneSockets> drones;
+  private final Ports ports = new Ports();
+  private final Map<Integer, List<Thread>> receivers = new HashMap<>();
+  private Optional<Simulation> simulation = Optional.empty();
 
-  private DroneNetwork(List<List<UdpPort>> drones) {
-    this.drones = drones;
-    this.ports = new Ports(drones.stream().flatMap(List::stream).toList());
+  private DroneNetwork(AddressPlan plan) {
+    drones = plan.drones().stream().map(DroneSockets::new).toList();
+  }
+
+  /** Nothing is open yet. */
+  public static DroneNetwork of(AddressPlan plan) {
+    return new DroneNetwork(plan);
   }
 
   /**
-   * Opens all ports, or none.
+   * Opens the sockets of all drones, or none.
    *
    * @throws PortTakenException if one cannot be had
    */
   public static DroneNetwork open(AddressPlan plan) throws PortTakenException {
-    List<List<UdpPort>> drones = new ArrayList<>();
+    DroneNetwork network = of(plan);
     try {
-      for (List<InetSocketAddress> addresses : plan.drones()) {
-        List<UdpPort> ports = new ArrayList<>();
-        drones.add(ports);
-        for (InetSocketAddress address : addresses) {
-          ports.add(open(address));
-        }
+      for (int drone = 1; drone <= network.drones.size(); drone++) {
+        network.open(drone);
       }
-      return new DroneNetwork(drones);
+      return network;
     } catch (PortTakenException e) {
-      drones.stream().flatMap(List::stream).forEach(UdpPort::close);
+      network.close();
       throw e;
     }
   }
@@ -53,42 +60,82 @@ public final class DroneNetwork implements AutoCloseable {
     return new StateConnection(ports);
   }
 
-  /** Starts to receive. */
-  public void listen(Simulation simulation) {
-    for (int i = 0; i < drones.size(); i++) {
-      for (UdpPort port : drones.get(i)) {
-        CommandConnection.listen(i + 1, port, ports, simulation);
-      }
+  /** Hands what is received to {@code receiver}, from now on. */
+  public synchronized void listen(Simulation receiver) {
+    simulation = Optional.of(receiver);
+    for (int drone = 1; drone <= drones.size(); drone++) {
+      receive(drone);
     }
+  }
+
+  /**
+   * Opens a drone's sockets, if they are closed.
+   *
+   * @param drone its number, from 1
+   * @throws PortTakenException if one cannot be had; then none is open
+   */
+  public synchronized void open(int drone) throws PortTakenException {
+    DroneSockets sockets = sockets(drone);
+    if (!sockets.isOpen()) {
+      sockets.open();
+      sockets.ports().forEach(port -> ports.add(port, sockets.traffic()));
+      receive(drone);
+    }
+  }
+
+  /** Closes a drone's sockets, if they are open; its ports are free when this returns. */
+  public synchronized void close(int drone) {
+    ports.close(sockets(drone).release());
+    for (Thread receiver : receivers.getOrDefault(drone, List.of())) {
+      Threads.join(receiver);
+    }
+    receivers.remove(drone);
+  }
+
+  /**
+   * Lets a drone listen on another port from the next {@link #open(int)} on.
+   *
+   * @param port 0 for one that the system chooses
+   */
+  public synchronized void setPort(int drone, int port) {
+    sockets(drone).setPort(port);
+  }
+
+  /** Where a drone listens while its sockets are open. */
+  public synchronized List<InetSocketAddress> addresses(int drone) {
+    return sockets(drone).addresses();
   }
 
   /** Where each drone listens, in the order of their numbers. */
-  public List<List<InetSocketAddress>> addresses() {
-    return drones.stream().map(ports -> ports.stream().map(UdpPort::address).toList()).toList();
+  public synchronized List<List<InetSocketAddress>> addresses() {
+    return drones.stream().map(DroneSockets::addresses).toList();
+  }
+
+  /** What a drone received and sent. */
+  public Traffic traffic(int drone) {
+    return sockets(drone).traffic();
   }
 
   @Override
-  public void close() {
-    ports.close();
-  }
-
-  private static UdpPort open(InetSocketAddress address) throws PortTakenException {
-    try {
-      return UdpPort.open(address);
-    } catch (BindException e) {
-      throw exists(address)
-          ? PortTakenException.taken(address, e)
-          : PortTakenException.noSuchAddress(address, e);
-    } catch (IOException e) {
-      throw PortTakenException.forbidden(address, e);
+  public synchronized void close() {
+    for (int drone = 1; drone <= drones.size(); drone++) {
+      close(drone);
     }
   }
 
-  private static boolean exists(InetSocketAddress address) {
-    try (UdpPort probe = UdpPort.open(new InetSocketAddress(address.getAddress(), 0))) {
-      return probe.address() != null;
-    } catch (IOException e) {
-      return false;
-    }
+  private void receive(int drone) {
+    simulation.ifPresent(
+        receiver -> {
+          List<Thread> threads = new ArrayList<>();
+          for (UdpPort port : sockets(drone).ports()) {
+            CommandConnection connection = new CommandConnection(drone, port, ports, receiver);
+            threads.add(connection.listen(traffic(drone)));
+          }
+          receivers.put(drone, threads);
+        });
+  }
+
+  private DroneSockets sockets(int drone) {
+    return drones.get(drone - 1);
   }
 }

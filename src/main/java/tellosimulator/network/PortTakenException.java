@@ -12,8 +12,35 @@ public final class PortTakenException extends IOException {
   /** The port that operator programs need for themselves. Documented: SDK 1.3 User Guide. */
   private static final int OPERATORS_PORT = 8889;
 
-  private PortTakenException(String message, IOException cause) {
+  /** Why it cannot be had. */
+  public enum Obstacle {
+    /** Another program has the port. */
+    TAKEN,
+    /** An operator program probably has the port, because all of them need it. */
+    TAKEN_BY_OPERATOR,
+    NO_SUCH_ADDRESS,
+    /** The system refuses. */
+    FORBIDDEN
+  }
+
+  private final transient InetSocketAddress address;
+  private final Obstacle obstacle;
+
+  private PortTakenException(
+      InetSocketAddress address, Obstacle obstacle, String message, IOException cause) {
     super(message, cause);
+    this.address = address;
+    this.obstacle = obstacle;
+  }
+
+  /** What cannot be had. */
+  public InetSocketAddress address() {
+    return address;
+  }
+
+  /** Why it cannot be had. */
+  public Obstacle obstacle() {
+    return obstacle;
   }
 
   static PortTakenException taken(InetSocketAddress address, IOException cause) {
@@ -23,6 +50,8 @@ public final class PortTakenException extends IOException {
             ? "probably by an operator program, which needs that port for itself"
             : "probably by a Tello simulator that is still running";
     return new PortTakenException(
+        address,
+        port == OPERATORS_PORT ? Obstacle.TAKEN_BY_OPERATOR : Obstacle.TAKEN,
         String.format(
             Locale.ROOT,
             "Port %d of %s is taken, %s: end that program, or choose another port with --command-port.",
@@ -42,11 +71,16 @@ public final class PortTakenException extends IOException {
                 host)
             : "choose one of this machine's own addresses with --bind";
     return new PortTakenException(
-        String.format(Locale.ROOT, "This machine has no address %s: %s.", host, remedy), cause);
+        address,
+        Obstacle.NO_SUCH_ADDRESS,
+        String.format(Locale.ROOT, "This machine has no address %s: %s.", host, remedy),
+        cause);
   }
 
   static PortTakenException forbidden(InetSocketAddress address, IOException cause) {
     return new PortTakenException(
+        address,
+        Obstacle.FORBIDDEN,
         String.format(
             Locale.ROOT,
             "Port %d of %s cannot be opened (%s): choose another port with --command-port.",

@@ -2,33 +2,52 @@ package tellosimulator.network;
 
 import java.net.InetSocketAddress;
 import java.util.Collection;
-import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
+import java.util.concurrent.ConcurrentHashMap;
 
-/** The open ports of all drones, by their local address. Immutable; for any thread. */
-public final class Ports implements AutoCloseable {
+/** The open ports of all drones, by their local address. For any thread. */
+public final class Ports {
 
-  private final Map<InetSocketAddress, DatagramPort> byAddress = new LinkedHashMap<>();
+  private record Open(DatagramPort port, Traffic traffic) {}
+
+  private final Map<InetSocketAddress, Open> byAddress = new ConcurrentHashMap<>();
+
+  /** None are open yet. */
+  Ports() {}
 
   public Ports(Collection<? extends DatagramPort> ports) {
-    ports.forEach(port -> byAddress.put(port.address(), port));
+    ports.forEach(port -> add(port, new Traffic()));
+  }
+
+  /**
+   * One more that is open.
+   *
+   * @param traffic counts what it sends
+   */
+  void add(DatagramPort port, Traffic traffic) {
+    byAddress.put(port.address(), new Open(port, traffic));
+  }
+
+  /** Closes these and forgets them. */
+  void close(List<? extends DatagramPort> ports) {
+    for (DatagramPort port : ports) {
+      byAddress.remove(port.address());
+      port.close();
+    }
   }
 
   /** Sends from the port at {@code from}, if it is still there. */
   void send(InetSocketAddress from, byte[] bytes, InetSocketAddress to) {
-    DatagramPort port = byAddress.get(from);
-    if (port != null) {
-      port.send(bytes, to);
+    Open open = byAddress.get(from);
+    if (open != null) {
+      open.port().send(bytes, to);
+      open.traffic().countSent();
     }
   }
 
   /** Whether what came from {@code sender} was sent by one of these ports. */
   boolean own(InetSocketAddress sender) {
     return byAddress.containsKey(sender);
-  }
-
-  @Override
-  public void close() {
-    byAddress.values().forEach(DatagramPort::close);
   }
 }

@@ -1,6 +1,8 @@
 package tellosimulator.sim;
 
 import tellosimulator.math.Vec3;
+import tellosimulator.sim.SimConfig.Outlets;
+import tellosimulator.sim.SimConfig.Product;
 import tellosimulator.time.TimeFactor;
 import tellosimulator.world.Room;
 
@@ -42,6 +44,12 @@ public sealed interface Control {
    * @param position on the floor, room frame [m]
    */
   record SetStart(int drone, Vec3 position) implements ForDrone {}
+
+  /**
+   * Makes another product of a drone, and lets its state and video go elsewhere; only while it is
+   * off.
+   */
+  record Configure(int drone, Product product, Outlets outlets) implements ForDrone {}
 
   /** Another room; drones and starts that would be outside move in. */
   record SetRoom(Room room) implements Control {}

@@ -50,6 +50,8 @@ final class Drone {
   /** Battery percentages worth a line: no flip, soon no takeoff, lands by itself. */
   private static final Set<Integer> TOLD_PERCENTAGES = Set.of(49, 20, 10, 5);
 
+  private final SimConfig config;
+  private final ReplyPort replies;
   private final Profile profile;
   private final Behaviour behaviour;
   private final SeededNoise noise;
@@ -76,12 +78,19 @@ final class Drone {
    * @param events takes what happens
    */
   Drone(int number, SimConfig config, ReplyPort replies, Consumer<SimEvent> events) {
+    this(new DroneModel(number, config.starts().get(number - 1)), config, replies, events);
+  }
+
+  private Drone(DroneModel model, SimConfig config, ReplyPort replies, Consumer<SimEvent> events) {
+    int number = model.drone();
+    this.model = model;
+    this.config = config;
+    this.replies = replies;
     this.profile = config.product().profile();
     this.behaviour = config.product().behaviour();
     this.events = events;
     this.noise = new SeededNoise(config.seed(), number);
     this.instruments = new Instruments(behaviour, noise);
-    this.model = new DroneModel(number, config.starts().get(number - 1));
     this.state = model.snapshot(now);
     this.session = new OperatorSession(config.outlets().statePort(), config.outlets().videoPort());
     this.outbox = new Outbox(replies, this::replyDelay);
@@ -137,6 +146,27 @@ final class Drone {
     }
   }
 
+  /** The same body as another product; itself, with a note, while it is on. */
+  Drone configured(Control.Configure change) {
+    if (model.phase() != FlightPhase.OFF) {
+      note("was not changed, because it is on: switch it off first");
+      return this;
+    }
+    Profile newProfile = change.product().profile();
+    Behaviour newBehaviour = change.product().behaviour();
+    SimConfig newConfig =
+        config.withProduct(newProfile, newBehaviour).withOutlets(change.outlets());
+    Drone other = new Drone(model, newConfig, replies, events);
+    other.plan(now);
+    other.note(
+        "is of profile "
+            + newProfile.option()
+            + " and behaviour "
+            + newBehaviour.option()
+            + " now");
+    return other;
+  }
+
   void moveInto(Room room) {
     model.moveInto(room);
   }
@@ -186,7 +216,7 @@ final class Drone {
 
   SimSnapshot.DroneSnapshot publish() {
     state = model.snapshot(now);
-    return new SimSnapshot.DroneSnapshot(state, session.link());
+    return new SimSnapshot.DroneSnapshot(state, session.link(), config.product(), model.start());
   }
 
   void output(StatePort states) {

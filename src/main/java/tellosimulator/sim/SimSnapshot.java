@@ -2,7 +2,9 @@ package tellosimulator.sim;
 
 import java.util.List;
 import tellosimulator.command.Link;
+import tellosimulator.math.Pose;
 import tellosimulator.model.DroneState;
+import tellosimulator.sim.SimConfig.Product;
 import tellosimulator.time.SimTime;
 import tellosimulator.time.TimeFactor;
 import tellosimulator.world.Room;
@@ -24,6 +26,8 @@ public record SimSnapshot(SimTime time, Clock clock, Room room, List<DroneSnapsh
    * A drone and its link to an operator.
    *
    * @param link where its state and video go
+   * @param product what it is
+   * @param start where a reset puts it
    */
-  public record DroneSnapshot(DroneState state, Link link) {}
+  public record DroneSnapshot(DroneState state, Link link, Product product, Pose start) {}
 }

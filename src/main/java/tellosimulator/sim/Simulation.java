@@ -76,8 +76,8 @@ public final class Simulation {
    * @return false if the inbox is full and the datagram was lost
    */
   public boolean submit(int drone, Peer peer, String text) {
-    Drone addressee = drone(drone);
-    boolean taken = commands.offer(() -> addressee.handle(peer, text));
+    checkNumber(drone);
+    boolean taken = commands.offer(() -> drone(drone).handle(peer, text));
     wake.run();
     return taken;
   }
@@ -89,7 +89,7 @@ public final class Simulation {
    */
   public void control(Control control) {
     if (control instanceof Control.ForDrone forDrone) {
-      drone(forDrone.drone());
+      checkNumber(forDrone.drone());
     }
     controls.add(control);
     wake.run();
@@ -175,7 +175,9 @@ public final class Simulation {
   }
 
   private void apply(Control control) {
-    if (control instanceof Control.ForDrone forDrone) {
+    if (control instanceof Control.Configure change) {
+      drones.set(change.drone() - 1, drone(change.drone()).configured(change));
+    } else if (control instanceof Control.ForDrone forDrone) {
       drone(forDrone.drone()).apply(forDrone, room);
     } else if (control instanceof Control.SetRoom change) {
       room = change.room();
@@ -231,10 +233,14 @@ public final class Simulation {
   }
 
   private Drone drone(int number) {
-    if (number < 1 || number > drones.size()) {
-      throw new IllegalArgumentException(
-          "there is no drone " + number + ", the drones are 1 to " + drones.size());
-    }
     return drones.get(number - 1);
+  }
+
+  private void checkNumber(int drone) {
+    int most = snapshot.drones().size();
+    if (drone < 1 || drone > most) {
+      throw new IllegalArgumentException(
+          "there is no drone " + drone + ", the drones are 1 to " + most);
+    }
   }
 }

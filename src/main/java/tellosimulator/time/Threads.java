@@ -15,6 +15,15 @@ public final class Threads {
     return thread;
   }
 
+  /** Waits until a thread has ended, or until the waiting thread is interrupted. */
+  public static void join(Thread thread) {
+    try {
+      thread.join();
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+    }
+  }
+
   /**
    * Waits a moment after a failure, so that a loop which fails again and again does not take a
    * whole processor.

@@ -146,7 +146,7 @@ class ConsoleTest {
     String input = String.join("\n", lines);
     PrintStream out = new PrintStream(printed, true, StandardCharsets.UTF_8);
     BufferedReader in = new BufferedReader(new StringReader(input));
-    return new Console(simulation, this::carryOut, in, out).run();
+    return new Console(simulation::snapshot, this::carryOut, in, out).run();
   }
 
   private void carryOut(Control control) {

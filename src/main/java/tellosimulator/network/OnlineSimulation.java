@@ -1,0 +1,107 @@
+package tellosimulator.network;
+
+import java.net.InetSocketAddress;
+import java.util.List;
+import java.util.OptionalInt;
+import tellosimulator.sim.Control;
+import tellosimulator.sim.SimConfig;
+import tellosimulator.sim.SimListener;
+import tellosimulator.sim.SimSnapshot;
+import tellosimulator.sim.Simulation;
+import tellosimulator.sim.SimulationLoop;
+
+/**
+ * A simulation that runs at the pace of its clock, with drones that programs reach over UDP while
+ * they are on. For any thread but that of the simulation.
+ */
+public final class OnlineSimulation implements AutoCloseable {
+
+  private final DroneNetwork network;
+  private final Simulation simulation;
+  private final SimulationLoop loop;
+
+  /**
+   * Starts with all drones off and all sockets closed.
+   *
+   * @param replyPort port to which all replies go; empty for the port each command came from
+   * @param listeners are told what happens, on the simulation thread
+   */
+  public OnlineSimulation(
+      SimConfig config, AddressPlan plan, OptionalInt replyPort, List<SimListener> listeners) {
+    network = DroneNetwork.of(plan);
+    simulation =
+        new Simulation(config, drone -> network.replies(replyPort), network.states(), listeners);
+    loop = new SimulationLoop(simulation);
+    network.listen(simulation);
+  }
+
+  /**
+   * Switches all drones on, or none.
+   *
+   * @throws PortTakenException if an address or port cannot be had
+   */
+  public void switchAllOn() throws PortTakenException {
+    int drones = snapshot().drones().size();
+    try {
+      for (int drone = 1; drone <= drones; drone++) {
+        network.open(drone);
+      }
+    } catch (PortTakenException e) {
+      network.close();
+      throw e;
+    }
+    for (int drone = 1; drone <= drones; drone++) {
+      loop.carryOut(new Control.Power(drone, true));
+    }
+  }
+
+  /**
+   * Hands over what a person does, and waits until the snapshot shows it. The power switch also
+   * opens and closes the drone's sockets, so that only a drone that is on listens.
+   *
+   * @throws IllegalArgumentException if there is no such drone
+   * @throws PortTakenException if a drone cannot be switched on, because one of its addresses or
+   *     ports cannot be had
+   */
+  public void carryOut(Control control) throws PortTakenException {
+    if (!(control instanceof Control.Power power)) {
+      loop.carryOut(control);
+    } else if (power.on()) {
+      network.open(power.drone());
+      loop.carryOut(power);
+    } else {
+      loop.carryOut(power);
+      network.close(power.drone());
+    }
+  }
+
+  /** The latest completed step. */
+  public SimSnapshot snapshot() {
+    return simulation.snapshot();
+  }
+
+  /**
+   * Lets a drone listen on another port from the next time it is switched on.
+   *
+   * @param port 0 for one that the system chooses
+   */
+  public void setCommandPort(int drone, int port) {
+    network.setPort(drone, port);
+  }
+
+  /** Where a drone listens while it is on. */
+  public List<InetSocketAddress> addresses(int drone) {
+    return network.addresses(drone);
+  }
+
+  /** What a drone received and sent. */
+  public Traffic traffic(int drone) {
+    return network.traffic(drone);
+  }
+
+  @Override
+  public void close() {
+    network.close();
+    loop.close();
+  }
+}

@@ -1,0 +1,133 @@
+package tellosimulator.network;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static tellosimulator.testing.SimulatedDrone.address;
+
+import java.io.IOException;
+import java.net.DatagramPacket;
+import java.net.DatagramSocket;
+import java.net.InetSocketAddress;
+import java.nio.charset.StandardCharsets;
+import java.util.List;
+import java.util.OptionalInt;
+import java.util.concurrent.TimeUnit;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import tellosimulator.model.FlightPhase;
+import tellosimulator.profile.Behaviour;
+import tellosimulator.profile.Profile;
+import tellosimulator.sim.Control;
+import tellosimulator.sim.SimConfig;
+import tellosimulator.sim.SimConfig.Outlets;
+import tellosimulator.sim.SimConfig.Product;
+
+@Timeout(value = 60, unit = TimeUnit.SECONDS, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
+class OnlineSimulationTest {
+
+  private static final int STATE_PORT = 9;
+
+  private final OnlineSimulation simulation =
+      new OnlineSimulation(
+          SimConfig.DEFAULT.withOutlets(new Outlets(STATE_PORT, STATE_PORT)),
+          AddressPlan.of(List.of(address("127.0.0.1", 0).getAddress()), 0),
+          OptionalInt.empty(),
+          List.of());
+
+  @AfterEach
+  void close() {
+    simulation.close();
+  }
+
+  @Test
+  void onlyADroneThatIsOnListensAndItKeepsItsPort() throws IOException {
+    assertThat(phase()).isEqualTo(FlightPhase.OFF);
+    simulation.carryOut(new Control.Power(1, true));
+    InetSocketAddress drone = simulation.addresses(1).get(0);
+    assertThat(ask("command", drone)).isEqualTo("ok");
+
+    simulation.carryOut(new Control.Power(1, false));
+    assertThat(phase()).isEqualTo(FlightPhase.OFF);
+    try (DatagramSocket free = new DatagramSocket(drone)) {
+      assertThat(free.isBound()).isTrue();
+    }
+
+    simulation.carryOut(new Control.Power(1, true));
+    assertThat(simulation.addresses(1)).containsExactly(drone);
+    assertThat(ask("command", drone)).isEqualTo("ok");
+  }
+
+  @Test
+  void aTakenPortLeavesTheDroneOffUntilAnotherPortIsChosen() throws IOException {
+    try (DatagramSocket taken = new DatagramSocket(address("127.0.0.1", 0))) {
+      simulation.setCommandPort(1, taken.getLocalPort());
+
+      assertThatThrownBy(() -> simulation.carryOut(new Control.Power(1, true)))
+          .isInstanceOfSatisfying(
+              PortTakenException.class,
+              e -> {
+                assertThat(e.address().getPort()).isEqualTo(taken.getLocalPort());
+                assertThat(e.obstacle()).isEqualTo(PortTakenException.Obstacle.TAKEN);
+              });
+      assertThat(phase()).isEqualTo(FlightPhase.OFF);
+
+      simulation.setCommandPort(1, 0);
+      simulation.carryOut(new Control.Power(1, true));
+      assertThat(ask("command", simulation.addresses(1).get(0))).isEqualTo("ok");
+    }
+  }
+
+  @Test
+  void trafficIsCounted() throws IOException {
+    simulation.carryOut(new Control.Power(1, true));
+    InetSocketAddress drone = simulation.addresses(1).get(0);
+
+    ask("command", drone);
+    ask("battery?", drone);
+
+    assertThat(simulation.traffic(1).received()).isEqualTo(2);
+    assertThat(simulation.traffic(1).sent()).isGreaterThanOrEqualTo(2);
+  }
+
+  @Test
+  void aDroneThatIsOffCanBecomeAnotherProduct() throws IOException {
+    Product white = new Product(Profile.TELLO, Behaviour.MEASURED);
+
+    simulation.carryOut(new Control.Configure(1, white, new Outlets(1234, 5678)));
+    simulation.carryOut(new Control.Power(1, true));
+
+    assertThat(simulation.snapshot().drones().get(0).product()).isEqualTo(white);
+    assertThat(simulation.snapshot().drones().get(0).link().statePort()).isEqualTo(1234);
+    InetSocketAddress drone = simulation.addresses(1).get(0);
+    assertThat(ask("command", drone)).isEqualTo("ok");
+    assertThat(ask("mon", drone)).isEqualTo("unknown command: mon");
+  }
+
+  @Test
+  void aDroneThatIsOnStaysWhatItIs() throws IOException {
+    simulation.carryOut(new Control.Power(1, true));
+    Product white = new Product(Profile.TELLO, Behaviour.REPORT);
+
+    simulation.carryOut(new Control.Configure(1, white, Outlets.DEFAULT));
+
+    assertThat(simulation.snapshot().drones().get(0).product().profile()).isEqualTo(Profile.EDU);
+    InetSocketAddress drone = simulation.addresses(1).get(0);
+    assertThat(ask("command", drone)).isEqualTo("ok");
+  }
+
+  private FlightPhase phase() {
+    return simulation.snapshot().drones().get(0).state().phase();
+  }
+
+  private static String ask(String text, InetSocketAddress drone) throws IOException {
+    try (DatagramSocket socket = new DatagramSocket(address("127.0.0.1", 0))) {
+      socket.setSoTimeout(20_000);
+      byte[] bytes = text.getBytes(StandardCharsets.ISO_8859_1);
+      socket.send(new DatagramPacket(bytes, bytes.length, drone));
+      DatagramPacket reply = new DatagramPacket(new byte[2048], 2048);
+      socket.receive(reply);
+      return new String(reply.getData(), 0, reply.getLength(), StandardCharsets.ISO_8859_1);
+    }
+  }
+}
