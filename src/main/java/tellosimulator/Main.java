@@ -6,7 +6,6 @@ import java.io.InputStreamReader;
 import java.io.PrintStream;
 import java.nio.charset.Charset;
 import java.util.Optional;
-import org.slf4j.LoggerFactory;
 import picocli.CommandLine;
 import picocli.CommandLine.IVersionProvider;
 import picocli.CommandLine.ParameterException;
@@ -14,6 +13,7 @@ import picocli.CommandLine.ParseResult;
 import picocli.CommandLine.UnmatchedArgumentException;
 import tellosimulator.headless.HeadlessSimulator;
 import tellosimulator.network.PortTakenException;
+import tellosimulator.view.SimulatorApp;
 
 /** The command line: reads the options, then runs the simulator. */
 public final class Main {
@@ -67,11 +67,23 @@ public final class Main {
 
   private static int simulate(Options options, PrintStream out)
       throws IOException, InterruptedException {
+    return options.headless() ? simulateHeadless(options, out) : simulateInWindow(options);
+  }
+
+  private static int simulateInWindow(Options options) throws InterruptedException {
+    // Without it, JavaFX has no 3D on machines without a GPU. To be set before the toolkit starts.
+    System.setProperty("prism.forceGPU", "true");
+    try (SimulatorApp app =
+        new SimulatorApp(options.simConfig(), options.addressPlan(), options.replyPort())) {
+      app.run();
+      return 0;
+    }
+  }
+
+  private static int simulateHeadless(Options options, PrintStream out)
+      throws IOException, InterruptedException {
     try (HeadlessSimulator simulator =
         new HeadlessSimulator(options.simConfig(), options.addressPlan(), options.replyPort())) {
-      if (!options.headless()) {
-        LoggerFactory.getLogger(Main.class).info("There is no window yet: running headless");
-      }
       Runtime.getRuntime().addShutdownHook(new Thread(simulator::close, "shutdown"));
       Charset charset = Charset.defaultCharset();
       simulator.run(new BufferedReader(new InputStreamReader(System.in, charset)), out);

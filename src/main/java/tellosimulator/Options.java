@@ -32,9 +32,7 @@ import tellosimulator.world.Room;
     })
 final class Options {
 
-  @Option(
-      names = "--headless",
-      description = "Run without a window. For now, there is no other way.")
+  @Option(names = "--headless", description = "Run without a window.")
   private boolean headless;
 
   @Option(

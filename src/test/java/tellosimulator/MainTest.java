@@ -81,7 +81,7 @@ class MainTest {
     try (DatagramSocket other = new DatagramSocket(new InetSocketAddress(LOOPBACK, 0))) {
       int port = other.getLocalPort();
 
-      assertThat(run("--bind 127.0.0.1 --command-port " + port)).isEqualTo(1);
+      assertThat(run("--headless --bind 127.0.0.1 --command-port " + port)).isEqualTo(1);
 
       assertThat(lines(err))
           .isEqualTo(
@@ -94,7 +94,7 @@ class MainTest {
 
   @Test
   void anAddressOfAnotherMachineIsOneSentenceAndExitCodeOne() {
-    assertThat(run("--bind 192.0.2.77 --command-port 0")).isEqualTo(1);
+    assertThat(run("--headless --bind 192.0.2.77 --command-port 0")).isEqualTo(1);
 
     assertThat(lines(err))
         .isEqualTo(

@@ -1,0 +1,155 @@
+package tellosimulator.view;
+
+import java.util.Optional;
+import javafx.beans.property.ReadOnlyBooleanProperty;
+import javafx.beans.property.ReadOnlyBooleanWrapper;
+import javafx.beans.property.ReadOnlyDoubleProperty;
+import javafx.beans.property.ReadOnlyDoubleWrapper;
+import javafx.beans.property.ReadOnlyObjectProperty;
+import javafx.beans.property.ReadOnlyObjectWrapper;
+import tellosimulator.command.Peer;
+import tellosimulator.math.Attitude;
+import tellosimulator.math.Frames;
+import tellosimulator.math.Pose;
+import tellosimulator.math.Vec3;
+import tellosimulator.model.FlightPhase;
+import tellosimulator.sim.SimSnapshot.DroneSnapshot;
+
+/**
+ * A drone as properties that views bind to: a mirror of the newest snapshot. Written once a pulse
+ * by {@link FxSimulation}; for the JavaFX thread only.
+ *
+ * <p>Positions are in the room frame and in centimetres, angles in degrees with the signs of the
+ * wire: yaw clockwise, pitch nose up, roll right side down.
+ */
+public final class FxDroneModel {
+
+  private final int number;
+  private final ReadOnlyObjectWrapper<DroneSnapshot> snapshot;
+  private final ReadOnlyObjectWrapper<Pose> pose = new ReadOnlyObjectWrapper<>();
+  private final ReadOnlyObjectWrapper<Pose> start = new ReadOnlyObjectWrapper<>();
+  private final ReadOnlyObjectWrapper<FlightPhase> phase =
+      new ReadOnlyObjectWrapper<>(FlightPhase.OFF);
+  private final ReadOnlyObjectWrapper<Optional<Peer>> operator =
+      new ReadOnlyObjectWrapper<>(Optional.empty());
+  private final ReadOnlyBooleanWrapper on = new ReadOnlyBooleanWrapper();
+  private final ReadOnlyBooleanWrapper filming = new ReadOnlyBooleanWrapper();
+  private final ReadOnlyDoubleWrapper xCm = new ReadOnlyDoubleWrapper();
+  private final ReadOnlyDoubleWrapper yCm = new ReadOnlyDoubleWrapper();
+  private final ReadOnlyDoubleWrapper zCm = new ReadOnlyDoubleWrapper();
+  private final ReadOnlyDoubleWrapper yawDeg = new ReadOnlyDoubleWrapper();
+  private final ReadOnlyDoubleWrapper pitchDeg = new ReadOnlyDoubleWrapper();
+  private final ReadOnlyDoubleWrapper rollDeg = new ReadOnlyDoubleWrapper();
+  private final ReadOnlyDoubleWrapper speedCm = new ReadOnlyDoubleWrapper();
+  private final ReadOnlyDoubleWrapper batteryPercent = new ReadOnlyDoubleWrapper();
+
+  FxDroneModel(DroneSnapshot first) {
+    number = first.state().drone();
+    snapshot = new ReadOnlyObjectWrapper<>(first);
+    update(first);
+  }
+
+  /** Takes over what the newest snapshot says. */
+  void update(DroneSnapshot newest) {
+    snapshot.set(newest);
+    Pose newPose = newest.state().motion().pose();
+    if (!newPose.equals(pose.get())) {
+      pose.set(newPose);
+      show(newPose);
+    }
+    start.set(newest.start());
+    phase.set(newest.state().phase());
+    operator.set(newest.link().operator());
+    on.set(newest.state().phase() != FlightPhase.OFF);
+    filming.set(newest.state().video().on());
+    speedCm.set(Frames.centimetres(newest.state().motion().velocity().norm()));
+    batteryPercent.set(newest.state().energy().battery().percent());
+  }
+
+  private void show(Pose newPose) {
+    Vec3 position = newPose.position();
+    xCm.set(Frames.centimetres(position.x()));
+    yCm.set(Frames.centimetres(position.y()));
+    zCm.set(Frames.centimetres(position.z()));
+    Attitude attitude = newPose.attitude();
+    yawDeg.set(Frames.yawOfHeading(attitude.heading()));
+    pitchDeg.set(Math.toDegrees(attitude.elevation()));
+    rollDeg.set(Math.toDegrees(attitude.bank()));
+  }
+
+  /** Its number, from 1. */
+  public int number() {
+    return number;
+  }
+
+  /** Everything about it; a new value each pulse while something changes. */
+  public ReadOnlyObjectProperty<DroneSnapshot> snapshotProperty() {
+    return snapshot.getReadOnlyProperty();
+  }
+
+  /** Position of its feet and attitude, room frame [m]. */
+  public ReadOnlyObjectProperty<Pose> poseProperty() {
+    return pose.getReadOnlyProperty();
+  }
+
+  /** Where a reset puts it, room frame [m]. */
+  public ReadOnlyObjectProperty<Pose> startProperty() {
+    return start.getReadOnlyProperty();
+  }
+
+  public ReadOnlyObjectProperty<FlightPhase> phaseProperty() {
+    return phase.getReadOnlyProperty();
+  }
+
+  /** Who gets its state and video; empty until a first {@code command}. */
+  public ReadOnlyObjectProperty<Optional<Peer>> operatorProperty() {
+    return operator.getReadOnlyProperty();
+  }
+
+  /** Whether it has power. */
+  public ReadOnlyBooleanProperty onProperty() {
+    return on.getReadOnlyProperty();
+  }
+
+  /** Whether {@code streamon} was asked. */
+  public ReadOnlyBooleanProperty filmingProperty() {
+    return filming.getReadOnlyProperty();
+  }
+
+  public ReadOnlyDoubleProperty xCmProperty() {
+    return xCm.getReadOnlyProperty();
+  }
+
+  public ReadOnlyDoubleProperty yCmProperty() {
+    return yCm.getReadOnlyProperty();
+  }
+
+  /** Height of its feet above the floor. */
+  public ReadOnlyDoubleProperty zCmProperty() {
+    return zCm.getReadOnlyProperty();
+  }
+
+  /** Clockwise seen from above, 0 along x of the room, within ±180. */
+  public ReadOnlyDoubleProperty yawDegProperty() {
+    return yawDeg.getReadOnlyProperty();
+  }
+
+  /** Nose up is positive. */
+  public ReadOnlyDoubleProperty pitchDegProperty() {
+    return pitchDeg.getReadOnlyProperty();
+  }
+
+  /** Right side down is positive. */
+  public ReadOnlyDoubleProperty rollDegProperty() {
+    return rollDeg.getReadOnlyProperty();
+  }
+
+  /** Speed in space [cm/s]. */
+  public ReadOnlyDoubleProperty speedCmProperty() {
+    return speedCm.getReadOnlyProperty();
+  }
+
+  public ReadOnlyDoubleProperty batteryPercentProperty() {
+    return batteryPercent.getReadOnlyProperty();
+  }
+}

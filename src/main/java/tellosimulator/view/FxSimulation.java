@@ -1,0 +1,93 @@
+package tellosimulator.view;
+
+import javafx.beans.property.DoubleProperty;
+import javafx.beans.property.ObjectProperty;
+import javafx.beans.property.ReadOnlyBooleanProperty;
+import javafx.beans.property.ReadOnlyBooleanWrapper;
+import javafx.beans.property.ReadOnlyDoubleProperty;
+import javafx.beans.property.ReadOnlyDoubleWrapper;
+import javafx.beans.property.ReadOnlyObjectProperty;
+import javafx.beans.property.ReadOnlyObjectWrapper;
+import javafx.beans.property.SimpleDoubleProperty;
+import javafx.beans.property.SimpleObjectProperty;
+import javafx.collections.FXCollections;
+import javafx.collections.ObservableList;
+import tellosimulator.sim.SimSnapshot;
+import tellosimulator.time.TimeFactor;
+import tellosimulator.world.Room;
+
+/**
+ * The simulation as properties that views bind to: a mirror of the newest snapshot, and what the
+ * window alone decides about it (which drone is looked at, how wide the grid is). For the JavaFX
+ * thread only.
+ */
+public final class FxSimulation {
+
+  /** Distance between the lines of the floor's grid [cm]. Decided: as the predecessor's. */
+  public static final double DEFAULT_GRID_CM = 40;
+
+  private final ObservableList<FxDroneModel> drones = FXCollections.observableArrayList();
+  private final ObservableList<FxDroneModel> readOnlyDrones =
+      FXCollections.unmodifiableObservableList(drones);
+  private final ObjectProperty<FxDroneModel> selected = new SimpleObjectProperty<>();
+  private final DoubleProperty gridCm = new SimpleDoubleProperty(DEFAULT_GRID_CM);
+  private final ReadOnlyObjectWrapper<Room> room = new ReadOnlyObjectWrapper<>();
+  private final ReadOnlyObjectWrapper<TimeFactor> timeFactor = new ReadOnlyObjectWrapper<>();
+  private final ReadOnlyBooleanWrapper paused = new ReadOnlyBooleanWrapper();
+  private final ReadOnlyDoubleWrapper seconds = new ReadOnlyDoubleWrapper();
+
+  /** Shows a first snapshot, and looks at its first drone. */
+  public FxSimulation(SimSnapshot first) {
+    first.drones().forEach(drone -> drones.add(new FxDroneModel(drone)));
+    selected.set(drones.get(0));
+    update(first);
+  }
+
+  /** Takes over what the newest snapshot says; called once a pulse. */
+  public void update(SimSnapshot newest) {
+    room.set(newest.room());
+    timeFactor.set(newest.clock().factor());
+    paused.set(newest.clock().paused());
+    seconds.set(newest.time().seconds());
+    for (int i = 0; i < drones.size(); i++) {
+      drones.get(i).update(newest.drones().get(i));
+    }
+  }
+
+  /** In the order of their numbers. */
+  public ObservableList<FxDroneModel> drones() {
+    return readOnlyDrones;
+  }
+
+  /** The drone that panels and cameras show. */
+  public ObjectProperty<FxDroneModel> selectedProperty() {
+    return selected;
+  }
+
+  /** The drone that panels and cameras show. */
+  public FxDroneModel selected() {
+    return selected.get();
+  }
+
+  /** Distance between the lines of the floor's grid [cm]. */
+  public DoubleProperty gridCmProperty() {
+    return gridCm;
+  }
+
+  public ReadOnlyObjectProperty<Room> roomProperty() {
+    return room.getReadOnlyProperty();
+  }
+
+  public ReadOnlyObjectProperty<TimeFactor> timeFactorProperty() {
+    return timeFactor.getReadOnlyProperty();
+  }
+
+  public ReadOnlyBooleanProperty pausedProperty() {
+    return paused.getReadOnlyProperty();
+  }
+
+  /** Simulated time since the start [s]. */
+  public ReadOnlyDoubleProperty secondsProperty() {
+    return seconds.getReadOnlyProperty();
+  }
+}

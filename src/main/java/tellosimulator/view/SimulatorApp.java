@@ -1,0 +1,58 @@
+package tellosimulator.view;
+
+import java.util.List;
+import java.util.Locale;
+import java.util.OptionalInt;
+import java.util.concurrent.CountDownLatch;
+import javafx.application.Platform;
+import javafx.scene.Scene;
+import javafx.scene.layout.StackPane;
+import javafx.stage.Stage;
+import tellosimulator.network.AddressPlan;
+import tellosimulator.network.OnlineSimulation;
+import tellosimulator.sim.SimConfig;
+import tellosimulator.view.layout.SimulatorPane;
+import tellosimulator.view.text.Language;
+
+/** The program with a window. */
+public final class SimulatorApp implements AutoCloseable {
+
+  private final OnlineSimulation simulation;
+  private final CountDownLatch closed = new CountDownLatch(1);
+
+  /**
+   * Starts the simulation; all drones are off.
+   *
+   * @param replyPort port to which all replies go; empty for the port each command came from
+   */
+  public SimulatorApp(SimConfig config, AddressPlan plan, OptionalInt replyPort) {
+    simulation = new OnlineSimulation(config, plan, replyPort, List.of());
+  }
+
+  /** Opens the window, and returns after it was closed. */
+  public void run() throws InterruptedException {
+    Platform.startup(this::open);
+    closed.await();
+    Platform.exit();
+  }
+
+  private void open() {
+    Language language = new Language(Locale.getDefault());
+    ViewContext context = ViewContext.of(simulation, language);
+    SimulatorPane pane =
+        new SimulatorPane(
+            new SimulatorPane.Parts(
+                new StackPane(), new StackPane(), new StackPane(), new StackPane()));
+    Stage stage = new Stage();
+    stage.setScene(new Scene(pane, 1280, 800));
+    stage.setTitle("Tello Simulator");
+    stage.setOnHidden(hidden -> closed.countDown());
+    context.pulse().start();
+    stage.show();
+  }
+
+  @Override
+  public void close() {
+    simulation.close();
+  }
+}

@@ -1,0 +1,47 @@
+package tellosimulator.view.text;
+
+import java.util.List;
+import java.util.Locale;
+import javafx.beans.property.ObjectProperty;
+import javafx.beans.property.SimpleObjectProperty;
+
+/** The language of the window; texts follow it at once. For the JavaFX thread. */
+public final class Language {
+
+  /** The languages that there are texts in, the fallback first. */
+  public static final List<Locale> OFFERED = List.of(Locale.ENGLISH, Locale.GERMAN);
+
+  private final ObjectProperty<Locale> locale = new SimpleObjectProperty<>();
+
+  public Language(Locale locale) {
+    this.locale.set(nearest(locale));
+  }
+
+  /** Of the offered languages the one that a person with this locale reads, English for others. */
+  public static Locale nearest(Locale wanted) {
+    return OFFERED.stream()
+        .filter(offered -> offered.getLanguage().equals(wanted.getLanguage()))
+        .findFirst()
+        .orElse(Locale.ENGLISH);
+  }
+
+  /** One of {@link #OFFERED}. */
+  public ObjectProperty<Locale> localeProperty() {
+    return locale;
+  }
+
+  /** One of {@link #OFFERED}. */
+  public Locale locale() {
+    return locale.get();
+  }
+
+  /**
+   * The texts for the views of a package.
+   *
+   * @param view any class of the package; the texts are in {@code messages.properties} and {@code
+   *     messages_de.properties} beside it
+   */
+  public Messages messages(Class<?> view) {
+    return new Messages(this, view);
+  }
+}

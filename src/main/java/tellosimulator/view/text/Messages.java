@@ -1,0 +1,61 @@
+package tellosimulator.view.text;
+
+import java.text.MessageFormat;
+import java.util.Arrays;
+import java.util.Locale;
+import java.util.ResourceBundle;
+import java.util.stream.Stream;
+import javafx.beans.Observable;
+import javafx.beans.binding.Bindings;
+import javafx.beans.binding.StringBinding;
+import javafx.beans.value.ObservableValue;
+
+/** The texts of one package of views, in the language that is chosen. For the JavaFX thread. */
+public final class Messages {
+
+  private final Language language;
+  private final String baseName;
+  private final ClassLoader loader;
+
+  Messages(Language language, Class<?> view) {
+    this.language = language;
+    this.baseName = view.getPackageName() + ".messages";
+    this.loader = view.getClassLoader();
+  }
+
+  /**
+   * A text that follows the language.
+   *
+   * @param values for {@code {0}}, {@code {1}} and so on; it follows those that are observable
+   */
+  public StringBinding text(String key, Object... values) {
+    Observable[] causes =
+        Stream.concat(
+                Stream.of(language.localeProperty()),
+                Arrays.stream(values)
+                    .filter(Observable.class::isInstance)
+                    .map(Observable.class::cast))
+            .toArray(Observable[]::new);
+    return Bindings.createStringBinding(() -> now(key, values), causes);
+  }
+
+  /** A text in the present language. */
+  public String now(String key, Object... values) {
+    Object[] present = Arrays.stream(values).map(Messages::valueOf).toArray();
+    return new MessageFormat(bundle().getString(key), locale()).format(present);
+  }
+
+  private static Object valueOf(Object value) {
+    return value instanceof ObservableValue<?> observable ? observable.getValue() : value;
+  }
+
+  private Locale locale() {
+    return language.locale();
+  }
+
+  private ResourceBundle bundle() {
+    ResourceBundle.Control noSystemLanguage =
+        ResourceBundle.Control.getNoFallbackControl(ResourceBundle.Control.FORMAT_PROPERTIES);
+    return ResourceBundle.getBundle(baseName, locale(), loader, noSystemLanguage);
+  }
+}
