@@ -1,0 +1,155 @@
+package tellosimulator.view.testing;
+
+import atlantafx.base.theme.PrimerLight;
+import java.net.InetAddress;
+import java.util.List;
+import java.util.Locale;
+import java.util.OptionalInt;
+import java.util.concurrent.Callable;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.TimeoutException;
+import java.util.function.Function;
+import javafx.application.Application;
+import javafx.scene.Node;
+import javafx.scene.Parent;
+import javafx.scene.Scene;
+import javafx.stage.Stage;
+import org.junit.jupiter.api.extension.AfterEachCallback;
+import org.junit.jupiter.api.extension.BeforeEachCallback;
+import org.junit.jupiter.api.extension.ExtensionContext;
+import org.testfx.api.FxRobot;
+import org.testfx.api.FxToolkit;
+import org.testfx.util.WaitForAsyncUtils;
+import tellosimulator.network.AddressPlan;
+import tellosimulator.network.OnlineSimulation;
+import tellosimulator.sim.SimConfig;
+import tellosimulator.sim.SimConfig.Outlets;
+import tellosimulator.view.ViewContext;
+import tellosimulator.view.text.Language;
+
+/**
+ * A view in a stage of its own, on a simulation that runs with its drones at free ports of
+ * 127.0.0.1, in English and with the light theme. Beats as in the program, once a frame. Use:
+ *
+ * <pre>{@code
+ * @RegisterExtension final WindowFixture window = new WindowFixture(LogBox::new);
+ *
+ * window.robot().clickOn("#clear-log");
+ * window.waitUntil(() -> window.find("log-lines", ListView.class).getItems().isEmpty());
+ * }</pre>
+ */
+public final class WindowFixture implements BeforeEachCallback, AfterEachCallback {
+
+  private static final int PATIENCE_SECONDS = 10;
+  private static final List<InetAddress> LOOPBACK = List.of(InetAddress.getLoopbackAddress());
+
+  /** Nobody listens there, so that test flights disturb nobody. */
+  private static final Outlets NOWHERE = new Outlets(9, 9);
+
+  private final SimConfig config;
+  private final Function<ViewContext, ? extends Parent> viewMaker;
+  private final FxRobot robot = new FxRobot();
+  private OnlineSimulation simulation;
+  private ViewContext context;
+  private Parent view;
+  private Stage stage;
+
+  /**
+   * One drone in the default room, whose state goes nowhere.
+   *
+   * @param viewMaker builds the view, on the JavaFX thread
+   */
+  public WindowFixture(Function<ViewContext, ? extends Parent> viewMaker) {
+    this(SimConfig.DEFAULT.withOutlets(NOWHERE), viewMaker);
+  }
+
+  /**
+   * Any simulation.
+   *
+   * @param viewMaker builds the view, on the JavaFX thread
+   */
+  public WindowFixture(SimConfig config, Function<ViewContext, ? extends Parent> viewMaker) {
+    this.config = config;
+    this.viewMaker = viewMaker;
+  }
+
+  @Override
+  public void beforeEach(ExtensionContext test) throws TimeoutException {
+    FxToolkit.registerPrimaryStage();
+    simulation =
+        new OnlineSimulation(
+            config,
+            AddressPlan.portPerDrone(config.starts().size(), LOOPBACK, 0),
+            OptionalInt.empty(),
+            List.of());
+    onFxThread(
+        () -> {
+          Application.setUserAgentStylesheet(new PrimerLight().getUserAgentStylesheet());
+          context = ViewContext.of(simulation, new Language(Locale.ENGLISH));
+          view = viewMaker.apply(context);
+          stage = new Stage();
+          stage.setScene(new Scene(view));
+          stage.show();
+          context.pulse().start();
+          return view;
+        });
+    WaitForAsyncUtils.waitForFxEvents();
+  }
+
+  @Override
+  public void afterEach(ExtensionContext test) {
+    onFxThread(
+        () -> {
+          context.pulse().stop();
+          stage.close();
+          return stage;
+        });
+    simulation.close();
+    WaitForAsyncUtils.clearExceptions();
+  }
+
+  /** What the view was built with. */
+  public ViewContext context() {
+    return context;
+  }
+
+  /** The core behind the view; for any thread. */
+  public OnlineSimulation simulation() {
+    return simulation;
+  }
+
+  /** The window. */
+  public Stage stage() {
+    return stage;
+  }
+
+  /** Mouse and keyboard. */
+  public FxRobot robot() {
+    return robot;
+  }
+
+  /** The view. */
+  public <T extends Parent> T view(Class<T> type) {
+    return type.cast(view);
+  }
+
+  /** The node with this id; a failure if there is none. */
+  public <T extends Node> T find(String id, Class<T> type) {
+    return type.cast(robot.lookup("#" + id).query());
+  }
+
+  /** Does something on the JavaFX thread, and waits for its result. */
+  public static <T> T onFxThread(Callable<T> work) {
+    return WaitForAsyncUtils.waitForAsyncFx(PATIENCE_SECONDS * 1000L, work);
+  }
+
+  /** Waits until something is true, asking on the JavaFX thread; a failure after ten seconds. */
+  public static void waitUntil(Callable<Boolean> condition) {
+    try {
+      WaitForAsyncUtils.waitFor(PATIENCE_SECONDS, TimeUnit.SECONDS, () -> onFxThread(condition));
+    } catch (TimeoutException e) {
+      throw new AssertionError("not within " + PATIENCE_SECONDS + " s", e);
+    }
+    WaitForAsyncUtils.waitForFxEvents();
+  }
+}
