@@ -1,6 +1,7 @@
 package tellosimulator.sim;
 
 import java.util.Locale;
+import tellosimulator.command.CommandSyntax;
 import tellosimulator.command.Peer;
 import tellosimulator.command.Reply;
 import tellosimulator.command.WireText;
@@ -21,8 +22,18 @@ public sealed interface SimEvent {
   /** For people, one line. */
   String words();
 
+  /** How much it matters to people; the same in every log. */
+  default Severity severity() {
+    return Severity.INFORMATION;
+  }
+
   /** A command arrived; what becomes of it follows. */
   record CommandReceived(SimTime time, int drone, Peer peer, String text) implements SimEvent {
+    @Override
+    public Severity severity() {
+      return ofText(text);
+    }
+
     @Override
     public String words() {
       return String.format(Locale.ROOT, "`%s` from %s", WireText.printable(text), peer);
@@ -33,6 +44,11 @@ public sealed interface SimEvent {
   record CommandIgnored(SimTime time, int drone, Peer peer, String text, String reason)
       implements SimEvent {
     @Override
+    public Severity severity() {
+      return Severity.WARNING;
+    }
+
+    @Override
     public String words() {
       return String.format(
           Locale.ROOT, "`%s` from %s ignored: %s", WireText.printable(text), peer, reason);
@@ -42,6 +58,11 @@ public sealed interface SimEvent {
   /** A command was refused, and the drone said so. */
   record CommandRefused(SimTime time, int drone, Peer peer, String text, Reply reply, String reason)
       implements SimEvent {
+    @Override
+    public Severity severity() {
+      return Severity.WARNING;
+    }
+
     @Override
     public String words() {
       return String.format(
@@ -57,6 +78,11 @@ public sealed interface SimEvent {
   record CommandFailed(SimTime time, int drone, Peer peer, String text, Reply reply, String reason)
       implements SimEvent {
     @Override
+    public Severity severity() {
+      return Severity.WARNING;
+    }
+
+    @Override
     public String words() {
       return String.format(
           Locale.ROOT,
@@ -70,6 +96,11 @@ public sealed interface SimEvent {
   /** A command was answered. */
   record ReplySent(SimTime time, int drone, Peer peer, String text, Reply reply)
       implements SimEvent {
+    @Override
+    public Severity severity() {
+      return ofText(text);
+    }
+
     @Override
     public String words() {
       return String.format(
@@ -95,6 +126,16 @@ public sealed interface SimEvent {
   /** Something happened to a drone, other than a command or a reply. */
   record DroneFlight(SimTime time, int drone, FlightEvent event) implements SimEvent {
     @Override
+    public Severity severity() {
+      if (event instanceof FlightEvent.Crashed) {
+        return Severity.ERROR;
+      }
+      boolean unasked =
+          event instanceof FlightEvent.Fell || event instanceof FlightEvent.LandsByItself;
+      return unasked ? Severity.WARNING : Severity.INFORMATION;
+    }
+
+    @Override
     public String words() {
       return event.words();
     }
@@ -112,5 +153,10 @@ public sealed interface SimEvent {
   default String line() {
     String who = drone() == 0 ? "all" : "drone " + drone();
     return String.format(Locale.ROOT, "%9.3f s  %s: %s", time().seconds(), who, words());
+  }
+
+  private static Severity ofText(String text) {
+    boolean frequent = text.endsWith("?") || text.startsWith(CommandSyntax.RC.verb() + " ");
+    return frequent ? Severity.DETAIL : Severity.INFORMATION;
   }
 }
