@@ -8,12 +8,16 @@ import ch.qos.logback.classic.encoder.PatternLayoutEncoder;
 import ch.qos.logback.classic.spi.Configurator;
 import ch.qos.logback.classic.spi.ILoggingEvent;
 import ch.qos.logback.core.ConsoleAppender;
+import ch.qos.logback.core.filter.Filter;
 import ch.qos.logback.core.spi.ContextAwareBase;
+import ch.qos.logback.core.spi.FilterReply;
 import org.slf4j.LoggerFactory;
 
 /**
  * Sets up the log: to standard error, through a queue, so that a slow console never makes the
  * simulation wait. Found by Logback as a service; without XML, which takes a tenth of a second.
+ * What JavaFX logs arrives here too, because the class path holds SLF4J's service for the JDK's own
+ * log.
  */
 public final class LogSetup extends ContextAwareBase implements Configurator {
 
@@ -31,6 +35,7 @@ public final class LogSetup extends ContextAwareBase implements Configurator {
     console.setContext(context);
     console.setTarget("System.err");
     console.setEncoder(encoder);
+    console.addFilter(new ToolkitOnClassPath());
     console.start();
 
     AsyncAppender queue = new AsyncAppender();
@@ -56,5 +61,19 @@ public final class LogSetup extends ContextAwareBase implements Configurator {
   /** Writes what is still waiting. */
   static void flush() {
     ((LoggerContext) LoggerFactory.getILoggerFactory()).stop();
+  }
+
+  /**
+   * Keeps back what JavaFX says at each start from a class path, which is how this program starts
+   * it: one jar has no modules.
+   */
+  private static final class ToolkitOnClassPath extends Filter<ILoggingEvent> {
+    @Override
+    public FilterReply decide(ILoggingEvent event) {
+      return event.getLoggerName().equals("javafx")
+              && event.getMessage().startsWith("Unsupported JavaFX configuration")
+          ? FilterReply.DENY
+          : FilterReply.NEUTRAL;
+    }
   }
 }

@@ -25,9 +25,11 @@ final class DisplayCondition implements ExecutionCondition {
 
   @Override
   public ConditionEvaluationResult evaluateExecutionCondition(ExtensionContext context) {
-    return verdict(
-        missing(System.getProperty("os.name"), System.getenv(), DisplayCondition::toolkitCanDo3D),
-        System.getenv());
+    Optional<String> missing =
+        missing(System.getProperty("os.name"), System.getenv(), DisplayCondition::toolkitCanDo3D);
+    missing.ifPresent(
+        sentence -> System.err.println(context.getDisplayName() + " is not run. " + sentence));
+    return verdict(missing, System.getenv());
   }
 
   /** Skips, or fails on a build server, if something is missing. */
