@@ -1,0 +1,235 @@
+package tellosimulator.view.pilot;
+
+import java.io.IOException;
+import java.util.List;
+import java.util.Optional;
+import javafx.beans.property.ReadOnlyBooleanProperty;
+import javafx.beans.property.ReadOnlyBooleanWrapper;
+import javafx.beans.property.ReadOnlyIntegerProperty;
+import javafx.beans.property.ReadOnlyIntegerWrapper;
+import javafx.beans.property.ReadOnlyObjectProperty;
+import javafx.beans.property.ReadOnlyObjectWrapper;
+import javafx.beans.property.ReadOnlyStringProperty;
+import javafx.beans.property.ReadOnlyStringWrapper;
+import tellosimulator.model.FlightPhase;
+import tellosimulator.sim.SimSnapshot.DroneSnapshot;
+import tellosimulator.view.FxDroneModel;
+import tellosimulator.view.ViewContext;
+import tellosimulator.world.Room;
+
+/**
+ * A flight that needs no operator program: a {@link Tour}, command by command through the drone's
+ * real port. For the JavaFX thread; it moves on with the pulse.
+ */
+public final class DemoFlight implements AutoCloseable {
+
+  /** What it is about. */
+  public enum Stage {
+    IDLE,
+    FLYING,
+    /** It was stopped or failed in the air, and brings the drone down. */
+    LANDING
+  }
+
+  /** How long after the motors stopped the reply to {@code land} may come [ns]. Assumed. */
+  private static final long LAST_REPLY_NANOS = 1_000_000_000;
+
+  private final ViewContext context;
+  private final ReadOnlyObjectWrapper<Stage> stage = new ReadOnlyObjectWrapper<>(Stage.IDLE);
+  private final ReadOnlyBooleanWrapper running = new ReadOnlyBooleanWrapper();
+  private final ReadOnlyStringWrapper command = new ReadOnlyStringWrapper("");
+  private final ReadOnlyIntegerWrapper step = new ReadOnlyIntegerWrapper();
+  private final ReadOnlyIntegerWrapper steps = new ReadOnlyIntegerWrapper();
+  private final ReadOnlyObjectWrapper<Sentence> problem =
+      new ReadOnlyObjectWrapper<>(Sentence.NONE);
+  private List<String> tour = List.of();
+  private Optional<Flown> flown = Optional.empty();
+
+  /** The drone that is flown, and by whom. */
+  private static final class Flown {
+    private final FxDroneModel drone;
+    private final Pilot pilot;
+    private final Descent descent;
+    private boolean tookOff;
+    private Optional<Long> downSince = Optional.empty();
+
+    Flown(FxDroneModel drone, Pilot pilot) {
+      this.drone = drone;
+      this.pilot = pilot;
+      this.descent = new Descent(drone, pilot);
+    }
+
+    FlightPhase phase() {
+      return drone.phaseProperty().get();
+    }
+  }
+
+  public DemoFlight(ViewContext context) {
+    this.context = context;
+    running.bind(stage.isNotEqualTo(Stage.IDLE));
+    context.pulse().onBeat(this::beat);
+  }
+
+  /** Switches the selected drone on, if it is off, and flies. */
+  public void switchOnAndStart() {
+    FxDroneModel drone = drone();
+    if (drone.onProperty().get()) {
+      start();
+      return;
+    }
+    context
+        .actions()
+        .switchPower(drone.number(), true)
+        .ifPresentOrElse(e -> problem.set(Sentence.portTaken(e)), () -> fly(drone));
+  }
+
+  /** Flies the selected drone, which must be on and stand on the floor. */
+  public void start() {
+    FxDroneModel drone = drone();
+    switch (drone.phaseProperty().get()) {
+      case GROUNDED, IDLING -> fly(drone);
+      case OFF -> problem.set(Sentence.of("off", Integer.toString(drone.number())));
+      case CRASHED -> problem.set(Sentence.of("crashed"));
+      case FALLING, TAKING_OFF, FLYING, LANDING -> problem.set(Sentence.of("not-on-the-floor"));
+    }
+  }
+
+  /** Breaks the flight off and lands. */
+  public void stop() {
+    if (stage.get() == Stage.FLYING) {
+      comeDown();
+    }
+  }
+
+  /** Ends at once; a drone in the air is left there. */
+  @Override
+  public void close() {
+    end();
+  }
+
+  public ReadOnlyObjectProperty<Stage> stageProperty() {
+    return stage.getReadOnlyProperty();
+  }
+
+  /** Whether it flies or brings the drone down. */
+  public ReadOnlyBooleanProperty runningProperty() {
+    return running.getReadOnlyProperty();
+  }
+
+  /** What was commanded last; empty when it does not run. */
+  public ReadOnlyStringProperty commandProperty() {
+    return command.getReadOnlyProperty();
+  }
+
+  /** Which of the commands that is, from 1; 0 when it does not run. */
+  public ReadOnlyIntegerProperty stepProperty() {
+    return step.getReadOnlyProperty();
+  }
+
+  /** How many commands the tour has. */
+  public ReadOnlyIntegerProperty stepsProperty() {
+    return steps.getReadOnlyProperty();
+  }
+
+  /** Why it did not come to its end; {@link Sentence#NONE} if there is nothing to say. */
+  public ReadOnlyObjectProperty<Sentence> problemProperty() {
+    return problem.getReadOnlyProperty();
+  }
+
+  private FxDroneModel drone() {
+    return context.simulation().selected();
+  }
+
+  private void fly(FxDroneModel drone) {
+    end();
+    problem.set(Sentence.NONE);
+    try {
+      flown = Optional.of(new Flown(drone, new Pilot(context, drone)));
+    } catch (IOException e) {
+      problem.set(Sentence.of("no-socket", e.getMessage()));
+      return;
+    }
+    DroneSnapshot now = drone.snapshotProperty().get();
+    Room room = context.simulation().roomProperty().get();
+    tour = new Tour(room, now.product().behaviour(), now.state()).commands();
+    steps.set(tour.size());
+    stage.set(Stage.FLYING);
+    command(1);
+  }
+
+  private void command(int number) {
+    Pilot pilot = flown.orElseThrow().pilot;
+    step.set(number);
+    command.set(tour.get(number - 1));
+    pilot.ask(command.get());
+  }
+
+  private void beat(long nanos) {
+    if (stage.get() == Stage.FLYING) {
+      advance(nanos);
+    } else if (stage.get() == Stage.LANDING && flown.orElseThrow().descent.isDown(nanos)) {
+      end();
+    }
+  }
+
+  private void advance(long nanos) {
+    Flown flight = flown.orElseThrow();
+    Optional<Pilot.Answer> answer = flight.pilot.answer(nanos);
+    if (answer.isPresent()) {
+      take(answer.get());
+      return;
+    }
+    boolean flies = flight.phase().flying();
+    flight.tookOff |= flies;
+    if (flight.tookOff && !flies && isDown(flight, nanos)) {
+      if (!lands()) {
+        problem.set(Sentence.of("flies-no-more", command.get()));
+      }
+      end();
+    }
+  }
+
+  private void take(Pilot.Answer answer) {
+    if (!answer.ok()) {
+      problem.set(answer.problem());
+      comeDown();
+    } else if (step.get() == tour.size()) {
+      end();
+    } else {
+      settle(command.get());
+      command(step.get() + 1);
+    }
+  }
+
+  /** The sticks' values survive landings; what an earlier operator left would carry it away. */
+  private void settle(String done) {
+    if (done.equals("command")) {
+      flown.orElseThrow().pilot.tell("rc 0 0 0 0");
+    }
+  }
+
+  private boolean lands() {
+    return step.get() == tour.size();
+  }
+
+  /** Whether its motors are off for so long that no reply is on its way. */
+  private static boolean isDown(Flown flight, long nanos) {
+    if (flight.downSince.isEmpty()) {
+      flight.downSince = Optional.of(nanos);
+    }
+    return nanos - flight.downSince.get() >= LAST_REPLY_NANOS;
+  }
+
+  private void comeDown() {
+    stage.set(Stage.LANDING);
+    command.set("land");
+  }
+
+  private void end() {
+    flown.ifPresent(flight -> flight.pilot.close());
+    flown = Optional.empty();
+    command.set("");
+    step.set(0);
+    stage.set(Stage.IDLE);
+  }
+}

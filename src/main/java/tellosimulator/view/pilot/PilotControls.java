@@ -1,0 +1,209 @@
+package tellosimulator.view.pilot;
+
+import atlantafx.base.theme.Styles;
+import javafx.beans.binding.Bindings;
+import javafx.beans.binding.BooleanBinding;
+import javafx.beans.binding.StringBinding;
+import javafx.beans.value.ObservableValue;
+import javafx.scene.Node;
+import javafx.scene.Scene;
+import javafx.scene.control.Button;
+import javafx.scene.control.ButtonBase;
+import javafx.scene.control.Label;
+import javafx.scene.control.ProgressBar;
+import javafx.scene.control.ToggleButton;
+import javafx.scene.layout.HBox;
+import javafx.scene.layout.Priority;
+import javafx.scene.layout.VBox;
+import org.kordamp.ikonli.feather.Feather;
+import org.kordamp.ikonli.javafx.FontIcon;
+import tellosimulator.model.FlightPhase;
+import tellosimulator.view.FxDroneModel;
+import tellosimulator.view.ViewContext;
+import tellosimulator.view.pilot.DemoFlight.Stage;
+import tellosimulator.view.text.Messages;
+
+/**
+ * The buttons that fly the selected drone without an operator program. For the JavaFX thread; to be
+ * closed with the window.
+ */
+public final class PilotControls extends VBox implements AutoCloseable {
+
+  private final Messages messages;
+  private final ViewContext context;
+  private final DemoFlight demo;
+  private final RemoteControl remote;
+  private final KeyboardSteering keyboard;
+
+  private final Button demoFlight = new Button();
+  private final ToggleButton keyboardFlight = new ToggleButton();
+  private final Button takeOff = new Button();
+  private final Button land = new Button();
+  private final Button emergency = new Button();
+  private final Label command = new Label();
+  private final ProgressBar progress = new ProgressBar();
+  private final Label problem = new Label();
+  private final KeyHint keyHint;
+
+  public PilotControls(ViewContext context) {
+    this.context = context;
+    messages = context.language().messages(PilotControls.class);
+    demo = new DemoFlight(context);
+    remote = new RemoteControl(context);
+    keyboard = new KeyboardSteering(context, remote);
+    keyHint = new KeyHint(messages, keyboard.pressed());
+    initializeSelf();
+    initializeParts();
+    layoutParts();
+    setupEventHandlers();
+    setupBindings();
+  }
+
+  /** Lets the keys of a window fly, when that is switched on; to be called once. */
+  public void install(Scene scene) {
+    keyboard.install(scene);
+  }
+
+  public DemoFlight demo() {
+    return demo;
+  }
+
+  public KeyboardSteering keyboard() {
+    return keyboard;
+  }
+
+  /** Closes all sockets; a drone in the air is left there. */
+  @Override
+  public void close() {
+    keyboard.activeProperty().set(false);
+    demo.close();
+    remote.close();
+  }
+
+  private void initializeSelf() {
+    setId("pilot-controls");
+    getStyleClass().add("pilot-controls");
+    getStylesheets().add(PilotControls.class.getResource("pilot.css").toExternalForm());
+  }
+
+  private void initializeParts() {
+    demoFlight.setId("demo-flight");
+    keyboardFlight.setId("keyboard-flight");
+    keyboardFlight.setGraphic(new FontIcon(Feather.MOVE));
+    takeOff.setId("pilot-takeoff");
+    land.setId("pilot-land");
+    emergency.setId("pilot-emergency");
+    emergency.getStyleClass().addAll(Styles.DANGER, Styles.BUTTON_OUTLINED);
+    command.setId("pilot-command");
+    progress.setId("pilot-progress");
+    progress.getStyleClass().add(Styles.SMALL);
+    problem.setId("pilot-problem");
+    problem.setWrapText(true);
+    problem.getStyleClass().add("problem");
+  }
+
+  private void layoutParts() {
+    HBox modes = new HBox(demoFlight, keyboardFlight);
+    HBox commands = new HBox(takeOff, land, emergency);
+    for (HBox row : new HBox[] {modes, commands}) {
+      row.getStyleClass().add("buttons");
+      row.getChildren().forEach(PilotControls::growing);
+    }
+    VBox tour = new VBox(command, progress);
+    tour.getStyleClass().add("tour");
+    progress.setMaxWidth(Double.MAX_VALUE);
+    tour.visibleProperty().bind(demo.runningProperty());
+    shownOnlyWhenVisible(tour);
+    shownOnlyWhenVisible(problem);
+    shownOnlyWhenVisible(keyHint);
+    getChildren().addAll(modes, commands, tour, problem, keyHint);
+  }
+
+  private static void growing(Node button) {
+    ((ButtonBase) button).setMaxWidth(Double.MAX_VALUE);
+    HBox.setHgrow(button, Priority.ALWAYS);
+  }
+
+  private static void shownOnlyWhenVisible(Node node) {
+    node.managedProperty().bind(node.visibleProperty());
+  }
+
+  private void setupEventHandlers() {
+    demoFlight.setOnAction(pressed -> startOrStop());
+    takeOff.setOnAction(pressed -> remote.takeOff());
+    land.setOnAction(pressed -> remote.ask("land"));
+    emergency.setOnAction(pressed -> remote.tell("emergency"));
+  }
+
+  private void startOrStop() {
+    if (demo.runningProperty().get()) {
+      demo.stop();
+    } else {
+      keyboardFlight.setSelected(false);
+      demo.switchOnAndStart();
+    }
+  }
+
+  private void setupBindings() {
+    bindDemo();
+    bindCommands();
+    keyboardFlight.textProperty().bind(messages.text("keyboard-flight"));
+    keyboardFlight.selectedProperty().bindBidirectional(keyboard.activeProperty());
+    keyboardFlight.disableProperty().bind(demo.runningProperty());
+    keyHint.visibleProperty().bind(keyboard.activeProperty());
+    StringBinding sentence =
+        Bindings.createStringBinding(
+            this::sentence,
+            demo.problemProperty(),
+            remote.problemProperty(),
+            context.language().localeProperty());
+    problem.textProperty().bind(sentence);
+    problem.visibleProperty().bind(sentence.isNotEmpty());
+  }
+
+  private void bindDemo() {
+    demoFlight
+        .textProperty()
+        .bind(
+            Bindings.createStringBinding(
+                () -> messages.now("demo-" + demo.stageProperty().get().name()),
+                demo.stageProperty(),
+                context.language().localeProperty()));
+    demoFlight
+        .graphicProperty()
+        .bind(
+            demo.runningProperty().map(runs -> new FontIcon(runs ? Feather.SQUARE : Feather.PLAY)));
+    demoFlight.disableProperty().bind(demo.stageProperty().isEqualTo(Stage.LANDING));
+    command
+        .textProperty()
+        .bind(
+            messages.text(
+                "tour-step", demo.stepProperty(), demo.stepsProperty(), demo.commandProperty()));
+    progress
+        .progressProperty()
+        .bind(
+            Bindings.createDoubleBinding(
+                () -> demo.stepProperty().get() / (double) Math.max(1, demo.stepsProperty().get()),
+                demo.stepProperty(),
+                demo.stepsProperty()));
+  }
+
+  private void bindCommands() {
+    ObservableValue<FlightPhase> phase =
+        context.simulation().selectedProperty().flatMap(FxDroneModel::phaseProperty);
+    BooleanBinding flies =
+        Bindings.createBooleanBinding(
+            () -> phase.getValue() != null && phase.getValue().flying(), phase);
+    takeOff.textProperty().bind(messages.text("take-off"));
+    land.textProperty().bind(messages.text("land"));
+    emergency.textProperty().bind(messages.text("emergency"));
+    takeOff.disableProperty().bind(flies.or(demo.runningProperty()));
+    land.disableProperty().bind(flies.not().or(demo.runningProperty()));
+    emergency.disableProperty().bind(flies.not());
+  }
+
+  private String sentence() {
+    Sentence ofTour = demo.problemProperty().get();
+    return (ofTour.isNone() ? remote.problemProperty().get() : ofTour).text(messages);
+  }
+}

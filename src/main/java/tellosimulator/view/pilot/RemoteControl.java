@@ -1,0 +1,132 @@
+package tellosimulator.view.pilot;
+
+import java.io.IOException;
+import java.net.InetSocketAddress;
+import java.util.Optional;
+import javafx.beans.property.ReadOnlyObjectProperty;
+import javafx.beans.property.ReadOnlyObjectWrapper;
+import tellosimulator.model.FlightPhase;
+import tellosimulator.view.FxDroneModel;
+import tellosimulator.view.ViewContext;
+
+/**
+ * Sends single commands to the selected drone through its real port, without waiting for replies; a
+ * refusal becomes a sentence. For the JavaFX thread; it moves on with the pulse.
+ */
+public final class RemoteControl implements AutoCloseable {
+
+  private final ViewContext context;
+  private final ReadOnlyObjectWrapper<Sentence> problem =
+      new ReadOnlyObjectWrapper<>(Sentence.NONE);
+  private Optional<OperatorSocket> socket = Optional.empty();
+  private String asked = "";
+
+  public RemoteControl(ViewContext context) {
+    this.context = context;
+    context.pulse().onBeat(nanos -> beat());
+  }
+
+  /** Takes off; switches the drone on first, if it is off. */
+  public void takeOff() {
+    problem.set(Sentence.NONE);
+    if (!drone().onProperty().get()) {
+      context
+          .actions()
+          .switchPower(drone().number(), true)
+          .ifPresentOrElse(e -> problem.set(Sentence.portTaken(e)), () -> ask("takeoff"));
+    } else {
+      ask("takeoff");
+    }
+  }
+
+  /** Takes off, or lands what flies. */
+  public void takeOffOrLand() {
+    if (phase().flying()) {
+      ask("land");
+    } else {
+      takeOff();
+    }
+  }
+
+  /** Sends a command that is answered. */
+  public void ask(String command) {
+    asked = command;
+    problem.set(Sentence.NONE);
+    send(command);
+  }
+
+  /** Sends a command that has no answer, such as {@code rc}. */
+  public void tell(String command) {
+    send(command);
+  }
+
+  /** What the selected drone is doing. */
+  public FlightPhase phase() {
+    return drone().phaseProperty().get();
+  }
+
+  /** What was refused last; {@link Sentence#NONE} after a command that succeeded. */
+  public ReadOnlyObjectProperty<Sentence> problemProperty() {
+    return problem.getReadOnlyProperty();
+  }
+
+  @Override
+  public void close() {
+    socket.ifPresent(OperatorSocket::close);
+    socket = Optional.empty();
+  }
+
+  private FxDroneModel drone() {
+    return context.simulation().selected();
+  }
+
+  private void send(String command) {
+    try {
+      OperatorSocket operator = socket();
+      if (drone().operatorProperty().get().isEmpty()) {
+        operator.send("command");
+      }
+      operator.send(command);
+    } catch (IOException e) {
+      lost();
+    }
+  }
+
+  private OperatorSocket socket() throws IOException {
+    InetSocketAddress address = context.actions().addresses(drone().number()).get(0);
+    if (socket.isEmpty() || !socket.get().drone().equals(address)) {
+      close();
+      socket = Optional.of(OperatorSocket.open(address));
+    }
+    return socket.get();
+  }
+
+  private void beat() {
+    try {
+      while (socket.isPresent()) {
+        Optional<String> reply = socket.get().receive();
+        if (reply.isEmpty()) {
+          return;
+        }
+        judge(reply.get());
+      }
+    } catch (IOException e) {
+      lost();
+    }
+  }
+
+  private void judge(String reply) {
+    if (reply.startsWith("error") || reply.startsWith("unknown command")) {
+      problem.set(Sentence.refused(asked, reply));
+    }
+  }
+
+  private void lost() {
+    close();
+    if (drone().onProperty().get()) {
+      int port = context.actions().addresses(drone().number()).get(0).getPort();
+      problem.set(
+          Sentence.of("unreachable", Integer.toString(drone().number()), Integer.toString(port)));
+    }
+  }
+}

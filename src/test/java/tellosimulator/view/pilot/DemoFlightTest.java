@@ -1,0 +1,233 @@
+package tellosimulator.view.pilot;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.net.DatagramSocket;
+import java.util.List;
+import java.util.Locale;
+import java.util.concurrent.TimeUnit;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import tellosimulator.math.Attitude;
+import tellosimulator.math.Pose;
+import tellosimulator.math.Vec3;
+import tellosimulator.model.FlightPhase;
+import tellosimulator.profile.Behaviour;
+import tellosimulator.profile.Profile;
+import tellosimulator.sim.Control;
+import tellosimulator.sim.SimConfig;
+import tellosimulator.sim.SimEvent;
+import tellosimulator.time.TimeFactor;
+import tellosimulator.view.pilot.DemoFlight.Stage;
+import tellosimulator.view.text.Language;
+import tellosimulator.world.Room;
+
+@Timeout(value = 60, unit = TimeUnit.SECONDS, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
+class DemoFlightTest {
+
+  private static final SimConfig FAST = SimConfig.DEFAULT.withTimeFactor(new TimeFactor(40));
+
+  private FlownWindow window = new FlownWindow(FAST);
+  private DemoFlight demo = new DemoFlight(window.context());
+
+  @AfterEach
+  void close() {
+    demo.close();
+    window.close();
+  }
+
+  private void restart(SimConfig config) {
+    close();
+    window = new FlownWindow(config);
+    demo = new DemoFlight(window.context());
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      textBlock =
+          """
+          1,   EDU,   REPORT,   40
+          1.5, EDU,   MEASURED, 40
+          5,   TELLO, REPORT,   max
+          20,  TT,    MEASURED, max
+          """)
+  void fliesATourThroughTheRealPort(
+      double edge, Profile profile, Behaviour behaviour, String factor) {
+    double corner = edge / 2 - 0.1;
+    Pose start = new Pose(new Vec3(-corner, corner, 0), Attitude.LEVEL);
+    restart(
+        FAST.withProduct(profile, behaviour)
+            .withTimeFactor(
+                factor.equals("max") ? TimeFactor.MAX : new TimeFactor(Double.parseDouble(factor)))
+            .withRoom(new Room(edge, edge, edge), List.of(start)));
+
+    demo.switchOnAndStart();
+    assertThat(demo.runningProperty().get()).isTrue();
+    int steps = demo.stepsProperty().get();
+    window.beatUntil(() -> !demo.runningProperty().get());
+
+    assertThat(problem()).isEmpty();
+    assertThat(window.phase()).isEqualTo(FlightPhase.GROUNDED);
+    assertThat(window.commands()).hasSize(steps + 1).contains("rc 0 0 0 0", "takeoff", "land");
+    assertThat(window.events())
+        .noneMatch(SimEvent.CommandRefused.class::isInstance)
+        .noneMatch(SimEvent.CommandFailed.class::isInstance);
+  }
+
+  @Test
+  void tellsWhichCommandRuns() {
+    demo.switchOnAndStart();
+    window.beatUntil(() -> demo.commandProperty().get().equals("takeoff"));
+
+    assertThat(demo.stepProperty().get()).isEqualTo(2);
+    assertThat(demo.stepsProperty().get()).isEqualTo(15);
+    assertThat(demo.stageProperty().get()).isEqualTo(Stage.FLYING);
+  }
+
+  @ParameterizedTest
+  @CsvSource({"EDU, REPORT", "EDU, MEASURED", "TELLO, REPORT", "TELLO, MEASURED"})
+  void landsWhenItIsStoppedInAMove(Profile profile, Behaviour behaviour) {
+    restart(FAST.withProduct(profile, behaviour));
+    demo.switchOnAndStart();
+    window.beatUntil(() -> demo.commandProperty().get().startsWith("curve"));
+
+    demo.stop();
+
+    assertThat(demo.stageProperty().get()).isEqualTo(Stage.LANDING);
+    window.beatUntil(() -> !demo.runningProperty().get());
+    assertThat(window.phase()).isEqualTo(FlightPhase.GROUNDED);
+    assertThat(window.commands()).doesNotContain("flip f").contains("land");
+    assertThat(problem()).isEmpty();
+  }
+
+  @Test
+  void landsWhenItIsStoppedDuringTakeoff() {
+    demo.switchOnAndStart();
+    window.beatUntil(() -> demo.commandProperty().get().equals("takeoff"));
+
+    demo.stop();
+
+    window.beatUntil(() -> !demo.runningProperty().get());
+    assertThat(window.phase()).isEqualTo(FlightPhase.GROUNDED);
+    assertThat(window.commands()).doesNotContain("up 90");
+  }
+
+  @Test
+  void stoppingBeforeTakeoffNeedsNoLanding() {
+    demo.switchOnAndStart();
+
+    demo.stop();
+
+    window.beatUntil(() -> !demo.runningProperty().get());
+    assertThat(window.commands()).doesNotContain("takeoff", "land");
+  }
+
+  @Test
+  void waitsAsLongAsTimeStandsStill() {
+    demo.switchOnAndStart();
+    window.beatUntil(() -> demo.commandProperty().get().startsWith("forward"));
+    window.carryOut(new Control.Pause(true));
+    long now = System.nanoTime();
+
+    for (int minute = 0; minute < 10; minute++) {
+      window.context().pulse().beat(now + TimeUnit.MINUTES.toNanos(minute));
+    }
+    assertThat(demo.stageProperty().get()).isEqualTo(Stage.FLYING);
+
+    window.carryOut(new Control.Pause(false));
+    window.beatUntil(() -> !demo.runningProperty().get());
+    assertThat(problem()).isEmpty();
+  }
+
+  @Test
+  void saysThatTheDroneWasSwitchedOff() {
+    demo.switchOnAndStart();
+    window.beatUntil(() -> demo.commandProperty().get().startsWith("forward"));
+
+    window.carryOut(new Control.Power(1, false));
+
+    window.beatUntil(() -> !demo.runningProperty().get());
+    assertThat(problem()).isEqualTo("Drone 1 was switched off.");
+  }
+
+  @Test
+  void saysThatTheDroneCameDown() {
+    demo.switchOnAndStart();
+    window.beatUntil(() -> demo.commandProperty().get().equals("flip f"));
+
+    window.carryOut(new Control.Reset(1));
+
+    window.beatUntil(() -> !demo.runningProperty().get());
+    assertThat(problem()).isEqualTo("The drone came down during “flip f”.");
+    assertThat(window.commands()).doesNotContain("land");
+  }
+
+  @Test
+  void endsWithTheDronesRefusalAndLands() {
+    demo.switchOnAndStart();
+    window.beatUntil(() -> demo.commandProperty().get().startsWith("curve"));
+
+    window.carryOut(new Control.SetBattery(1, 30));
+
+    window.beatUntil(() -> !demo.runningProperty().get());
+    assertThat(problem()).isEqualTo("The drone answered “error” to “flip f”; the log says why.");
+    assertThat(window.phase()).isEqualTo(FlightPhase.GROUNDED);
+  }
+
+  @Test
+  void aDroneThatIsOffIsNotFlown() {
+    demo.start();
+
+    assertThat(demo.runningProperty().get()).isFalse();
+    assertThat(problem()).isEqualTo("Drone 1 is off. Switch it on first.");
+  }
+
+  @Test
+  void aDroneInTheAirIsNotFlown() {
+    demo.switchOnAndStart();
+    window.beatUntil(() -> demo.commandProperty().get().startsWith("forward"));
+    DemoFlight second = new DemoFlight(window.context());
+
+    second.start();
+
+    assertThat(second.runningProperty().get()).isFalse();
+    assertThat(second.problemProperty().get()).isEqualTo(Sentence.of("not-on-the-floor"));
+  }
+
+  @Test
+  void saysWhoHasThePort() throws IOException {
+    try (DatagramSocket other = new DatagramSocket()) {
+      window.context().actions().setCommandPort(1, other.getLocalPort());
+      demo.switchOnAndStart();
+
+      assertThat(demo.runningProperty().get()).isFalse();
+      assertThat(problem()).startsWith("Port " + other.getLocalPort() + " of 127.0.0.1 is taken");
+    }
+    demo.switchOnAndStart();
+    assertThat(problem()).isEmpty();
+    assertThat(demo.runningProperty().get()).isTrue();
+  }
+
+  @Test
+  void closingLeavesTheDroneAlone() {
+    demo.switchOnAndStart();
+    window.beatUntil(() -> demo.commandProperty().get().startsWith("forward"));
+    int commands = window.commands().size();
+
+    demo.close();
+    window.beat();
+
+    assertThat(demo.runningProperty().get()).isFalse();
+    assertThat(window.commands()).hasSize(commands);
+  }
+
+  private String problem() {
+    return demo.problemProperty()
+        .get()
+        .text(new Language(Locale.ENGLISH).messages(DemoFlight.class));
+  }
+}
