@@ -1,0 +1,175 @@
+package tellosimulator.view.drone;
+
+import java.util.ArrayList;
+import java.util.List;
+import javafx.scene.shape.TriangleMesh;
+import tellosimulator.math.Vec3;
+import tellosimulator.view.drone.Solids.Section;
+
+/**
+ * The shape of a Tello without its propellers: shell, nose, arms, motors, feet and guards. Body
+ * frame [m], the origin between the feet.
+ */
+final class BodyMesh {
+
+  /** From motor to motor along the nose [m]. Documented: 98 mm (Tello User Manual). */
+  static final double LENGTH = 0.098;
+
+  /** From motor to motor across [m]. Documented: 92.5 mm (Tello User Manual). */
+  static final double WIDTH = 0.0925;
+
+  /** Height of the propellers' plane [m]. Documented: 41 mm in all (Tello User Manual). */
+  static final double PROPELLER_HEIGHT = 0.0385;
+
+  /** Where the shell ends in front [m]. Assumed: by eye, from pictures. */
+  static final double NOSE = 0.0495;
+
+  /** Height of camera and status light [m]. Assumed: by eye, from pictures. */
+  static final double LENS_HEIGHT = 0.0185;
+
+  /** Radius of the circle that a guard follows [m]. Assumed: 2 mm of air around a propeller. */
+  private static final double GUARD_RADIUS = 0.0405;
+
+  /** Half the angle that a guard covers [rad]. Assumed: by eye, from pictures. */
+  private static final double GUARD_HALF_ANGLE = Math.toRadians(88);
+
+  private static final int ROUND = 12;
+
+  /** The signs of x and y of the four motors: front left, front right, back left, back right. */
+  private static final int[][] CORNERS = {{1, 1}, {1, -1}, {-1, 1}, {-1, -1}};
+
+  private final MeshBuilder mesh = new MeshBuilder();
+
+  private BodyMesh() {
+    Shell.addTo(mesh);
+    for (int[] corner : CORNERS) {
+      addArm(corner[0], corner[1]);
+      addMotor(corner[0], corner[1]);
+      addGuard(corner[0], corner[1]);
+    }
+  }
+
+  static MeshBuilder shape() {
+    return new BodyMesh().mesh;
+  }
+
+  static TriangleMesh create() {
+    return shape().build();
+  }
+
+  /** The middles of the four propellers: front left, front right, back left, back right. */
+  static List<Vec3> propellers() {
+    List<Vec3> all = new ArrayList<>();
+    for (int[] corner : CORNERS) {
+      all.add(motor(corner[0], corner[1]).withZ(PROPELLER_HEIGHT));
+    }
+    return all;
+  }
+
+  private static Vec3 motor(int front, int left) {
+    return new Vec3(front * LENGTH / 2, left * WIDTH / 2, 0);
+  }
+
+  private void addArm(int front, int left) {
+    Vec3 motor = motor(front, left);
+    mesh.surface(Palette.ARM);
+    Solids.tube(
+        mesh,
+        List.of(
+            new Section(new Vec3(front * 0.022, left * 0.012, 0.014), 0.0042),
+            new Section(new Vec3(front * 0.034, left * 0.024, 0.0155), 0.0036),
+            new Section(motor.withZ(0.0185), 0.0034)),
+        8);
+    mesh.surface(Palette.ARM);
+    Solids.bar(
+        mesh,
+        new Section(new Vec3(front * 0.013, left * 0.014, 0.018), 0.0018),
+        new Section(motor.withZ(0.026), 0.0016),
+        6);
+  }
+
+  private void addMotor(int front, int left) {
+    Vec3 motor = motor(front, left);
+    mesh.surface(Palette.FOOT);
+    Solids.tube(
+        mesh,
+        List.of(
+            new Section(motor, 0.0022),
+            new Section(motor.withZ(0.001), 0.0032),
+            new Section(motor.withZ(0.009), 0.0052)),
+        ROUND);
+    mesh.surface(Palette.ARM);
+    Solids.bar(
+        mesh,
+        new Section(motor.withZ(0.009), 0.0058),
+        new Section(motor.withZ(0.027), 0.0062),
+        ROUND);
+    mesh.surface(Palette.CAP);
+    Solids.bar(
+        mesh,
+        new Section(motor.withZ(0.027), 0.005),
+        new Section(motor.withZ(0.0325), 0.005),
+        ROUND);
+    mesh.surface(Palette.MOTOR);
+    Solids.bar(
+        mesh,
+        new Section(motor.withZ(0.0325), 0.0011),
+        new Section(motor.withZ(PROPELLER_HEIGHT - 0.0022), 0.0011),
+        6);
+    addHub(motor);
+  }
+
+  /** The middle of a propeller. It is round, so that it need not turn. */
+  private void addHub(Vec3 motor) {
+    mesh.surface(Palette.PROPELLER);
+    Solids.tube(
+        mesh,
+        List.of(
+            new Section(motor.withZ(PROPELLER_HEIGHT - 0.0022), 0.004),
+            new Section(motor.withZ(PROPELLER_HEIGHT + 0.0016), 0.004),
+            new Section(motor.withZ(PROPELLER_HEIGHT + 0.0025), 0.0026)),
+        ROUND);
+  }
+
+  private void addGuard(int front, int left) {
+    Vec3 motor = motor(front, left);
+    double outward = Math.atan2(left * WIDTH, front * LENGTH);
+    mesh.surface(Palette.GUARD);
+    int parts = 18;
+    List<int[]> rings = new ArrayList<>();
+    for (int i = 0; i <= parts; i++) {
+      double angle = outward + GUARD_HALF_ANGLE * (2.0 * i / parts - 1);
+      rings.add(guardSection(motor, angle));
+    }
+    Solids.skin(mesh, rings);
+    for (double side : new double[] {-0.62, 0, 0.62}) {
+      double angle = outward + GUARD_HALF_ANGLE * side;
+      mesh.surface(Palette.GUARD);
+      Solids.bar(
+          mesh,
+          new Section(motor.withZ(0.022), 0.0014),
+          new Section(onGuard(motor, angle, 0.0306), 0.0011),
+          6);
+    }
+  }
+
+  /** An upright strip, 1.8 mm thick and 4.6 mm high. */
+  private int[] guardSection(Vec3 motor, double angle) {
+    Vec3 out = new Vec3(Math.cos(angle), Math.sin(angle), 0).times(0.0009);
+    Vec3 low = onGuard(motor, angle, 0.0285);
+    Vec3 high = onGuard(motor, angle, 0.0331);
+    return new int[] {
+      mesh.vertex(low.minus(out)),
+      mesh.vertex(high.minus(out)),
+      mesh.vertex(high.plus(out)),
+      mesh.vertex(low.plus(out))
+    };
+  }
+
+  private static Vec3 onGuard(Vec3 motor, double angle, double height) {
+    return new Vec3(
+        motor.x() + GUARD_RADIUS * Math.cos(angle),
+        motor.y() + GUARD_RADIUS * Math.sin(angle),
+        height);
+  }
+}

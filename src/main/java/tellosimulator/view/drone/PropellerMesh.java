@@ -1,0 +1,77 @@
+package tellosimulator.view.drone;
+
+import java.util.ArrayList;
+import java.util.List;
+import javafx.scene.shape.TriangleMesh;
+import tellosimulator.math.Vec3;
+
+/** The two blades of a propeller that turns about z, its middle at the origin [m]. */
+final class PropellerMesh {
+
+  /** From the middle to the tip [m]. Documented: 3-inch propellers (Tello User Manual). */
+  static final double RADIUS = 0.0381;
+
+  /**
+   * A section across a blade.
+   *
+   * @param radius where it is [m]
+   * @param chord its width [m]
+   * @param twist against the plane of the propeller [rad]
+   */
+  private record Blade(double radius, double chord, double twist) {}
+
+  /** Assumed: by eye, from pictures. */
+  private static final List<Blade> BLADES =
+      List.of(
+          new Blade(0.0030, 0.0050, Math.toRadians(30)),
+          new Blade(0.0075, 0.0078, Math.toRadians(28)),
+          new Blade(0.0140, 0.0104, Math.toRadians(22)),
+          new Blade(0.0220, 0.0100, Math.toRadians(17)),
+          new Blade(0.0300, 0.0084, Math.toRadians(13)),
+          new Blade(0.0355, 0.0062, Math.toRadians(11)),
+          new Blade(RADIUS, 0.0028, Math.toRadians(10)));
+
+  private static final double THICKNESS = 0.0009;
+
+  private PropellerMesh() {}
+
+  /**
+   * The shape.
+   *
+   * @param clockwise whether it pushes air down when it turns clockwise, seen from above
+   */
+  static MeshBuilder shape(boolean clockwise) {
+    MeshBuilder mesh = new MeshBuilder();
+    addBlade(mesh, 1, clockwise);
+    addBlade(mesh, -1, clockwise);
+    return mesh;
+  }
+
+  static TriangleMesh create(boolean clockwise) {
+    return shape(clockwise).build();
+  }
+
+  private static void addBlade(MeshBuilder mesh, int side, boolean clockwise) {
+    List<int[]> rings = new ArrayList<>();
+    for (Blade blade : BLADES) {
+      rings.add(section(mesh, blade, side, clockwise ? -1 : 1));
+    }
+    mesh.surface(Palette.PROPELLER);
+    Solids.skin(mesh, rings);
+  }
+
+  /** Four corners around the section's middle: two edges, the back and the belly. */
+  private static int[] section(MeshBuilder mesh, Blade blade, int side, int sense) {
+    double flat = blade.chord / 2 * Math.cos(blade.twist);
+    double steep = blade.chord / 2 * Math.sin(blade.twist) * sense;
+    Vec3 middle = new Vec3(side * blade.radius, 0, 0);
+    Vec3 edge = new Vec3(0, side * flat, steep);
+    Vec3 back = new Vec3(0, 0, THICKNESS / 2);
+    return new int[] {
+      mesh.vertex(middle.plus(edge)),
+      mesh.vertex(middle.plus(back)),
+      mesh.vertex(middle.minus(edge)),
+      mesh.vertex(middle.minus(back))
+    };
+  }
+}

@@ -1,0 +1,77 @@
+package tellosimulator.view.drone;
+
+import javafx.scene.paint.Color;
+import tellosimulator.model.FlightPhase;
+
+/**
+ * What the status light beside the camera shows.
+ *
+ * <p>Documented: Tello User Manual, "Aircraft Status Indicator", not read again for this: green,
+ * blinking twice: vision positioning works; yellow, blinking quickly: no signal of a remote
+ * control; red, blinking slowly: low battery; red, blinking quickly: critically low battery; red,
+ * steady: critical error. Assumed: the lengths of blinks.
+ */
+enum StatusLight {
+  /** Without power. */
+  DARK(Color.BLACK, new double[] {1}),
+  /** Nobody has commanded yet. */
+  WAITING(Color.web("#ffc400"), new double[] {0.4, 0, 0.2}),
+  /** An operator program commands. */
+  READY(Color.web("#25e05a"), new double[] {1.4, 0, 0.15, 0.3, 0.45}),
+  LOW_BATTERY(Color.web("#ff2b20"), new double[] {1.2, 0, 0.6}),
+  CRITICAL_BATTERY(Color.web("#ff2b20"), new double[] {0.3, 0, 0.15}),
+  FAILED(Color.web("#ff2b20"), new double[] {1, 0});
+
+  /** At and below this a takeoff is refused [percent]. Decided: fact sheet. */
+  private static final double LOW_PERCENT = 10;
+
+  /** At and below this a drone lands by itself [percent]. Decided: fact sheet. */
+  private static final double CRITICAL_PERCENT = 5;
+
+  private final Color color;
+  private final double[] pattern;
+
+  /**
+   * @param pattern its period, then when it goes on, off, on, off … within a period [s]
+   */
+  StatusLight(Color color, double[] pattern) {
+    this.color = color;
+    this.pattern = pattern;
+  }
+
+  /** What the light of a drone shows. */
+  static StatusLight of(FlightPhase phase, double batteryPercent, boolean commanded) {
+    if (phase == FlightPhase.OFF) {
+      return DARK;
+    }
+    if (phase == FlightPhase.CRASHED) {
+      return FAILED;
+    }
+    if (batteryPercent <= CRITICAL_PERCENT) {
+      return CRITICAL_BATTERY;
+    }
+    if (batteryPercent <= LOW_PERCENT) {
+      return LOW_BATTERY;
+    }
+    return commanded ? READY : WAITING;
+  }
+
+  /** Its colour while it is lit. */
+  Color color() {
+    return color;
+  }
+
+  /**
+   * Whether it is lit at a moment.
+   *
+   * @param seconds on any clock
+   */
+  boolean lit(double seconds) {
+    double within = seconds - pattern[0] * Math.floor(seconds / pattern[0]);
+    boolean lit = false;
+    for (int i = 1; i < pattern.length && within >= pattern[i]; i++) {
+      lit = i % 2 == 1;
+    }
+    return lit;
+  }
+}
