@@ -1,0 +1,136 @@
+package tellosimulator.view.world;
+
+import java.util.ArrayList;
+import java.util.List;
+import javafx.geometry.Point3D;
+import javafx.scene.AmbientLight;
+import javafx.scene.DirectionalLight;
+import javafx.scene.Group;
+import javafx.scene.Node;
+import javafx.scene.paint.Color;
+import tellosimulator.math.Pose;
+import tellosimulator.math.Vec3;
+import tellosimulator.view.FxDroneModel;
+import tellosimulator.view.FxFrames;
+import tellosimulator.view.FxSimulation;
+import tellosimulator.view.drone.DroneView;
+
+/**
+ * Everything in the room, in the room frame. Its order is that of drawing: floor and walls, what
+ * lies on the floor, drones, and last what one sees through.
+ */
+final class World extends Group {
+
+  /** Light on drones from all sides, and from the lamp. Decided: by eye. */
+  private static final Color ALL_SIDES = Color.web("#86878c");
+
+  private static final Color LAMP = Color.web("#8f8b84");
+
+  /** Light from the other side, so that no side is flat. Decided: by eye. */
+  private static final Color OTHER_SIDE = Color.web("#2c3038");
+
+  /** What one drone adds. */
+  private record Parts(
+      DroneView view, Trail trail, PlumbLine plumbLine, List<NumberTag> tags, FollowsStart start) {}
+
+  private final FxSimulation simulation;
+  private final List<Parts> drones = new ArrayList<>();
+  private final Group marks = new Group();
+  private final Group bodies = new Group();
+  private final Group trails = new Group();
+  private final Group aids = new Group();
+
+  World(FxSimulation simulation) {
+    this.simulation = simulation;
+    initializeSelf();
+    initializeParts();
+    layoutParts();
+  }
+
+  /**
+   * Moves on with the drones.
+   *
+   * @param nanos the time of the picture [ns]
+   * @param camera through which one sees it
+   */
+  void advance(long nanos, Pose camera) {
+    for (Parts drone : drones) {
+      drone.view.advance(nanos);
+      if (drone.start.wasReset()) {
+        drone.trail.clear();
+      }
+      drone.trail.advance(nanos);
+      drone.plumbLine.advance(camera.position());
+      drone.tags.forEach(tag -> tag.advance(camera));
+    }
+  }
+
+  void clearTrails() {
+    drones.forEach(drone -> drone.trail.clear());
+  }
+
+  /** The flown paths. */
+  Node trails() {
+    return trails;
+  }
+
+  /** What helps to see where drones are, but is not in the room. */
+  Node aids() {
+    return aids;
+  }
+
+  private void initializeSelf() {
+    setId("world");
+    setMouseTransparent(true);
+    getTransforms().add(FxFrames.ofRoom());
+  }
+
+  private void initializeParts() {
+    boolean several = simulation.drones().size() > 1;
+    for (FxDroneModel drone : simulation.drones()) {
+      List<NumberTag> tags = several ? List.of(new NumberTag(drone)) : List.of();
+      drones.add(
+          new Parts(
+              new DroneView(drone),
+              new Trail(drone),
+              new PlumbLine(drone),
+              tags,
+              new FollowsStart(drone)));
+      marks.getChildren().add(new GroundMarks(drone));
+    }
+  }
+
+  private void layoutParts() {
+    RoomView room = new RoomView(simulation);
+    for (Parts drone : drones) {
+      bodies.getChildren().add(drone.view);
+      trails.getChildren().add(drone.trail);
+      aids.getChildren().add(drone.plumbLine);
+      aids.getChildren().addAll(drone.tags);
+    }
+    aids.getChildren().add(trails);
+    getChildren().addAll(lights(room));
+    getChildren().addAll(room, marks, bodies, aids);
+  }
+
+  /** The room has its light in its pictures; only drones are lit, which is cheaper. */
+  private List<Node> lights(RoomView room) {
+    AmbientLight asPainted = new AmbientLight(Color.WHITE);
+    asPainted.getScope().addAll(room, marks, aids);
+    drones.forEach(drone -> asPainted.getScope().add(drone.view.lamp()));
+    AmbientLight onDrones = new AmbientLight(ALL_SIDES);
+    onDrones.getScope().add(bodies);
+    return List.of(
+        asPainted,
+        onDrones,
+        directional(LAMP, new Vec3(0.45, -0.35, -0.82)),
+        directional(OTHER_SIDE, new Vec3(-0.7, 0.5, 0.1)));
+  }
+
+  private DirectionalLight directional(Color color, Vec3 direction) {
+    DirectionalLight light = new DirectionalLight(color);
+    light.setDirection(new Point3D(direction.x(), direction.y(), direction.z()));
+    light.getScope().add(bodies);
+    return light;
+  }
+}
