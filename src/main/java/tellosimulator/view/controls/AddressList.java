@@ -1,0 +1,117 @@
+package tellosimulator.view.controls;
+
+import java.net.InetSocketAddress;
+import java.util.List;
+import javafx.animation.PauseTransition;
+import javafx.scene.control.Button;
+import javafx.scene.control.Hyperlink;
+import javafx.scene.control.Label;
+import javafx.scene.input.Clipboard;
+import javafx.scene.input.ClipboardContent;
+import javafx.scene.layout.HBox;
+import javafx.scene.layout.Priority;
+import javafx.scene.layout.VBox;
+import javafx.util.Duration;
+import org.kordamp.ikonli.feather.Feather;
+import org.kordamp.ikonli.javafx.FontIcon;
+import tellosimulator.view.text.Messages;
+
+/**
+ * Where a drone takes commands, the most useful address first, each with a button that copies it.
+ * More than a few are folded away. For the JavaFX thread.
+ */
+final class AddressList extends VBox {
+
+  /** Addresses that are always shown. Decided: the network's, this machine's. */
+  private static final int SHOWN = 2;
+
+  /** How long a button says that it has copied [s]. */
+  private static final double THANKS = 1.5;
+
+  private final Messages messages;
+  private final VBox rest = new VBox();
+  private final Hyperlink more = new Hyperlink();
+  private List<InetSocketAddress> shown = List.of();
+
+  AddressList(Messages messages) {
+    this.messages = messages;
+    initializeSelf();
+    initializeParts();
+    setupEventHandlers();
+  }
+
+  private void initializeSelf() {
+    setId("addresses");
+    getStyleClass().add("address-list");
+  }
+
+  private void initializeParts() {
+    more.setId("more-addresses");
+    rest.getStyleClass().add("address-list");
+    unfold(false);
+  }
+
+  private void setupEventHandlers() {
+    more.setOnAction(pressed -> unfold(true));
+  }
+
+  /** Shows addresses, if they are not shown already. */
+  void show(List<InetSocketAddress> addresses) {
+    List<InetSocketAddress> ordered = AddressOrder.mostUsefulFirst(addresses);
+    if (ordered.equals(shown)) {
+      return;
+    }
+    shown = ordered;
+    getChildren().clear();
+    rest.getChildren().clear();
+    for (int i = 0; i < ordered.size(); i++) {
+      (i < SHOWN ? this : rest).getChildren().add(row(i, ordered.get(i)));
+    }
+    if (ordered.size() > SHOWN) {
+      more.textProperty()
+          .bind(messages.text("address.more", Integer.toString(ordered.size() - SHOWN)));
+      getChildren().addAll(more, rest);
+    }
+  }
+
+  private void unfold(boolean open) {
+    more.setVisible(!open);
+    more.setManaged(!open);
+    rest.setVisible(open);
+    rest.setManaged(open);
+  }
+
+  private HBox row(int index, InetSocketAddress address) {
+    String host = address.getAddress().getHostAddress();
+    String text = address.getPort() == 0 ? host : host + ":" + address.getPort();
+    Label label = new Label(text);
+    label.setId("address-" + index);
+    label.getStyleClass().add("address");
+    label.setMaxWidth(Double.MAX_VALUE);
+    Hint.on(
+        label,
+        messages.text(
+            address.getAddress().isLoopbackAddress() ? "address.loopback" : "address.network"));
+    HBox.setHgrow(label, Priority.ALWAYS);
+    Button copy = new Button();
+    copy.setId("copy-address-" + index);
+    copy.setGraphic(new FontIcon(Feather.COPY));
+    copy.getStyleClass().add("icon-button");
+    copy.accessibleTextProperty().bind(messages.text("address.copy", text));
+    Hint.on(copy, messages.text("address.copy", text));
+    copy.setOnAction(pressed -> copy(text, copy));
+    HBox row = new HBox(label, copy);
+    row.getStyleClass().add("row");
+    return row;
+  }
+
+  private static void copy(String text, Button button) {
+    ClipboardContent content = new ClipboardContent();
+    content.putString(text);
+    Clipboard.getSystemClipboard().setContent(content);
+    button.setGraphic(new FontIcon(Feather.CHECK));
+    PauseTransition thanks = new PauseTransition(Duration.seconds(THANKS));
+    thanks.setOnFinished(over -> button.setGraphic(new FontIcon(Feather.COPY)));
+    thanks.play();
+  }
+}

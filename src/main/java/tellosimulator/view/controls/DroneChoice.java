@@ -1,0 +1,74 @@
+package tellosimulator.view.controls;
+
+import java.util.function.IntFunction;
+import javafx.scene.control.ComboBox;
+import javafx.scene.control.ListCell;
+import javafx.scene.paint.Color;
+import javafx.scene.shape.Circle;
+import tellosimulator.view.FxDroneModel;
+import tellosimulator.view.FxSimulation;
+import tellosimulator.view.ViewContext;
+import tellosimulator.view.text.Messages;
+
+/** Which drone panels and cameras show; only there if there are several. For the JavaFX thread. */
+final class DroneChoice extends ComboBox<FxDroneModel> {
+
+  private final FxSimulation simulation;
+  private final Messages messages;
+  private final IntFunction<Color> colours;
+
+  /**
+   * @param colours gives the colour of the drone of a number
+   */
+  DroneChoice(ViewContext context, IntFunction<Color> colours) {
+    this.simulation = context.simulation();
+    this.messages = context.language().messages(DroneChoice.class);
+    this.colours = colours;
+    initializeSelf();
+    setupBindings();
+  }
+
+  private void initializeSelf() {
+    setId("drone-choice");
+    setMaxWidth(Double.MAX_VALUE);
+    setItems(simulation.drones());
+    setCellFactory(list -> new DroneCell());
+    setButtonCell(new DroneCell());
+    accessibleTextProperty().bind(messages.text("drone.choice"));
+    boolean several = simulation.drones().size() > 1;
+    setVisible(several);
+    setManaged(several);
+  }
+
+  private void setupBindings() {
+    valueProperty().bindBidirectional(simulation.selectedProperty());
+  }
+
+  /** Number, colour, state and battery of a drone. */
+  private final class DroneCell extends ListCell<FxDroneModel> {
+
+    private final Circle dot = new Circle(5);
+
+    @Override
+    protected void updateItem(FxDroneModel drone, boolean empty) {
+      super.updateItem(drone, empty);
+      textProperty().unbind();
+      if (empty || drone == null) {
+        setText("");
+        setGraphic(null);
+      } else {
+        dot.setFill(colours.apply(drone.number()));
+        setGraphic(dot);
+        textProperty()
+            .bind(
+                messages.text(
+                    "drone.entry",
+                    drone.number(),
+                    drone.phaseProperty().flatMap(phase -> messages.text(FlightPanel.keyOf(phase))),
+                    drone
+                        .batteryPercentProperty()
+                        .map(percent -> NumberText.whole(percent.doubleValue()))));
+      }
+    }
+  }
+}

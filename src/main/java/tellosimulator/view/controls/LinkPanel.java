@@ -1,0 +1,116 @@
+package tellosimulator.view.controls;
+
+import javafx.beans.property.ReadOnlyStringWrapper;
+import javafx.beans.value.ObservableValue;
+import javafx.scene.control.Label;
+import javafx.scene.layout.HBox;
+import javafx.scene.layout.Priority;
+import javafx.scene.layout.Region;
+import javafx.scene.layout.VBox;
+import org.kordamp.ikonli.feather.Feather;
+import org.kordamp.ikonli.javafx.FontIcon;
+import tellosimulator.model.FlightPhase;
+import tellosimulator.network.Traffic;
+import tellosimulator.sim.SimSnapshot.DroneSnapshot;
+import tellosimulator.view.FxDroneModel;
+import tellosimulator.view.FxSimulation;
+import tellosimulator.view.SimulatorActions;
+import tellosimulator.view.ViewContext;
+import tellosimulator.view.text.Messages;
+
+/**
+ * Who commands the selected drone, what it sends, and how many packets came and went. For the
+ * JavaFX thread.
+ */
+final class LinkPanel extends VBox {
+
+  private final FxSimulation simulation;
+  private final SimulatorActions actions;
+  private final Messages messages;
+  private final Label operator = new Label();
+  private final Lamp state;
+  private final Lamp video;
+  private final ReadOnlyStringWrapper received = new ReadOnlyStringWrapper("0");
+  private final ReadOnlyStringWrapper sent = new ReadOnlyStringWrapper("0");
+
+  LinkPanel(ViewContext context) {
+    simulation = context.simulation();
+    actions = context.actions();
+    messages = context.language().messages(LinkPanel.class);
+    ObservableValue<DroneSnapshot> drone =
+        simulation.selectedProperty().flatMap(FxDroneModel::snapshotProperty);
+    state = new Lamp("state-lamp", messages, "lamp.state", drone.map(LinkPanel::linked));
+    video =
+        new Lamp(
+            "video-lamp",
+            messages,
+            "lamp.video",
+            drone.map(now -> linked(now) && now.state().video().on()));
+    initializeSelf();
+    initializeParts();
+    layoutParts();
+    setupBindings(drone.map(LinkPanel::describe));
+  }
+
+  private void initializeSelf() {
+    getStyleClass().addAll("panel-section", "link-panel");
+  }
+
+  private void initializeParts() {
+    operator.setId("operator");
+    operator.setGraphic(new FontIcon(Feather.LINK));
+    operator.getStyleClass().add("operator");
+  }
+
+  private void layoutParts() {
+    HBox lamps = new HBox(state, space(), video);
+    HBox packets =
+        new HBox(
+            packets("packets-in", Feather.ARROW_DOWN, received),
+            space(),
+            packets("packets-out", Feather.ARROW_UP, sent));
+    getChildren().addAll(operator, lamps, packets);
+  }
+
+  private void setupBindings(ObservableValue<Complaint> who) {
+    operator.textProperty().bind(who.flatMap(now -> now.sentence(messages)));
+  }
+
+  /** Counts anew. */
+  void refresh() {
+    Traffic traffic = actions.traffic(simulation.selected().number());
+    received.set(Long.toString(traffic.received()));
+    sent.set(Long.toString(traffic.sent()));
+  }
+
+  private static boolean linked(DroneSnapshot drone) {
+    return drone.state().phase() != FlightPhase.OFF && drone.link().sdkMode();
+  }
+
+  /** Equal as long as the same is said, so that nothing is written anew. */
+  private static Complaint describe(DroneSnapshot drone) {
+    if (drone.state().phase() == FlightPhase.OFF) {
+      return new Complaint("operator.off");
+    }
+    return drone
+        .link()
+        .operator()
+        .map(peer -> new Complaint("operator.known", peer.toString()))
+        .orElse(new Complaint("operator.waits"));
+  }
+
+  private Label packets(String id, Feather icon, ObservableValue<String> count) {
+    Label label = new Label();
+    label.setId(id);
+    label.setGraphic(new FontIcon(icon));
+    label.getStyleClass().add("packets");
+    label.textProperty().bind(count.flatMap(number -> messages.text(id, number)));
+    return label;
+  }
+
+  private static Region space() {
+    Region space = new Region();
+    HBox.setHgrow(space, Priority.ALWAYS);
+    return space;
+  }
+}

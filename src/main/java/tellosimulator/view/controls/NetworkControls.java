@@ -1,0 +1,76 @@
+package tellosimulator.view.controls;
+
+import javafx.scene.control.ScrollPane;
+import javafx.scene.layout.VBox;
+import tellosimulator.view.FxDroneModel;
+import tellosimulator.view.FxSimulation;
+import tellosimulator.view.ViewContext;
+
+/** The panel at the right: power switch, network, product and time. For the JavaFX thread. */
+public final class NetworkControls extends ScrollPane {
+
+  /** Width of the panel [px]. Decided: the longest address and a button. */
+  private static final double WIDTH = 256;
+
+  /** Time between two looks at packets and addresses [ns]. Decided: four a second. */
+  private static final long PERIOD_NANOS = 250_000_000;
+
+  private final PowerPanel power;
+  private final LinkPanel link;
+  private final PortsPanel ports;
+  private final ProductPanel product;
+  private final TimePanel time;
+  private final VBox parts = new VBox();
+  private final FxSimulation simulation;
+  private long lookedNanos = Long.MIN_VALUE;
+
+  public NetworkControls(ViewContext context) {
+    simulation = context.simulation();
+    power = new PowerPanel(context);
+    link = new LinkPanel(context);
+    ports = new PortsPanel(context, power::forgetError);
+    product = new ProductPanel(context);
+    time = new TimePanel(context);
+    initializeSelf();
+    layoutParts();
+    setupBindings();
+    context.pulse().onBeat(this::beat);
+  }
+
+  private void initializeSelf() {
+    setId("network-controls");
+    getStyleClass().add("control-panel");
+    getStylesheets().add(NetworkControls.class.getResource("controls.css").toExternalForm());
+    setFitToWidth(true);
+    setHbarPolicy(ScrollBarPolicy.NEVER);
+    setMinWidth(WIDTH);
+    setPrefWidth(WIDTH);
+    setMaxWidth(WIDTH);
+  }
+
+  private void layoutParts() {
+    parts.getStyleClass().add("parts");
+    parts.getChildren().addAll(power, link, ports, product, time);
+    setContent(parts);
+  }
+
+  private void setupBindings() {
+    simulation
+        .selectedProperty()
+        .flatMap(FxDroneModel::onProperty)
+        .addListener((property, before, now) -> refresh());
+  }
+
+  private void beat(long nanos) {
+    if (lookedNanos == Long.MIN_VALUE || nanos - lookedNanos >= PERIOD_NANOS) {
+      lookedNanos = nanos;
+      refresh();
+    }
+  }
+
+  private void refresh() {
+    link.refresh();
+    ports.refresh();
+    time.refresh();
+  }
+}

@@ -1,0 +1,201 @@
+package tellosimulator.view.controls;
+
+import atlantafx.base.theme.Styles;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.function.DoubleConsumer;
+import java.util.function.DoubleFunction;
+import javafx.scene.control.TextField;
+import javafx.scene.input.KeyCode;
+import javafx.scene.input.KeyEvent;
+import tellosimulator.view.text.Language;
+import tellosimulator.view.text.Messages;
+
+/**
+ * A field for a number. Enter, leaving the field and the arrow keys up and down hand over what was
+ * typed; Escape brings the old number back. What is wrong is marked, with a sentence, and goes
+ * nowhere. For the JavaFX thread.
+ */
+final class NumberField extends TextField {
+
+  private final Language language;
+  private final Sentence error;
+  private NumberRange range;
+  private DoubleFunction<Optional<Complaint>> rule = number -> Optional.empty();
+  private DoubleConsumer taker = number -> {};
+  private double shown = Double.NaN;
+
+  /** Whether there is text in it that was not handed over. */
+  private boolean edited;
+
+  /** Whether the text changes because {@link #show} shows a number. */
+  private boolean showing;
+
+  NumberField(String id, NumberRange range, Language language) {
+    this.language = language;
+    this.range = range;
+    Messages messages = language.messages(NumberField.class);
+    this.error = new Sentence(messages, id + "-error", Styles.DANGER);
+    setId(id);
+    initializeSelf();
+    setupEventHandlers();
+    setupBindings();
+  }
+
+  private void initializeSelf() {
+    getStyleClass().add("number-field");
+    setPrefColumnCount(5);
+  }
+
+  private void setupEventHandlers() {
+    setOnAction(entered -> commit());
+    addEventFilter(KeyEvent.KEY_PRESSED, this::pressed);
+  }
+
+  private void setupBindings() {
+    focusedProperty()
+        .addListener(
+            (property, before, now) -> {
+              if (!now) {
+                commit();
+              }
+            });
+    textProperty()
+        .addListener(
+            (property, before, now) -> {
+              if (!showing) {
+                edited = true;
+                recheck();
+              }
+            });
+    language
+        .localeProperty()
+        .addListener(
+            (property, before, now) -> {
+              if (!edited) {
+                write();
+              }
+            });
+  }
+
+  /** Takes who gets each new number. */
+  void onNumber(DoubleConsumer newTaker) {
+    taker = newTaker;
+  }
+
+  /** Takes what else makes a number wrong. */
+  void setRule(DoubleFunction<Optional<Complaint>> newRule) {
+    rule = newRule;
+  }
+
+  void setRange(NumberRange newRange) {
+    if (!newRange.equals(range)) {
+      range = newRange;
+      recheck();
+    }
+  }
+
+  /** The sentence about what is wrong, to be laid out below. */
+  Sentence error() {
+    return error;
+  }
+
+  /** What was shown or handed over last. */
+  double number() {
+    return shown;
+  }
+
+  /** Shows a number, unless somebody is typing another one. */
+  void show(double number) {
+    if (number != shown) {
+      shown = number;
+      if (!edited) {
+        write();
+      }
+    }
+  }
+
+  /** Shows the number again, whatever was typed. */
+  void restore() {
+    edited = false;
+    mark(Optional.empty());
+    write();
+  }
+
+  private void pressed(KeyEvent event) {
+    KeyCode code = event.getCode();
+    if (code == KeyCode.ESCAPE && edited) {
+      restore();
+      selectAll();
+      event.consume();
+    } else if (code == KeyCode.UP || code == KeyCode.DOWN) {
+      step(code == KeyCode.UP ? 1 : -1);
+      event.consume();
+    }
+  }
+
+  private void step(int direction) {
+    OptionalDouble typed = NumberText.parse(getText());
+    if (isEditable() && typed.isPresent()) {
+      handOver(range.next(typed.getAsDouble(), direction));
+    }
+  }
+
+  private void commit() {
+    if (!edited) {
+      return;
+    }
+    Optional<Complaint> complaint = complaint();
+    mark(complaint);
+    if (complaint.isEmpty()) {
+      handOver(NumberText.parse(getText()).orElse(shown));
+    }
+  }
+
+  private void handOver(double number) {
+    boolean isNew = number != shown;
+    edited = false;
+    shown = number;
+    mark(Optional.empty());
+    write();
+    if (isNew) {
+      taker.accept(number);
+    }
+  }
+
+  /** Something marked loses its mark as soon as it is right, but is handed over later. */
+  private void recheck() {
+    if (error.isVisible()) {
+      mark(complaint());
+    }
+  }
+
+  private Optional<Complaint> complaint() {
+    OptionalDouble number = NumberText.parse(getText());
+    if (getText().isBlank()) {
+      return Optional.of(new Complaint("number.missing"));
+    }
+    if (number.isEmpty()) {
+      return Optional.of(new Complaint("number.none"));
+    }
+    if (!range.contains(number.getAsDouble())) {
+      return Optional.of(new Complaint("number.range", text(range.least()), text(range.most())));
+    }
+    return rule.apply(number.getAsDouble());
+  }
+
+  private void mark(Optional<Complaint> complaint) {
+    error.say(complaint);
+    pseudoClassStateChanged(Styles.STATE_DANGER, complaint.isPresent());
+  }
+
+  private void write() {
+    showing = true;
+    setText(text(shown));
+    showing = false;
+  }
+
+  private String text(double number) {
+    return NumberText.of(number, language.locale());
+  }
+}

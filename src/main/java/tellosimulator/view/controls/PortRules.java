@@ -1,0 +1,67 @@
+package tellosimulator.view.controls;
+
+import java.net.InetSocketAddress;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import tellosimulator.sim.SimConfig.Outlets;
+
+/** Which ports of a drone and of an operator go together. */
+final class PortRules {
+
+  /** The ports that there are. */
+  static final NumberRange PORTS = new NumberRange(1, 65535, 1);
+
+  /** The port that operator programs have themselves. Documented: SDK 1.3 User Guide. */
+  private static final int OPERATORS_PORT = 8889;
+
+  private static final Set<Integer> LISTENING_PORTS =
+      Set.of(Outlets.DEFAULT.statePort(), Outlets.DEFAULT.videoPort());
+
+  private PortRules() {}
+
+  /** State and video go to the same host, so they need different ports. */
+  static Optional<Complaint> outlet(double port, int otherOutlet) {
+    if (port != Math.rint(port)) {
+      return Optional.of(new Complaint("port.whole"));
+    }
+    return port == otherOutlet
+        ? Optional.of(new Complaint("port.same", Integer.toString(otherOutlet)))
+        : Optional.empty();
+  }
+
+  /**
+   * Two drones cannot listen on the same port of the same address.
+   *
+   * @param own where this drone listens, on its old port
+   * @param others where each drone listens, in the order of their numbers, this one's empty
+   */
+  static Optional<Complaint> command(
+      double port, List<InetSocketAddress> own, List<List<InetSocketAddress>> others) {
+    if (port != Math.rint(port)) {
+      return Optional.of(new Complaint("port.whole"));
+    }
+    for (int i = 0; i < others.size(); i++) {
+      for (InetSocketAddress address : own) {
+        if (others.get(i).contains(new InetSocketAddress(address.getAddress(), (int) port))) {
+          return Optional.of(new Complaint("port.other-drone", Integer.toString(i + 1)));
+        }
+      }
+    }
+    return Optional.empty();
+  }
+
+  /** What is possible, but works only if the operator program runs on another machine. */
+  static Optional<Complaint> warning(int command, Outlets outlets) {
+    if (command == OPERATORS_PORT) {
+      return Optional.of(new Complaint("port.operators", Integer.toString(command)));
+    }
+    boolean listening =
+        LISTENING_PORTS.contains(command)
+            || command == outlets.statePort()
+            || command == outlets.videoPort();
+    return listening
+        ? Optional.of(new Complaint("port.listening", Integer.toString(command)))
+        : Optional.empty();
+  }
+}

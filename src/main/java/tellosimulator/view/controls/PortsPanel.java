@@ -1,0 +1,175 @@
+package tellosimulator.view.controls;
+
+import atlantafx.base.theme.Styles;
+import java.net.InetSocketAddress;
+import java.util.ArrayList;
+import java.util.List;
+import javafx.scene.control.Label;
+import javafx.scene.layout.HBox;
+import javafx.scene.layout.Priority;
+import javafx.scene.layout.VBox;
+import tellosimulator.sim.Control;
+import tellosimulator.sim.SimConfig.Outlets;
+import tellosimulator.sim.SimSnapshot.DroneSnapshot;
+import tellosimulator.view.FxDroneModel;
+import tellosimulator.view.FxSimulation;
+import tellosimulator.view.SimulatorActions;
+import tellosimulator.view.ViewContext;
+import tellosimulator.view.text.Language;
+import tellosimulator.view.text.Messages;
+
+/**
+ * Where the selected drone takes commands, and where its state and video go; the ports can be
+ * changed while it is off. For the JavaFX thread.
+ */
+final class PortsPanel extends VBox {
+
+  private final FxSimulation simulation;
+  private final SimulatorActions actions;
+  private final Messages messages;
+  private final Runnable changed;
+  private final AddressList addresses;
+  private final NumberField command;
+  private final NumberField state;
+  private final NumberField video;
+  private final Sentence warning;
+
+  /**
+   * @param changed is called when a person has chosen another port
+   */
+  PortsPanel(ViewContext context, Runnable changed) {
+    this.simulation = context.simulation();
+    this.actions = context.actions();
+    this.changed = changed;
+    Language language = context.language();
+    messages = language.messages(PortsPanel.class);
+    addresses = new AddressList(messages);
+    command = new NumberField("command-port", PortRules.PORTS, language);
+    state = new NumberField("state-port", PortRules.PORTS, language);
+    video = new NumberField("video-port", PortRules.PORTS, language);
+    warning = new Sentence(messages, "port-warning", Styles.WARNING);
+    initializeSelf();
+    initializeParts();
+    layoutParts();
+    setupEventHandlers();
+    setupBindings();
+    refresh();
+  }
+
+  private void initializeSelf() {
+    getStyleClass().addAll("panel-section", "ports-panel");
+  }
+
+  private void initializeParts() {
+    command.setRule(port -> PortRules.command(port, addresses(drone()), addressesOfOthers()));
+    state.setRule(port -> PortRules.outlet(port, (int) video.number()));
+    video.setRule(port -> PortRules.outlet(port, (int) state.number()));
+  }
+
+  private void layoutParts() {
+    getChildren()
+        .addAll(
+            heading("send"),
+            addresses,
+            row("command-port", command),
+            command.error(),
+            warning,
+            heading("listen"),
+            row("state-port", state),
+            state.error(),
+            row("video-port", video),
+            video.error());
+  }
+
+  private void setupEventHandlers() {
+    command.onNumber(
+        port -> {
+          actions.setCommandPort(drone().number(), (int) port);
+          afterChange();
+        });
+    state.onNumber(port -> configure());
+    video.onNumber(port -> configure());
+  }
+
+  private void setupBindings() {
+    simulation
+        .selectedProperty()
+        .flatMap(FxDroneModel::onProperty)
+        .addListener((property, before, now) -> restore());
+    simulation.selectedProperty().addListener((property, before, now) -> restore());
+    restore();
+  }
+
+  /** Shows what holds now, apart from what somebody is typing. */
+  void refresh() {
+    List<InetSocketAddress> own = addresses(drone());
+    addresses.show(own);
+    int commandPort = own.get(0).getPort();
+    command.show(commandPort);
+    state.show(outlets().statePort());
+    video.show(outlets().videoPort());
+    warning.say(PortRules.warning(commandPort, outlets()));
+  }
+
+  private void restore() {
+    refresh();
+    for (NumberField field : List.of(command, state, video)) {
+      field.restore();
+      field.setDisable(drone().onProperty().get());
+    }
+  }
+
+  private void configure() {
+    Outlets outlets = new Outlets((int) state.number(), (int) video.number());
+    DroneSnapshot snapshot = drone().snapshotProperty().get();
+    actions.carryOut(new Control.Configure(drone().number(), snapshot.product(), outlets));
+    changed.run();
+  }
+
+  private void afterChange() {
+    refresh();
+    changed.run();
+  }
+
+  private FxDroneModel drone() {
+    return simulation.selected();
+  }
+
+  private Outlets outlets() {
+    DroneSnapshot snapshot = drone().snapshotProperty().get();
+    return new Outlets(snapshot.link().statePort(), snapshot.link().videoPort());
+  }
+
+  private List<InetSocketAddress> addresses(FxDroneModel drone) {
+    return actions.addresses(drone.number());
+  }
+
+  private List<List<InetSocketAddress>> addressesOfOthers() {
+    List<List<InetSocketAddress>> others = new ArrayList<>();
+    for (FxDroneModel other : simulation.drones()) {
+      others.add(other == drone() ? List.of() : addresses(other));
+    }
+    return others;
+  }
+
+  private Label heading(String key) {
+    Label heading = new Label();
+    heading.textProperty().bind(messages.text("heading." + key));
+    heading.getStyleClass().add("heading");
+    return heading;
+  }
+
+  private HBox row(String key, NumberField field) {
+    Label name = new Label();
+    name.textProperty().bind(messages.text(key));
+    name.getStyleClass().add("caption");
+    name.setMaxWidth(Double.MAX_VALUE);
+    name.setLabelFor(field);
+    HBox.setHgrow(name, Priority.ALWAYS);
+    field.accessibleTextProperty().bind(name.textProperty());
+    HBox row = new HBox(name, field);
+    row.getStyleClass().add("row");
+    Hint.on(row, messages.text(key + ".hint"));
+    return row;
+  }
+}

@@ -1,0 +1,104 @@
+package tellosimulator.view.controls;
+
+import java.util.Arrays;
+import java.util.List;
+import java.util.function.UnaryOperator;
+import javafx.beans.value.ObservableValue;
+import javafx.scene.control.Label;
+import javafx.scene.layout.VBox;
+import tellosimulator.command.Link;
+import tellosimulator.profile.Behaviour;
+import tellosimulator.profile.Profile;
+import tellosimulator.sim.Control;
+import tellosimulator.sim.SimConfig.Outlets;
+import tellosimulator.sim.SimConfig.Product;
+import tellosimulator.sim.SimSnapshot.DroneSnapshot;
+import tellosimulator.view.FxDroneModel;
+import tellosimulator.view.FxSimulation;
+import tellosimulator.view.SimulatorActions;
+import tellosimulator.view.ViewContext;
+import tellosimulator.view.text.Messages;
+
+/**
+ * Which product the selected drone is, and after which account; can be changed while it is off. For
+ * the JavaFX thread.
+ */
+final class ProductPanel extends VBox {
+
+  private final FxSimulation simulation;
+  private final SimulatorActions actions;
+  private final Messages messages;
+  private final Label heading = new Label();
+  private final Segments<Profile> profile;
+  private final Segments<Behaviour> behaviour;
+
+  ProductPanel(ViewContext context) {
+    simulation = context.simulation();
+    actions = context.actions();
+    messages = context.language().messages(ProductPanel.class);
+    profile =
+        new Segments<>(
+            "profile",
+            Arrays.stream(Profile.values()).map(this::option).toList(),
+            chosen -> configure(old -> new Product(chosen, old.behaviour())));
+    behaviour =
+        new Segments<>(
+            "behaviour",
+            Arrays.stream(Behaviour.values()).map(this::option).toList(),
+            chosen -> configure(old -> new Product(old.profile(), chosen)));
+    initializeSelf();
+    layoutParts();
+    setupBindings();
+  }
+
+  private void initializeSelf() {
+    getStyleClass().addAll("panel-section", "product-panel");
+    heading.getStyleClass().add("heading");
+    heading.textProperty().bind(messages.text("heading.product"));
+  }
+
+  private void layoutParts() {
+    getChildren().addAll(heading, profile, behaviour);
+  }
+
+  private void setupBindings() {
+    ObservableValue<DroneSnapshot> drone =
+        simulation.selectedProperty().flatMap(FxDroneModel::snapshotProperty);
+    ObservableValue<Product> product = drone.map(DroneSnapshot::product);
+    product.addListener((property, before, now) -> show(now));
+    show(product.getValue());
+    ObservableValue<Boolean> on = simulation.selectedProperty().flatMap(FxDroneModel::onProperty);
+    for (Segments<?> choice : List.of(profile, behaviour)) {
+      choice.disableProperty().bind(on);
+    }
+  }
+
+  private void show(Product product) {
+    profile.show(product.profile());
+    behaviour.show(product.behaviour());
+  }
+
+  private void configure(UnaryOperator<Product> change) {
+    FxDroneModel drone = simulation.selected();
+    DroneSnapshot snapshot = drone.snapshotProperty().get();
+    Link link = snapshot.link();
+    actions.carryOut(
+        new Control.Configure(
+            drone.number(),
+            change.apply(snapshot.product()),
+            new Outlets(link.statePort(), link.videoPort())));
+  }
+
+  private Segments.Option<Profile> option(Profile value) {
+    return option(value, "profile.", value.option());
+  }
+
+  private Segments.Option<Behaviour> option(Behaviour value) {
+    return option(value, "behaviour.", value.option());
+  }
+
+  private <T> Segments.Option<T> option(T value, String key, String word) {
+    return new Segments.Option<>(
+        value, word, messages.text(key + word), messages.text(key + word + ".hint"));
+  }
+}

@@ -1,0 +1,161 @@
+package tellosimulator.view.controls;
+
+import java.util.List;
+import javafx.scene.control.Label;
+import javafx.scene.layout.VBox;
+import tellosimulator.math.Frames;
+import tellosimulator.math.Vec3;
+import tellosimulator.model.DroneSpec;
+import tellosimulator.sim.Control;
+import tellosimulator.view.FxSimulation;
+import tellosimulator.view.SimulatorActions;
+import tellosimulator.view.ViewContext;
+import tellosimulator.view.text.Messages;
+import tellosimulator.world.Room;
+
+/**
+ * The room's size, its grid, and where the selected drone starts; all in centimetres. What a person
+ * changes goes to the simulation at the next pulse, and what the simulation says is shown. For the
+ * JavaFX thread.
+ */
+final class RoomPanel extends VBox {
+
+  /** What a slider reaches [cm]. Decided: from the smallest room to a gym. */
+  private static final NumberRange SLIDER =
+      new NumberRange(Frames.centimetres(Room.SHORTEST), 2000, 10);
+
+  private static final NumberRange FIELD =
+      new NumberRange(
+          Frames.centimetres(Room.SHORTEST), Frames.centimetres(Room.LONGEST), SLIDER.step());
+
+  /** Distance between the grid's lines [cm]. Decided: tells a drone's size from a room's. */
+  private static final NumberRange GRID = new NumberRange(10, 200, 5);
+
+  /** By how much an arrow key moves the start [cm]. */
+  private static final double START_STEP = 10;
+
+  private final FxSimulation simulation;
+  private final SimulatorActions actions;
+  private final NumberSlider width;
+  private final NumberSlider depth;
+  private final NumberSlider height;
+  private final NumberSlider grid;
+  private final NumberSlider startX;
+  private final NumberSlider startY;
+  private final Label heading = new Label();
+
+  RoomPanel(ViewContext context) {
+    simulation = context.simulation();
+    actions = context.actions();
+    Messages messages = context.language().messages(RoomPanel.class);
+    heading.textProperty().bind(messages.text("room.heading"));
+    width = slider(context, "room-width", SLIDER);
+    depth = slider(context, "room-depth", SLIDER);
+    height = slider(context, "room-height", SLIDER);
+    grid = slider(context, "grid-size", GRID);
+    startX = slider(context, "start-x", startRange(room().depth()));
+    startY = slider(context, "start-y", startRange(room().width()));
+    initializeSelf();
+    initializeParts();
+    layoutParts();
+    setupBindings();
+    context.pulse().onBeat(nanos -> beat());
+  }
+
+  private static NumberSlider slider(ViewContext context, String id, NumberRange range) {
+    Messages messages = context.language().messages(RoomPanel.class);
+    return new NumberSlider(id, messages.text(id), range, context.language());
+  }
+
+  private void initializeSelf() {
+    getStyleClass().addAll("panel-section", "room-panel");
+  }
+
+  private void initializeParts() {
+    List.of(width, depth, height).forEach(edge -> edge.setFieldRange(FIELD));
+    heading.getStyleClass().add("heading");
+    showRoom();
+    showGrid();
+    showStart();
+  }
+
+  private void layoutParts() {
+    getChildren().addAll(heading, width, depth, height, grid, startX, startY);
+  }
+
+  private void setupBindings() {
+    simulation.selectedProperty().addListener((property, before, now) -> forgetStart());
+  }
+
+  /** What was typed was meant for the other drone. */
+  private void forgetStart() {
+    startX.forgetTyped();
+    startY.forgetTyped();
+    showStart();
+  }
+
+  private void beat() {
+    if (changed(width, depth, height)) {
+      actions.carryOut(new Control.SetRoom(wantedRoom()));
+    } else {
+      showRoom();
+    }
+    if (changed(grid)) {
+      simulation.gridCmProperty().set(grid.value());
+    } else {
+      showGrid();
+    }
+    if (changed(startX, startY)) {
+      actions.carryOut(new Control.SetStart(simulation.selected().number(), wantedStart()));
+    } else {
+      showStart();
+    }
+  }
+
+  /** Whether a person changed one of them; then all of them count as taken. */
+  private static boolean changed(NumberSlider... sliders) {
+    boolean changed = false;
+    for (NumberSlider slider : sliders) {
+      changed |= slider.takeChange();
+    }
+    return changed;
+  }
+
+  private void showRoom() {
+    width.show(Frames.centimetres(room().width()));
+    depth.show(Frames.centimetres(room().depth()));
+    height.show(Frames.centimetres(room().height()));
+    startX.setRange(startRange(room().depth()));
+    startY.setRange(startRange(room().width()));
+  }
+
+  private void showGrid() {
+    grid.show(simulation.gridCmProperty().get());
+  }
+
+  private void showStart() {
+    Vec3 start = simulation.selected().startProperty().get().position();
+    startX.show(Frames.centimetres(start.x()));
+    startY.show(Frames.centimetres(start.y()));
+  }
+
+  private Room wantedRoom() {
+    return new Room(
+        Frames.metres(width.value()), Frames.metres(depth.value()), Frames.metres(height.value()));
+  }
+
+  private Vec3 wantedStart() {
+    return new Vec3(Frames.metres(startX.value()), Frames.metres(startY.value()), 0);
+  }
+
+  private Room room() {
+    return simulation.roomProperty().get();
+  }
+
+  /** Where a drone can stand between two walls; rounded inwards to what a field shows. */
+  private static NumberRange startRange(double edge) {
+    double reach = Frames.centimetres(edge / 2 - DroneSpec.HULL.radius());
+    double shown = Math.floor(reach * 10 + 1e-6) / 10;
+    return new NumberRange(-shown, shown, START_STEP);
+  }
+}

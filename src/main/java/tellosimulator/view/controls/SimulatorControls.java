@@ -1,0 +1,112 @@
+package tellosimulator.view.controls;
+
+import java.util.function.IntFunction;
+import javafx.beans.property.BooleanProperty;
+import javafx.beans.property.SimpleBooleanProperty;
+import javafx.scene.control.Button;
+import javafx.scene.control.ScrollPane;
+import javafx.scene.control.ToggleButton;
+import javafx.scene.layout.HBox;
+import javafx.scene.layout.Priority;
+import javafx.scene.layout.VBox;
+import javafx.scene.paint.Color;
+import org.kordamp.ikonli.feather.Feather;
+import org.kordamp.ikonli.javafx.FontIcon;
+import tellosimulator.sim.Control;
+import tellosimulator.view.FxSimulation;
+import tellosimulator.view.SimulatorActions;
+import tellosimulator.view.ViewContext;
+import tellosimulator.view.text.Messages;
+
+/**
+ * The panel at the left: what the drone does, and the room in which it does it. For the JavaFX
+ * thread.
+ */
+public final class SimulatorControls extends ScrollPane {
+
+  /** Width of the panel [px]. Decided: room for two instruments and a height bar. */
+  private static final double WIDTH = 272;
+
+  private final FxSimulation simulation;
+  private final SimulatorActions actions;
+  private final Messages messages;
+  private final BooleanProperty droneCamera = new SimpleBooleanProperty(this, "droneCamera");
+  private final DroneChoice choice;
+  private final FlightPanel flight;
+  private final ChartDeck charts;
+  private final RoomPanel room;
+  private final Button reset = new Button();
+  private final ToggleButton cameraSwitch = new ToggleButton();
+  private final VBox parts = new VBox();
+
+  /**
+   * @param colours gives the colour of the drone of a number
+   */
+  public SimulatorControls(ViewContext context, IntFunction<Color> colours) {
+    simulation = context.simulation();
+    actions = context.actions();
+    messages = context.language().messages(SimulatorControls.class);
+    choice = new DroneChoice(context, colours);
+    flight = new FlightPanel(context);
+    charts = new ChartDeck(context);
+    room = new RoomPanel(context);
+    initializeSelf();
+    initializeParts();
+    layoutParts();
+    setupEventHandlers();
+    setupBindings();
+  }
+
+  private void initializeSelf() {
+    setId("simulator-controls");
+    getStyleClass().add("control-panel");
+    getStylesheets().add(SimulatorControls.class.getResource("controls.css").toExternalForm());
+    setFitToWidth(true);
+    setFitToHeight(true);
+    setHbarPolicy(ScrollBarPolicy.NEVER);
+    setMinWidth(WIDTH);
+    setPrefWidth(WIDTH);
+    setMaxWidth(WIDTH);
+  }
+
+  private void initializeParts() {
+    reset.setId("reset");
+    reset.setGraphic(new FontIcon(Feather.ROTATE_CCW));
+    cameraSwitch.setId("camera-switch");
+    cameraSwitch.setGraphic(new FontIcon(Feather.VIDEO));
+    Hint.on(reset, messages.text("reset.hint"));
+    Hint.on(cameraSwitch, messages.text("camera.hint"));
+    parts.getStyleClass().add("parts");
+  }
+
+  private void layoutParts() {
+    reset.setMaxWidth(Double.MAX_VALUE);
+    cameraSwitch.setMaxWidth(Double.MAX_VALUE);
+    HBox.setHgrow(reset, Priority.ALWAYS);
+    HBox.setHgrow(cameraSwitch, Priority.ALWAYS);
+    HBox buttons = new HBox(8, reset, cameraSwitch);
+    VBox.setVgrow(charts, Priority.ALWAYS);
+    parts.getChildren().addAll(choice, flight, buttons, charts, room);
+    setContent(parts);
+  }
+
+  private void setupEventHandlers() {
+    reset.setOnAction(
+        pressed -> actions.carryOut(new Control.Reset(simulation.selected().number())));
+  }
+
+  private void setupBindings() {
+    reset.textProperty().bind(messages.text("reset"));
+    cameraSwitch
+        .textProperty()
+        .bind(
+            droneCamera.flatMap(
+                drone -> messages.text(drone ? "camera.simulator" : "camera.drone")));
+    cameraSwitch.selectedProperty().bindBidirectional(droneCamera);
+  }
+
+  /** Whether the scene shall be seen through the drone's camera; the button switches it. */
+  public BooleanProperty droneCameraProperty() {
+    return droneCamera;
+  }
+}

@@ -1,0 +1,146 @@
+package tellosimulator.view.controls;
+
+import java.util.stream.DoubleStream;
+import javafx.collections.FXCollections;
+import javafx.collections.ObservableList;
+import javafx.geometry.Pos;
+import javafx.scene.control.ComboBox;
+import javafx.scene.control.Label;
+import javafx.scene.control.ListCell;
+import javafx.scene.control.ToggleButton;
+import javafx.scene.layout.HBox;
+import javafx.scene.layout.Priority;
+import javafx.scene.layout.VBox;
+import org.kordamp.ikonli.feather.Feather;
+import org.kordamp.ikonli.javafx.FontIcon;
+import tellosimulator.sim.Control;
+import tellosimulator.time.TimeFactor;
+import tellosimulator.view.FxSimulation;
+import tellosimulator.view.SimulatorActions;
+import tellosimulator.view.ViewContext;
+import tellosimulator.view.text.Language;
+import tellosimulator.view.text.Messages;
+
+/** Simulated time: how late it is, how fast it passes, and a pause. For the JavaFX thread. */
+final class TimePanel extends VBox {
+
+  private static final double[] FACTORS = {0.1, 0.25, 0.5, 1, 2, 5, 10, 20, TimeFactor.MAX.value()};
+
+  private final FxSimulation simulation;
+  private final SimulatorActions actions;
+  private final Language language;
+  private final Messages messages;
+  private final Label heading = new Label();
+  private final Label clock = new Label();
+  private final ComboBox<TimeFactor> factor = new ComboBox<>();
+  private final ToggleButton pause = new ToggleButton();
+  private final FontIcon pauseIcon = new FontIcon(Feather.PAUSE);
+
+  /** Whether the choice changes because the simulation's factor is shown. */
+  private boolean showing;
+
+  TimePanel(ViewContext context) {
+    simulation = context.simulation();
+    actions = context.actions();
+    language = context.language();
+    messages = language.messages(TimePanel.class);
+    initializeSelf();
+    initializeParts();
+    layoutParts();
+    setupEventHandlers();
+    setupBindings();
+    refresh();
+  }
+
+  private void initializeSelf() {
+    getStyleClass().addAll("panel-section", "time-panel");
+  }
+
+  private void initializeParts() {
+    heading.getStyleClass().add("heading");
+    heading.setMaxWidth(Double.MAX_VALUE);
+    HBox.setHgrow(heading, Priority.ALWAYS);
+    clock.setId("simulated-time");
+    clock.getStyleClass().add("number");
+    ObservableList<TimeFactor> offered = FXCollections.observableArrayList();
+    DoubleStream.of(FACTORS).mapToObj(TimeFactor::new).forEach(offered::add);
+    factor.setId("time-factor");
+    factor.setItems(offered);
+    factor.setCellFactory(list -> new FactorCell());
+    factor.setButtonCell(new FactorCell());
+    factor.setMaxWidth(Double.MAX_VALUE);
+    pause.setId("pause");
+    pause.setGraphic(pauseIcon);
+    pause.setMaxWidth(Double.MAX_VALUE);
+  }
+
+  private void layoutParts() {
+    HBox head = new HBox(heading, clock);
+    head.setAlignment(Pos.BASELINE_LEFT);
+    HBox row = new HBox(8, factor, pause);
+    HBox.setHgrow(factor, Priority.ALWAYS);
+    HBox.setHgrow(pause, Priority.ALWAYS);
+    getChildren().addAll(head, row);
+  }
+
+  private void setupEventHandlers() {
+    factor
+        .valueProperty()
+        .addListener(
+            (property, before, now) -> {
+              if (!showing && now != null) {
+                actions.carryOut(new Control.SetTimeFactor(now));
+              }
+            });
+    pause.setOnAction(pressed -> actions.carryOut(new Control.Pause(pause.isSelected())));
+  }
+
+  private void setupBindings() {
+    heading.textProperty().bind(messages.text("heading.time"));
+    Hint.on(factor, messages.text("time.factor.hint"));
+    factor.accessibleTextProperty().bind(messages.text("time.factor.hint"));
+    pause
+        .textProperty()
+        .bind(
+            simulation
+                .pausedProperty()
+                .flatMap(paused -> messages.text(paused ? "time.resume" : "time.pause")));
+    simulation.pausedProperty().addListener((property, before, now) -> showPause(now));
+    simulation.timeFactorProperty().addListener((property, before, now) -> showFactor(now));
+    showPause(simulation.pausedProperty().get());
+    showFactor(simulation.timeFactorProperty().get());
+  }
+
+  /** Shows how late it is. */
+  void refresh() {
+    clock.setText(NumberText.time(simulation.secondsProperty().get()));
+  }
+
+  private void showPause(boolean paused) {
+    pause.setSelected(paused);
+    pauseIcon.setIconCode(paused ? Feather.PLAY : Feather.PAUSE);
+  }
+
+  private void showFactor(TimeFactor now) {
+    showing = true;
+    factor.setValue(now);
+    showing = false;
+  }
+
+  private final class FactorCell extends ListCell<TimeFactor> {
+
+    @Override
+    protected void updateItem(TimeFactor item, boolean empty) {
+      super.updateItem(item, empty);
+      textProperty().unbind();
+      if (empty || item == null) {
+        setText("");
+      } else if (item.unlimited()) {
+        textProperty().bind(messages.text("time.max"));
+      } else {
+        textProperty()
+            .bind(language.localeProperty().map(locale -> NumberText.factor(item.value(), locale)));
+      }
+    }
+  }
+}
