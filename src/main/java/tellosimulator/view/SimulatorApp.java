@@ -5,13 +5,10 @@ import java.util.Locale;
 import java.util.OptionalInt;
 import java.util.concurrent.CountDownLatch;
 import javafx.application.Platform;
-import javafx.scene.Scene;
-import javafx.scene.layout.StackPane;
 import javafx.stage.Stage;
 import tellosimulator.network.AddressPlan;
 import tellosimulator.network.OnlineSimulation;
 import tellosimulator.sim.SimConfig;
-import tellosimulator.view.layout.SimulatorPane;
 import tellosimulator.view.text.Language;
 
 /** The program with a window. */
@@ -39,14 +36,13 @@ public final class SimulatorApp implements AutoCloseable {
   private void open() {
     Language language = new Language(Locale.getDefault());
     ViewContext context = ViewContext.of(simulation, language);
-    SimulatorPane pane =
-        new SimulatorPane(
-            new SimulatorPane.Parts(
-                new StackPane(), new StackPane(), new StackPane(), new StackPane()));
     Stage stage = new Stage();
-    stage.setScene(new Scene(pane, 1280, 800));
-    stage.setTitle("Tello Simulator");
-    stage.setOnHidden(hidden -> closed.countDown());
+    SimulatorWindow window = new SimulatorWindow(stage, context);
+    stage.setOnHidden(
+        hidden -> {
+          window.close();
+          closed.countDown();
+        });
     context.pulse().start();
     stage.show();
   }

@@ -1,22 +1,126 @@
 package tellosimulator.view.layout;
 
+import javafx.beans.property.BooleanProperty;
+import javafx.geometry.Pos;
+import javafx.scene.Cursor;
 import javafx.scene.Node;
+import javafx.scene.input.MouseEvent;
 import javafx.scene.layout.BorderPane;
+import javafx.scene.layout.Priority;
+import javafx.scene.layout.Region;
+import javafx.scene.layout.StackPane;
+import javafx.scene.layout.VBox;
 
 /**
  * The frame of the window: simulator controls at the left, network controls at the right, log
- * below, the 3D scene in the middle.
+ * below, the 3D scene in the middle. In full-screen the scene fills everything and the other parts
+ * lie over it.
  */
 public final class SimulatorPane extends BorderPane {
 
-  /** The parts of the window, by their places. */
-  public record Parts(Node scene, Node simulatorControls, Node networkControls, Node log) {}
+  private static final double LEAST_LOG_HEIGHT = 90;
 
-  public SimulatorPane(Parts parts) {
+  /** What the log always leaves to the scene [px]. */
+  private static final double LEAST_SCENE_HEIGHT = 200;
+
+  /** The parts of the window, by their places. */
+  public record Parts(
+      Region bar, Middle middle, Region simulatorControls, Region networkControls, Region log) {}
+
+  /**
+   * What is in the middle.
+   *
+   * @param pilot flies the drone; lies over the scene, at its lower edge
+   */
+  public record Middle(Region scene, Region pilot) {}
+
+  private final Parts parts;
+  private final WindowState state;
+  private final StackPane middle = new StackPane();
+  private final BorderPane overlay = new BorderPane();
+  private final Region logHandle = new Region();
+  private final VBox bottom = new VBox();
+
+  public SimulatorPane(Parts parts, WindowState state) {
+    this.parts = parts;
+    this.state = state;
+    initializeSelf();
+    layoutParts();
+    setupEventHandlers();
+    setupBindings();
+  }
+
+  private void initializeSelf() {
     setId("simulator-pane");
-    setCenter(parts.scene());
-    setLeft(parts.simulatorControls());
-    setRight(parts.networkControls());
-    setBottom(parts.log());
+    getStylesheets().add(SimulatorPane.class.getResource("layout.css").toExternalForm());
+    overlay.getStyleClass().add("overlay");
+    overlay.setPickOnBounds(false);
+    middle.setMinSize(0, 0);
+  }
+
+  private void layoutParts() {
+    logHandle.setId("log-handle");
+    logHandle.getStyleClass().add("log-handle");
+    logHandle.setCursor(Cursor.V_RESIZE);
+    parts.log().setMinHeight(0);
+    VBox.setVgrow(parts.log(), Priority.ALWAYS);
+    bottom.getChildren().setAll(logHandle, parts.log());
+    bottom.getStyleClass().add("panel");
+    for (Node side : new Node[] {parts.simulatorControls(), parts.networkControls()}) {
+      side.getStyleClass().add("panel");
+    }
+    StackPane free = new StackPane(parts.middle().pilot());
+    free.setAlignment(Pos.BOTTOM_CENTER);
+    free.setPickOnBounds(false);
+    free.setMinSize(0, 0);
+    parts.middle().pilot().setMaxSize(Region.USE_PREF_SIZE, Region.USE_PREF_SIZE);
+    parts.middle().pilot().getStyleClass().add("floating");
+    overlay.setCenter(free);
+    middle.getChildren().setAll(parts.middle().scene(), overlay);
+    setCenter(middle);
+    arrange(state.fullScreenProperty().get());
+  }
+
+  private void setupEventHandlers() {
+    logHandle.addEventHandler(MouseEvent.MOUSE_DRAGGED, this::resizeLog);
+    logHandle.setOnMouseClicked(
+        click -> {
+          if (click.getClickCount() == 2) {
+            state.logHeightProperty().set(WindowState.LOG_HEIGHT);
+          }
+        });
+  }
+
+  private void setupBindings() {
+    state.fullScreenProperty().subscribe(this::arrange);
+    show(parts.simulatorControls(), state.simulatorControlsShownProperty());
+    show(parts.networkControls(), state.networkControlsShownProperty());
+    show(bottom, state.logShownProperty());
+    bottom.prefHeightProperty().bind(state.logHeightProperty());
+  }
+
+  private static void show(Node part, BooleanProperty shown) {
+    part.visibleProperty().bind(shown);
+    part.managedProperty().bind(shown);
+  }
+
+  private void resizeLog(MouseEvent drag) {
+    double wanted = sceneToLocal(drag.getSceneX(), drag.getSceneY()).getY();
+    double most = Math.max(LEAST_LOG_HEIGHT, getHeight() - LEAST_SCENE_HEIGHT);
+    double height = Math.max(LEAST_LOG_HEIGHT, Math.min(most, getHeight() - wanted));
+    state.logHeightProperty().set(height);
+  }
+
+  private void arrange(boolean over) {
+    BorderPane emptied = over ? this : overlay;
+    emptied.setTop(null);
+    emptied.setLeft(null);
+    emptied.setRight(null);
+    emptied.setBottom(null);
+    BorderPane filled = over ? overlay : this;
+    filled.setTop(parts.bar());
+    filled.setLeft(parts.simulatorControls());
+    filled.setRight(parts.networkControls());
+    filled.setBottom(bottom);
   }
 }

@@ -1,0 +1,62 @@
+package tellosimulator.view.layout;
+
+import atlantafx.base.theme.Styles;
+import atlantafx.base.theme.Tweaks;
+import java.util.List;
+import java.util.Locale;
+import javafx.beans.property.Property;
+import javafx.beans.value.ObservableValue;
+import javafx.scene.control.Menu;
+import javafx.scene.control.MenuButton;
+import javafx.scene.control.MenuItem;
+import javafx.scene.control.RadioMenuItem;
+import javafx.scene.control.ToggleGroup;
+import org.kordamp.ikonli.feather.Feather;
+import org.kordamp.ikonli.javafx.FontIcon;
+import tellosimulator.view.layout.WindowState.Page;
+import tellosimulator.view.text.Language;
+import tellosimulator.view.text.Messages;
+
+/** Language, theme, scale, and what else is chosen once. */
+final class SettingsMenu extends MenuButton {
+
+  private final Messages messages;
+
+  SettingsMenu(Language language, WindowState state) {
+    super("", new FontIcon(Feather.SETTINGS));
+    messages = language.messages(SettingsMenu.class);
+    setId("settings");
+    setFocusTraversable(false);
+    accessibleTextProperty().bind(messages.text("settings"));
+    getStyleClass().addAll(Styles.BUTTON_ICON, Styles.FLAT, Tweaks.NO_ARROW);
+    MenuItem about = new MenuItem();
+    about.setId("about");
+    about.textProperty().bind(messages.text("about"));
+    about.setOnAction(event -> state.pageProperty().set(Page.ABOUT));
+    getItems()
+        .setAll(
+            choice("language", Language.OFFERED, language.localeProperty()),
+            choice("theme", List.of(Theme.values()), state.themeProperty()),
+            choice("scale", List.of(UiScale.values()), state.uiScaleProperty()),
+            about);
+  }
+
+  private <T> Menu choice(String key, List<T> values, Property<T> chosen) {
+    Menu menu = new Menu();
+    menu.setId(key);
+    menu.textProperty().bind(messages.text(key));
+    ToggleGroup group = new ToggleGroup();
+    for (T value : values) {
+      RadioMenuItem item = new RadioMenuItem();
+      String name = value.toString().toLowerCase(Locale.ROOT);
+      item.setId(key + "-" + name);
+      ObservableValue<String> text = messages.text(key + "-" + name);
+      item.textProperty().bind(text);
+      item.setToggleGroup(group);
+      item.setOnAction(event -> chosen.setValue(value));
+      chosen.subscribe(now -> item.setSelected(value.equals(now)));
+      menu.getItems().add(item);
+    }
+    return menu;
+  }
+}
