@@ -7,10 +7,12 @@ import ch.qos.logback.classic.LoggerContext;
 import ch.qos.logback.classic.encoder.PatternLayoutEncoder;
 import ch.qos.logback.classic.spi.Configurator;
 import ch.qos.logback.classic.spi.ILoggingEvent;
-import ch.qos.logback.core.ConsoleAppender;
+import ch.qos.logback.core.OutputStreamAppender;
 import ch.qos.logback.core.filter.Filter;
 import ch.qos.logback.core.spi.ContextAwareBase;
 import ch.qos.logback.core.spi.FilterReply;
+import java.io.FilterOutputStream;
+import java.io.IOException;
 import org.slf4j.LoggerFactory;
 
 /**
@@ -31,11 +33,11 @@ public final class LogSetup extends ContextAwareBase implements Configurator {
     encoder.setPattern("%d{HH:mm:ss.SSS} %-5level %msg%n%ex{short}");
     encoder.start();
 
-    ConsoleAppender<ILoggingEvent> console = new ConsoleAppender<>();
+    OutputStreamAppender<ILoggingEvent> console = new OutputStreamAppender<>();
     console.setContext(context);
-    console.setTarget("System.err");
+    console.setOutputStream(new Terminal());
     console.setEncoder(encoder);
-    console.addFilter(new ToolkitOnClassPath());
+    console.addFilter(new Chatter());
     console.start();
 
     AsyncAppender queue = new AsyncAppender();
@@ -64,16 +66,34 @@ public final class LogSetup extends ContextAwareBase implements Configurator {
   }
 
   /**
-   * Keeps back what JavaFX says at each start from a class path, which is how this program starts
-   * it: one jar has no modules.
+   * Keeps back what libraries say that is of use to nobody here: their chatter below warnings, and
+   * what JavaFX says at each start from a class path, which is how one jar starts it.
    */
-  private static final class ToolkitOnClassPath extends Filter<ILoggingEvent> {
+  private static final class Chatter extends Filter<ILoggingEvent> {
     @Override
     public FilterReply decide(ILoggingEvent event) {
-      return event.getLoggerName().equals("javafx")
-              && event.getMessage().startsWith("Unsupported JavaFX configuration")
-          ? FilterReply.DENY
-          : FilterReply.NEUTRAL;
+      boolean own = event.getLoggerName().startsWith("tellosimulator");
+      boolean worthReading =
+          event.getLevel().isGreaterOrEqual(Level.WARN)
+              && !event.getMessage().startsWith("Unsupported JavaFX configuration");
+      return own || worthReading ? FilterReply.NEUTRAL : FilterReply.DENY;
+    }
+  }
+
+  /** Standard error as it is now, whatever the program does to it later; never closed. */
+  private static final class Terminal extends FilterOutputStream {
+    Terminal() {
+      super(System.err);
+    }
+
+    @Override
+    public void write(byte[] bytes, int offset, int length) throws IOException {
+      out.write(bytes, offset, length);
+    }
+
+    @Override
+    public void close() throws IOException {
+      flush();
     }
   }
 }

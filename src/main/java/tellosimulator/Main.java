@@ -14,6 +14,7 @@ import picocli.CommandLine.UnmatchedArgumentException;
 import tellosimulator.headless.HeadlessSimulator;
 import tellosimulator.network.PortTakenException;
 import tellosimulator.view.SimulatorApp;
+import tellosimulator.view.Toolkit;
 
 /** The command line: reads the options, then runs the simulator. */
 public final class Main {
@@ -46,7 +47,7 @@ public final class Main {
         return 0;
       }
       LogSetup.setLevel(options.logLevel());
-      return simulate(options, out);
+      return simulate(options, out, err);
     } catch (UnmatchedArgumentException e) {
       err.println("There is no option " + e.getUnmatched().get(0) + ". Try --help.");
       return WRONG_OPTIONS;
@@ -65,16 +66,29 @@ public final class Main {
     }
   }
 
-  private static int simulate(Options options, PrintStream out)
+  private static int simulate(Options options, PrintStream out, PrintStream err)
       throws IOException, InterruptedException {
-    return options.headless() ? simulateHeadless(options, out) : simulateInWindow(options);
+    options.check();
+    if (!options.headless()) {
+      StrayOutput.intoTheLog();
+      Optional<String> obstacle = Toolkit.start();
+      if (obstacle.isEmpty()) {
+        return simulateInWindow(options, out);
+      }
+      err.println(obstacle.get());
+    }
+    return simulateHeadless(options, out);
   }
 
-  private static int simulateInWindow(Options options) throws InterruptedException {
-    // Without it, JavaFX has no 3D on machines without a GPU. To be set before the toolkit starts.
-    System.setProperty("prism.forceGPU", "true");
+  private static int simulateInWindow(Options options, PrintStream out)
+      throws InterruptedException, PortTakenException {
     try (SimulatorApp app =
         new SimulatorApp(options.simConfig(), options.addressPlan(), options.replyPort())) {
+      Runtime.getRuntime().addShutdownHook(new Thread(app::close, "shutdown"));
+      if (options.on()) {
+        app.switchAllOn();
+        out.println(app.ready());
+      }
       app.run();
       return 0;
     }

@@ -3,6 +3,7 @@ package tellosimulator;
 import java.net.InetAddress;
 import java.util.List;
 import java.util.Locale;
+import java.util.Objects;
 import java.util.OptionalInt;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
@@ -34,6 +35,11 @@ final class Options {
 
   @Option(names = "--headless", description = "Run without a window.")
   private boolean headless;
+
+  @Option(
+      names = "--on",
+      description = "Switch all drones on at once. Without a window they always are.")
+  private boolean on;
 
   @Option(
       names = "--command-port",
@@ -161,12 +167,26 @@ final class Options {
     return headless;
   }
 
+  boolean on() {
+    return on;
+  }
+
   String logLevel() {
     return logLevel;
   }
 
   OptionalInt replyPort() {
     return replyPort;
+  }
+
+  /**
+   * Looks whether the options fit together, before anything is started.
+   *
+   * @throws IllegalArgumentException with a sentence, if they do not
+   */
+  void check() {
+    Objects.requireNonNull(simConfig());
+    Objects.requireNonNull(addressPlan());
   }
 
   /**

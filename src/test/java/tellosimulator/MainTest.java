@@ -2,21 +2,18 @@ package tellosimulator;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import java.io.BufferedReader;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.PrintStream;
-import java.net.DatagramPacket;
 import java.net.DatagramSocket;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
-import java.net.SocketException;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Path;
 import java.util.List;
-import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.condition.EnabledOnOs;
+import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -26,7 +23,6 @@ import picocli.CommandLine.Model.OptionSpec;
 class MainTest {
 
   private static final InetAddress LOOPBACK = InetAddress.getLoopbackAddress();
-  private static final int PATIENCE_SECONDS = 30;
 
   private final ByteArrayOutputStream out = new ByteArrayOutputStream();
   private final ByteArrayOutputStream err = new ByteArrayOutputStream();
@@ -41,7 +37,7 @@ class MainTest {
         CommandSpec.forAnnotatedObject(new Options()).options().stream()
             .map(OptionSpec::longestName)
             .toList();
-    assertThat(options).hasSize(15);
+    assertThat(options).hasSize(16);
     assertThat(lines(out)).contains(options).contains("--help", "--version");
     assertThat(lines(out).lines()).allMatch(printed -> printed.length() <= 80);
     assertThat(lines(err)).isEmpty();
@@ -103,35 +99,46 @@ class MainTest {
   }
 
   @Test
-  @Timeout(2 * PATIENCE_SECONDS)
+  @Timeout(2 * ProgramProcess.PATIENCE_SECONDS)
   void quitEndsTheProgram() throws Exception {
-    Process process = start("--headless --bind 127.0.0.1 --command-port 0");
-    try (BufferedReader printed = process.inputReader(StandardCharsets.UTF_8)) {
-      assertThat(printed.readLine()).matches("ready: drone 1 at 127\\.0\\.0\\.1:[0-9]+");
-      process.outputWriter(StandardCharsets.UTF_8).append("quit\n").close();
+    try (ProgramProcess program = ProgramProcess.headless()) {
+      assertThat(program.port()).isPositive();
 
-      assertThat(process.waitFor(PATIENCE_SECONDS, TimeUnit.SECONDS)).isTrue();
-      assertThat(process.exitValue()).isZero();
-    } finally {
-      process.destroyForcibly();
+      program.type("quit\n");
+
+      assertThat(program.exitCode()).isZero();
     }
   }
 
   @Test
-  @Timeout(2 * PATIENCE_SECONDS)
+  @Timeout(2 * ProgramProcess.PATIENCE_SECONDS)
   void theEndOfInputChangesNothingAndATerminationFreesThePort() throws Exception {
-    Process process = start("--headless --bind 127.0.0.1 --command-port 0 --state-port 9");
-    try (BufferedReader printed = process.inputReader(StandardCharsets.UTF_8)) {
-      int port = Integer.parseInt(printed.readLine().replaceAll(".*:", ""));
-      process.outputWriter(StandardCharsets.UTF_8).close();
-      assertThat(ask("command", port)).isEqualTo("ok");
+    try (ProgramProcess program = ProgramProcess.headless()) {
+      int port = program.port();
+      program.type("");
+      assertThat(ProgramProcess.ask("command", port)).isEqualTo("ok");
 
-      process.destroy();
+      program.terminate();
 
-      assertThat(process.waitFor(PATIENCE_SECONDS, TimeUnit.SECONDS)).isTrue();
-      assertThat(isFree(port)).isTrue();
-    } finally {
-      process.destroyForcibly();
+      assertThat(program.exitCode()).isEqualTo(143);
+      assertThat(ProgramProcess.isFree(port)).isTrue();
+    }
+  }
+
+  @Test
+  @EnabledOnOs(OS.LINUX)
+  @Timeout(2 * ProgramProcess.PATIENCE_SECONDS)
+  void withoutADisplayItSaysSoInOneSentenceAndRunsWithoutAWindow() throws Exception {
+    try (ProgramProcess program = ProgramProcess.start(Main.class, "--log-level warn", "DISPLAY")) {
+      assertThat(ProgramProcess.ask("command", program.port())).isEqualTo("ok");
+      assertThat(program.errors().lines())
+          .singleElement()
+          .asString()
+          .startsWith("There is no display, so the simulator runs without a window.");
+
+      program.type("quit\n");
+
+      assertThat(program.exitCode()).isZero();
     }
   }
 
@@ -144,34 +151,5 @@ class MainTest {
 
   private static String lines(ByteArrayOutputStream printed) {
     return printed.toString(StandardCharsets.UTF_8).replace(System.lineSeparator(), "\n");
-  }
-
-  private static Process start(String line) throws IOException {
-    String java = Path.of(System.getProperty("java.home"), "bin", "java").toString();
-    String classPath = System.getProperty("java.class.path");
-    ProcessBuilder builder =
-        new ProcessBuilder(java, "-cp", classPath, Main.class.getName())
-            .redirectError(ProcessBuilder.Redirect.DISCARD);
-    builder.command().addAll(List.of(line.split(" ", -1)));
-    return builder.start();
-  }
-
-  private static String ask(String text, int port) throws IOException {
-    try (DatagramSocket socket = new DatagramSocket()) {
-      socket.setSoTimeout(PATIENCE_SECONDS * 1000);
-      byte[] bytes = text.getBytes(StandardCharsets.US_ASCII);
-      socket.send(new DatagramPacket(bytes, bytes.length, LOOPBACK, port));
-      DatagramPacket reply = new DatagramPacket(new byte[1500], 1500);
-      socket.receive(reply);
-      return new String(reply.getData(), 0, reply.getLength(), StandardCharsets.US_ASCII);
-    }
-  }
-
-  private static boolean isFree(int port) {
-    try (DatagramSocket socket = new DatagramSocket(new InetSocketAddress(LOOPBACK, port))) {
-      return socket.isBound();
-    } catch (SocketException e) {
-      return false;
-    }
   }
 }

@@ -3,11 +3,9 @@ package tellosimulator.headless;
 import java.io.BufferedReader;
 import java.io.IOException;
 import java.io.PrintStream;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.OptionalInt;
 import java.util.concurrent.CountDownLatch;
-import java.util.stream.Collectors;
 import tellosimulator.network.AddressPlan;
 import tellosimulator.network.OnlineSimulation;
 import tellosimulator.network.PortTakenException;
@@ -41,7 +39,7 @@ public final class HeadlessSimulator implements AutoCloseable {
    */
   public void run(BufferedReader in, PrintStream out) throws IOException, InterruptedException {
     shrinkHeap();
-    out.println(ready());
+    out.println(simulation.ready());
     out.flush();
     if (!new Console(simulation::snapshot, simulation::carryOut, in, out).run()) {
       new CountDownLatch(1).await();
@@ -55,18 +53,6 @@ public final class HeadlessSimulator implements AutoCloseable {
    */
   private static void shrinkHeap() {
     System.gc();
-  }
-
-  private String ready() {
-    List<String> drones = new ArrayList<>();
-    for (int drone = 1; drone <= simulation.snapshot().drones().size(); drone++) {
-      String where =
-          simulation.addresses(drone).stream()
-              .map(address -> address.getAddress().getHostAddress() + ":" + address.getPort())
-              .collect(Collectors.joining(", "));
-      drones.add("drone " + drone + " at " + where);
-    }
-    return "ready: " + String.join("; ", drones);
   }
 
   @Override

@@ -1,8 +1,10 @@
 package tellosimulator.network;
 
 import java.net.InetSocketAddress;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.OptionalInt;
+import java.util.stream.Collectors;
 import tellosimulator.sim.Control;
 import tellosimulator.sim.SimConfig;
 import tellosimulator.sim.SimListener;
@@ -92,6 +94,19 @@ public final class OnlineSimulation implements AutoCloseable {
   /** Where a drone listens while it is on. */
   public List<InetSocketAddress> addresses(int drone) {
     return network.addresses(drone);
+  }
+
+  /** The line that says which drone listens where, for scripts and people who wait for it. */
+  public String ready() {
+    List<String> drones = new ArrayList<>();
+    for (int drone = 1; drone <= snapshot().drones().size(); drone++) {
+      String where =
+          addresses(drone).stream()
+              .map(address -> address.getAddress().getHostAddress() + ":" + address.getPort())
+              .collect(Collectors.joining(", "));
+      drones.add("drone " + drone + " at " + where);
+    }
+    return "ready: " + String.join("; ", drones);
   }
 
   /** What a drone received and sent. */

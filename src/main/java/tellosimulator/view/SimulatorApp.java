@@ -8,6 +8,7 @@ import javafx.application.Platform;
 import javafx.stage.Stage;
 import tellosimulator.network.AddressPlan;
 import tellosimulator.network.OnlineSimulation;
+import tellosimulator.network.PortTakenException;
 import tellosimulator.sim.SimConfig;
 import tellosimulator.view.text.Language;
 
@@ -26,9 +27,23 @@ public final class SimulatorApp implements AutoCloseable {
     simulation = new OnlineSimulation(config, plan, replyPort, List.of());
   }
 
-  /** Opens the window, and returns after it was closed. */
+  /**
+   * Switches all drones on, or none.
+   *
+   * @throws PortTakenException if an address or port cannot be had
+   */
+  public void switchAllOn() throws PortTakenException {
+    simulation.switchAllOn();
+  }
+
+  /** Which drone listens where; see {@link OnlineSimulation#ready}. */
+  public String ready() {
+    return simulation.ready();
+  }
+
+  /** Opens the window, and returns after it was closed. The {@link Toolkit} must run. */
   public void run() throws InterruptedException {
-    Platform.startup(this::open);
+    Platform.runLater(this::open);
     closed.await();
     Platform.exit();
   }
@@ -45,6 +60,7 @@ public final class SimulatorApp implements AutoCloseable {
         });
     context.pulse().start();
     stage.show();
+    FirstFrame.report();
   }
 
   @Override

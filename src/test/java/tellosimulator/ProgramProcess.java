@@ -1,0 +1,124 @@
+package tellosimulator;
+
+import java.io.BufferedReader;
+import java.io.IOException;
+import java.net.DatagramPacket;
+import java.net.DatagramSocket;
+import java.net.InetAddress;
+import java.net.InetSocketAddress;
+import java.net.SocketException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.concurrent.TimeUnit;
+
+/** The program in a process of its own, with drone 1 at a free port of 127.0.0.1. */
+final class ProgramProcess implements AutoCloseable {
+
+  static final int PATIENCE_SECONDS = 30;
+
+  private static final InetAddress LOOPBACK = InetAddress.getLoopbackAddress();
+
+  private final Process process;
+  private final BufferedReader printed;
+  private final Path errors;
+
+  private ProgramProcess(Process process, Path errors) {
+    this.process = process;
+    this.errors = errors;
+    printed = process.inputReader(StandardCharsets.UTF_8);
+  }
+
+  /**
+   * Starts it.
+   *
+   * @param hidden a variable of the environment that it does not get to see
+   */
+  static ProgramProcess start(Class<?> main, String options, String hidden) throws IOException {
+    String java = Path.of(System.getProperty("java.home"), "bin", "java").toString();
+    Path errors = Files.createTempFile("program", ".err");
+    ProcessBuilder builder =
+        new ProcessBuilder(
+                java,
+                "-XX:+IgnoreUnrecognizedVMOptions",
+                "--enable-native-access=ALL-UNNAMED",
+                "-cp",
+                System.getProperty("java.class.path"),
+                main.getName(),
+                "--bind",
+                "127.0.0.1",
+                "--command-port",
+                "0",
+                "--state-port",
+                "9")
+            .redirectError(errors.toFile());
+    builder.command().addAll(List.of(options.split(" ", -1)));
+    builder.environment().remove(hidden);
+    return new ProgramProcess(builder.start(), errors);
+  }
+
+  /** Starts it without a window. */
+  static ProgramProcess headless() throws IOException {
+    return start(Main.class, "--headless", "");
+  }
+
+  /** Waits for the line that says that it is ready, and returns drone 1's port. */
+  int port() throws IOException {
+    String ready = String.valueOf(printed.readLine());
+    if (!ready.matches("ready: drone 1 at 127\\.0\\.0\\.1:[0-9]+")) {
+      throw new AssertionError("not ready: " + ready + "\n" + errors());
+    }
+    return Integer.parseInt(ready.replaceAll(".*:", ""));
+  }
+
+  /** Types something, and ends the input. */
+  void type(String text) throws IOException {
+    process.outputWriter(StandardCharsets.UTF_8).append(text).close();
+  }
+
+  /** Asks it to end, as {@code kill} does. */
+  void terminate() {
+    process.destroy();
+  }
+
+  /** Waits for its end. */
+  int exitCode() throws InterruptedException {
+    if (!process.waitFor(PATIENCE_SECONDS, TimeUnit.SECONDS)) {
+      throw new AssertionError("it does not end");
+    }
+    return process.exitValue();
+  }
+
+  /** What it has written to standard error until now. */
+  String errors() throws IOException {
+    return Files.readString(errors);
+  }
+
+  @Override
+  public void close() throws IOException {
+    process.destroyForcibly();
+    printed.close();
+    Files.deleteIfExists(errors);
+  }
+
+  /** Sends a command and waits for the reply. */
+  static String ask(String text, int port) throws IOException {
+    try (DatagramSocket socket = new DatagramSocket()) {
+      socket.setSoTimeout(PATIENCE_SECONDS * 1000);
+      byte[] bytes = text.getBytes(StandardCharsets.US_ASCII);
+      socket.send(new DatagramPacket(bytes, bytes.length, LOOPBACK, port));
+      DatagramPacket reply = new DatagramPacket(new byte[1500], 1500);
+      socket.receive(reply);
+      return new String(reply.getData(), 0, reply.getLength(), StandardCharsets.US_ASCII);
+    }
+  }
+
+  static boolean isFree(int port) {
+    try (DatagramSocket socket = new DatagramSocket(new InetSocketAddress(LOOPBACK, port))) {
+      return socket.isBound();
+    } catch (SocketException e) {
+      return false;
+    }
+  }
+}
