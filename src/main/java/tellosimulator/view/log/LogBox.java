@@ -1,0 +1,186 @@
+package tellosimulator.view.log;
+
+import java.io.File;
+import java.io.IOException;
+import java.nio.file.AccessDeniedException;
+import java.nio.file.Files;
+import java.nio.file.NoSuchFileException;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import javafx.beans.binding.Bindings;
+import javafx.scene.control.Label;
+import javafx.scene.control.ListView;
+import javafx.scene.control.SelectionMode;
+import javafx.scene.input.Clipboard;
+import javafx.scene.input.ClipboardContent;
+import javafx.scene.input.KeyCode;
+import javafx.scene.input.KeyCodeCombination;
+import javafx.scene.input.KeyCombination;
+import javafx.scene.input.KeyEvent;
+import javafx.scene.layout.Priority;
+import javafx.scene.layout.VBox;
+import javafx.stage.FileChooser;
+import tellosimulator.view.ViewContext;
+import tellosimulator.view.text.Language;
+import tellosimulator.view.text.Messages;
+
+/** The log at the bottom of the window: everything that happens, newest last. */
+public final class LogBox extends VBox {
+
+  private static final double HEIGHT = 170;
+
+  /** Height of a line in sizes of its font. */
+  private static final double LINE_HEIGHT = 1.65;
+
+  private static final KeyCombination SEARCH =
+      new KeyCodeCombination(KeyCode.F, KeyCombination.SHORTCUT_DOWN);
+
+  private static final KeyCombination COPY =
+      new KeyCodeCombination(KeyCode.C, KeyCombination.SHORTCUT_DOWN);
+
+  private final ViewContext context;
+  private final LogFeed feed;
+  private final Language language;
+  private final Messages messages;
+  private final LogText text;
+  private final LogModel model;
+  private final ListView<LogLine> list = new ListView<>();
+  private final LogToolbar toolbar;
+  private final LogTail tail = new LogTail(list);
+
+  /** Shows what comes through {@code feed}, from now on. */
+  public LogBox(ViewContext context, LogFeed feed) {
+    this.context = context;
+    this.feed = feed;
+    this.language = context.language();
+    this.messages = language.messages(LogBox.class);
+    this.text = new LogText(language, context.simulation().drones().size() > 1);
+    this.model = new LogModel(LogModel.CAPACITY, text::searched);
+    this.toolbar =
+        new LogToolbar(
+            language,
+            new LogToolbar.Actions(model::clear, this::copy, this::chooseFile),
+            Bindings.size(model.shown()));
+    initializeSelf();
+    initializeParts();
+    layoutParts();
+    setupEventHandlers();
+    setupBindings();
+  }
+
+  private void initializeSelf() {
+    setId("log");
+    getStyleClass().add("log-box");
+    getStylesheets().add(LogBox.class.getResource("log.css").toExternalForm());
+    setPrefHeight(HEIGHT);
+    feed.note(LogLevel.INFO, "welcome");
+  }
+
+  private void initializeParts() {
+    list.setId("log-list");
+    list.setItems(model.shown());
+    list.getSelectionModel().setSelectionMode(SelectionMode.MULTIPLE);
+    list.setCellFactory(view -> new LogCell(text, toolbar.timeStampsProperty()));
+    Label placeholder = new Label();
+    placeholder.textProperty().bind(messages.text("nothing"));
+    list.setPlaceholder(placeholder);
+  }
+
+  private void layoutParts() {
+    setVgrow(list, Priority.ALWAYS);
+    getChildren().addAll(toolbar, list);
+  }
+
+  private void setupEventHandlers() {
+    context.pulse().onBeat(nanos -> takeIn());
+    list.addEventHandler(
+        KeyEvent.KEY_PRESSED,
+        event -> {
+          if (COPY.match(event)) {
+            copy();
+            event.consume();
+          }
+        });
+    sceneProperty()
+        .subscribe(
+            (before, now) -> {
+              if (before != null) {
+                before.getAccelerators().remove(SEARCH);
+              }
+              if (now != null) {
+                now.getAccelerators().put(SEARCH, toolbar::startSearch);
+              }
+            });
+  }
+
+  private void setupBindings() {
+    toolbar.levelProperty().subscribe(level -> refilter(() -> model.setLevel(level)));
+    toolbar.searchProperty().subscribe(wanted -> refilter(() -> model.setText(wanted)));
+    // Whole pixels: a list whose lines end between two pixels believes that there is a gap.
+    toolbar
+        .fontProperty()
+        .subscribe(font -> list.setFixedCellSize(snapSizeY(font.getSize() * LINE_HEIGHT)));
+    toolbar.autoscrollProperty().bindBidirectional(tail.followingProperty());
+    language
+        .localeProperty()
+        .subscribe(
+            locale -> {
+              refilter(model::wordsChanged);
+              list.refresh();
+            });
+  }
+
+  private void takeIn() {
+    tail.settle();
+    List<LogLine> lines = feed.drain();
+    if (!lines.isEmpty()) {
+      tail.moveOn(model.append(lines));
+    }
+  }
+
+  private void refilter(Runnable change) {
+    list.getSelectionModel().clearSelection();
+    change.run();
+    tail.moveOn(0);
+  }
+
+  /** Copies the selected lines, or all that are shown if none is selected. */
+  private void copy() {
+    List<LogLine> selected = List.copyOf(list.getSelectionModel().getSelectedItems());
+    ClipboardContent content = new ClipboardContent();
+    content.putString(
+        written(selected.isEmpty() ? model.shown() : selected)
+            .collect(Collectors.joining(System.lineSeparator())));
+    Clipboard.getSystemClipboard().setContent(content);
+  }
+
+  private void chooseFile() {
+    FileChooser chooser = new FileChooser();
+    chooser.setTitle(messages.now("save.tooltip"));
+    chooser.setInitialFileName(messages.now("save.name"));
+    File chosen = chooser.showSaveDialog(getScene().getWindow());
+    if (chosen != null) {
+      save(chosen.toPath());
+    }
+  }
+
+  /** Writes the lines that are shown to a file, and a line of the log about it. */
+  void save(Path file) {
+    try {
+      Files.write(file, written(model.shown()).toList());
+      feed.note(LogLevel.INFO, "saved", file);
+    } catch (AccessDeniedException e) {
+      feed.note(LogLevel.ERROR, "not-saved.denied", file);
+    } catch (NoSuchFileException e) {
+      feed.note(LogLevel.ERROR, "not-saved.no-folder", file);
+    } catch (IOException e) {
+      feed.note(LogLevel.ERROR, "not-saved", file, e.getMessage());
+    }
+  }
+
+  private Stream<String> written(List<LogLine> lines) {
+    return lines.stream().map(text::whole);
+  }
+}

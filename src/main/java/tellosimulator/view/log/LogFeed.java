@@ -1,0 +1,91 @@
+package tellosimulator.view.log;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Queue;
+import java.util.concurrent.ArrayBlockingQueue;
+import java.util.concurrent.atomic.AtomicLong;
+import tellosimulator.network.PortTakenException;
+import tellosimulator.sim.SimEvent;
+import tellosimulator.sim.SimListener;
+import tellosimulator.sim.SimSnapshot;
+import tellosimulator.time.SimTime;
+
+/**
+ * Where lines for the log wait until the window's next pulse. For any thread; nobody who writes
+ * ever waits. What finds no room is counted, and a line says how much that was.
+ */
+public final class LogFeed implements SimListener {
+
+  /**
+   * Lines that may wait. Decided: ten times what a pulse brings when one drone, at the highest time
+   * factor, is asked as fast as loopback can.
+   */
+  static final int CAPACITY = 10_000;
+
+  private final Queue<LogLine> waiting = new ArrayBlockingQueue<>(CAPACITY);
+  private final AtomicLong lost = new AtomicLong();
+  private volatile SimTime now = SimTime.ZERO;
+
+  @Override
+  public void event(SimEvent event) {
+    add(LogLine.of(event));
+  }
+
+  @Override
+  public void stepped(SimSnapshot snapshot) {
+    now = snapshot.time();
+  }
+
+  /**
+   * Writes a line of the window itself.
+   *
+   * @param key of a text in this package's messages
+   * @param values for the text's {@code {0}}, {@code {1}} and so on
+   */
+  public void note(LogLevel level, String key, Object... values) {
+    note(level, 0, key, values);
+  }
+
+  /** Says why a drone stays off. */
+  public void cannotSwitchOn(int drone, PortTakenException refusal) {
+    note(
+        LogLevel.ERROR,
+        drone,
+        "port." + refusal.obstacle().name(),
+        refusal.address().getPort(),
+        refusal.address().getAddress().getHostAddress());
+  }
+
+  /** Takes what waits, oldest first. */
+  List<LogLine> drain() {
+    List<LogLine> lines = new ArrayList<>();
+    long missing = lost.getAndSet(0);
+    for (int i = 0; i < CAPACITY; i++) {
+      LogLine line = waiting.poll();
+      if (line == null) {
+        break;
+      }
+      lines.add(line);
+    }
+    if (missing > 0) {
+      lines.add(noted(LogLevel.WARN, 0, "lost", missing));
+    }
+    return lines;
+  }
+
+  private void note(LogLevel level, int drone, String key, Object... values) {
+    add(noted(level, drone, key, values));
+  }
+
+  private LogLine noted(LogLevel level, int drone, String key, Object... values) {
+    return new LogLine(
+        now, level, drone, language -> language.messages(LogFeed.class).now(key, values));
+  }
+
+  private void add(LogLine line) {
+    if (!waiting.offer(line)) {
+      lost.incrementAndGet();
+    }
+  }
+}

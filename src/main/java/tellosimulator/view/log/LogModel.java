@@ -1,0 +1,122 @@
+package tellosimulator.view.log;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.Function;
+import java.util.regex.Pattern;
+import javafx.collections.FXCollections;
+import javafx.collections.ObservableList;
+
+/**
+ * The newest lines of the log, and those of them that pass a filter of level and text. A line that
+ * is added or falls out costs the same however many there are. For the JavaFX thread.
+ */
+final class LogModel {
+
+  /** Lines that are kept. Decided: an hour of flight with thirty commands a second. */
+  static final int CAPACITY = 100_000;
+
+  private final int capacity;
+  private final Function<LogLine, String> words;
+  private final LineRing lines = new LineRing();
+  private final ShownLines shown = new ShownLines();
+  private final ObservableList<LogLine> readOnly = FXCollections.unmodifiableObservableList(shown);
+  private LogLevel level = LogLevel.DEBUG;
+  private String text = "";
+  private Pattern pattern = Pattern.compile("");
+
+  /**
+   * @param capacity lines that are kept
+   * @param words what is searched of a line
+   */
+  LogModel(int capacity, Function<LogLine, String> words) {
+    this.capacity = capacity;
+    this.words = words;
+  }
+
+  /** The lines that pass the filter, oldest first. */
+  ObservableList<LogLine> shown() {
+    return readOnly;
+  }
+
+  /** How many lines are kept, shown or not. */
+  int size() {
+    return lines.size();
+  }
+
+  /**
+   * Adds lines at the end; the oldest fall out if there are too many.
+   *
+   * @return how many of the lines that were shown fell out
+   */
+  int append(List<LogLine> added) {
+    List<LogLine> kept = added.subList(Math.max(0, added.size() - capacity), added.size());
+    int dropped = 0;
+    while (lines.size() + kept.size() > capacity) {
+      LogLine oldest = lines.removeFirst();
+      if (dropped < shown.size() && shown.get(dropped).equals(oldest)) {
+        dropped++;
+      }
+    }
+    List<LogLine> passing = new ArrayList<>();
+    for (LogLine line : kept) {
+      lines.addLast(line);
+      if (passes(line)) {
+        passing.add(line);
+      }
+    }
+    shown.roll(dropped, passing);
+    return dropped;
+  }
+
+  void clear() {
+    lines.clear();
+    shown.replace(new LineRing());
+  }
+
+  /** Shows lines of this level and of those that matter more. */
+  void setLevel(LogLevel least) {
+    if (least != level) {
+      level = least;
+      filter();
+    }
+  }
+
+  /**
+   * Shows lines that contain a text.
+   *
+   * @param wanted upper and lower case are the same; empty for all lines
+   */
+  void setText(String wanted) {
+    if (!wanted.equals(text)) {
+      text = wanted;
+      pattern =
+          Pattern.compile(
+              wanted, Pattern.LITERAL | Pattern.CASE_INSENSITIVE | Pattern.UNICODE_CASE);
+      filter();
+    }
+  }
+
+  /** The same lines have other words now. */
+  void wordsChanged() {
+    if (!text.isEmpty()) {
+      filter();
+    }
+  }
+
+  private void filter() {
+    LineRing passing = new LineRing();
+    for (int i = 0; i < lines.size(); i++) {
+      LogLine line = lines.get(i);
+      if (passes(line)) {
+        passing.addLast(line);
+      }
+    }
+    shown.replace(passing);
+  }
+
+  private boolean passes(LogLine line) {
+    return line.level().reaches(level)
+        && (text.isEmpty() || pattern.matcher(words.apply(line)).find());
+  }
+}

@@ -1,0 +1,182 @@
+package tellosimulator.view.log;
+
+import atlantafx.base.controls.CustomTextField;
+import atlantafx.base.theme.Styles;
+import javafx.beans.property.BooleanProperty;
+import javafx.beans.property.ReadOnlyObjectProperty;
+import javafx.beans.value.ObservableNumberValue;
+import javafx.beans.value.ObservableStringValue;
+import javafx.geometry.Pos;
+import javafx.scene.Node;
+import javafx.scene.control.Button;
+import javafx.scene.control.ButtonBase;
+import javafx.scene.control.ChoiceBox;
+import javafx.scene.control.Label;
+import javafx.scene.control.ToggleButton;
+import javafx.scene.control.Tooltip;
+import javafx.scene.input.KeyCode;
+import javafx.scene.input.KeyEvent;
+import javafx.scene.layout.HBox;
+import javafx.scene.layout.Priority;
+import javafx.scene.layout.Region;
+import javafx.scene.text.Font;
+import javafx.util.StringConverter;
+import org.kordamp.ikonli.feather.Feather;
+import org.kordamp.ikonli.javafx.FontIcon;
+import tellosimulator.view.text.Language;
+import tellosimulator.view.text.Messages;
+
+/** What one can do with the log. For the JavaFX thread. */
+final class LogToolbar extends HBox {
+
+  /** What the buttons do. */
+  record Actions(Runnable clear, Runnable copy, Runnable save) {}
+
+  private static final LogLevel FIRST_LEVEL = LogLevel.INFO;
+
+  private final Language language;
+  private final Messages messages;
+  private final Actions actions;
+  private final ObservableNumberValue found;
+  private final Label title = new Label();
+  private final ChoiceBox<LogLevel> level = new ChoiceBox<>();
+  private final CustomTextField search = new CustomTextField();
+  private final Button clearSearch = new Button(null, new FontIcon(Feather.X));
+  private final Label matches = new Label();
+  private final ToggleButton timeStamps = new ToggleButton(null, new FontIcon(Feather.CLOCK));
+  private final ToggleButton autoscroll =
+      new ToggleButton(null, new FontIcon(Feather.CHEVRONS_DOWN));
+  private final Button copy = new Button(null, new FontIcon(Feather.COPY));
+  private final Button save = new Button(null, new FontIcon(Feather.SAVE));
+  private final Button clear = new Button(null, new FontIcon(Feather.TRASH));
+
+  /**
+   * @param found how many lines are shown
+   */
+  LogToolbar(Language language, Actions actions, ObservableNumberValue found) {
+    this.language = language;
+    this.messages = language.messages(LogToolbar.class);
+    this.actions = actions;
+    this.found = found;
+    initializeSelf();
+    initializeParts();
+    layoutParts();
+    setupEventHandlers();
+    setupBindings();
+  }
+
+  /** The least level that is to be shown. */
+  ReadOnlyObjectProperty<LogLevel> levelProperty() {
+    return level.valueProperty();
+  }
+
+  /** What shown lines shall contain; empty for all lines. */
+  ObservableStringValue searchProperty() {
+    return search.textProperty();
+  }
+
+  BooleanProperty timeStampsProperty() {
+    return timeStamps.selectedProperty();
+  }
+
+  BooleanProperty autoscrollProperty() {
+    return autoscroll.selectedProperty();
+  }
+
+  /** The font of the log at the scale that is chosen for the window. */
+  ReadOnlyObjectProperty<Font> fontProperty() {
+    return title.fontProperty();
+  }
+
+  /** Lets one type what to search. */
+  void startSearch() {
+    search.requestFocus();
+    search.selectAll();
+  }
+
+  private void initializeSelf() {
+    getStyleClass().add("log-toolbar");
+    setAlignment(Pos.CENTER_LEFT);
+  }
+
+  private void initializeParts() {
+    title.getStyleClass().add("log-title");
+    level.setId("log-level");
+    level.getItems().setAll(LogLevel.DEBUG, LogLevel.INFO, LogLevel.WARN, LogLevel.ERROR);
+    level.setValue(FIRST_LEVEL);
+    search.setId("log-search");
+    search.setLeft(new FontIcon(Feather.SEARCH));
+    search.setRight(clearSearch);
+    clearSearch.setId("log-search-clear");
+    clearSearch.getStyleClass().addAll(Styles.FLAT, "log-search-clear");
+    clearSearch.setFocusTraversable(false);
+    matches.setId("log-matches");
+    matches.getStyleClass().add("log-matches");
+    initializeButton(timeStamps, "timestamps");
+    initializeButton(autoscroll, "autoscroll");
+    initializeButton(copy, "copy");
+    initializeButton(save, "save");
+    initializeButton(clear, "clear");
+    timeStamps.setSelected(true);
+    autoscroll.setSelected(true);
+  }
+
+  private void initializeButton(ButtonBase button, String name) {
+    button.setId("log-" + name);
+    button.getStyleClass().addAll(Styles.SMALL);
+    button.textProperty().bind(messages.text(name));
+    Tooltip tooltip = new Tooltip();
+    tooltip.textProperty().bind(messages.text(name + ".tooltip"));
+    button.setTooltip(tooltip);
+  }
+
+  private void layoutParts() {
+    Region gap = new Region();
+    setHgrow(gap, Priority.ALWAYS);
+    for (Node fixed : new Node[] {level, timeStamps, autoscroll, copy, save, clear}) {
+      ((Region) fixed).setMinWidth(USE_PREF_SIZE);
+    }
+    getChildren()
+        .addAll(title, level, search, matches, gap, timeStamps, autoscroll, copy, save, clear);
+  }
+
+  private void setupEventHandlers() {
+    clearSearch.setOnAction(action -> search.clear());
+    search.addEventHandler(
+        KeyEvent.KEY_PRESSED,
+        event -> {
+          if (event.getCode() == KeyCode.ESCAPE && !search.getText().isEmpty()) {
+            search.clear();
+            event.consume();
+          }
+        });
+    copy.setOnAction(action -> actions.copy().run());
+    save.setOnAction(action -> actions.save().run());
+    clear.setOnAction(action -> actions.clear().run());
+    language.localeProperty().subscribe(locale -> level.setConverter(new LevelNames()));
+  }
+
+  private void setupBindings() {
+    title.textProperty().bind(messages.text("title"));
+    search.promptTextProperty().bind(messages.text("search"));
+    clearSearch.visibleProperty().bind(search.textProperty().isNotEmpty());
+    matches.textProperty().bind(messages.text("matches", found));
+    matches.visibleProperty().bind(search.textProperty().isNotEmpty());
+    Tooltip levels = new Tooltip();
+    levels.textProperty().bind(messages.text("level.tooltip"));
+    level.setTooltip(levels);
+  }
+
+  /** The names of the levels in the present language. */
+  private final class LevelNames extends StringConverter<LogLevel> {
+    @Override
+    public String toString(LogLevel value) {
+      return value == null ? "" : messages.now("level." + value.key());
+    }
+
+    @Override
+    public LogLevel fromString(String name) {
+      throw new UnsupportedOperationException("levels are chosen, not typed");
+    }
+  }
+}
