@@ -107,6 +107,11 @@ public final class DemoFlight implements AutoCloseable {
     end();
   }
 
+  /** Something else is being done; what happened to the last tour is old news. */
+  void forgetProblem() {
+    problem.set(Sentence.NONE);
+  }
+
   public ReadOnlyObjectProperty<Stage> stageProperty() {
     return stage.getReadOnlyProperty();
   }

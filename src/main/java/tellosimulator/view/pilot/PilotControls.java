@@ -132,6 +132,7 @@ public final class PilotControls extends VBox implements AutoCloseable {
     demoFlight.setOnAction(pressed -> startOrStop());
     takeOff.setOnAction(pressed -> remote.takeOff());
     land.setOnAction(pressed -> remote.ask("land"));
+    remote.problemProperty().addListener(changed -> demo.forgetProblem());
     emergency.setOnAction(pressed -> remote.tell("emergency"));
   }
 

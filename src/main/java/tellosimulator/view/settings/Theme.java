@@ -1,0 +1,8 @@
+package tellosimulator.view.settings;
+
+/** Whether the window is light or dark. */
+public enum Theme {
+  SYSTEM,
+  LIGHT,
+  DARK
+}
