@@ -8,7 +8,6 @@ import javafx.stage.Screen;
 import javafx.stage.Stage;
 import tellosimulator.view.controls.NetworkControls;
 import tellosimulator.view.controls.SimulatorControls;
-import tellosimulator.view.drone.DroneColors;
 import tellosimulator.view.layout.SimulatorPane;
 import tellosimulator.view.layout.WindowBar;
 import tellosimulator.view.layout.WindowState;
@@ -33,7 +32,7 @@ public final class SimulatorWindow implements AutoCloseable {
   public SimulatorWindow(Stage stage, ViewContext context) {
     scene3d = new Simulator3DScene(context);
     pilot = new PilotControls(context);
-    simulatorControls = new SimulatorControls(context, DroneColors::of);
+    simulatorControls = new SimulatorControls(context);
     SimulatorPane pane =
         new SimulatorPane(
             new SimulatorPane.Parts(

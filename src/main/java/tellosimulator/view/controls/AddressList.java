@@ -88,11 +88,13 @@ final class AddressList extends VBox {
     label.setId("address-" + index);
     label.getStyleClass().add("address");
     label.setMaxWidth(Double.MAX_VALUE);
-    Hint.on(
-        label,
-        messages.text(
-            address.getAddress().isLoopbackAddress() ? "address.loopback" : "address.network"));
+    label.setMinWidth(USE_PREF_SIZE);
     HBox.setHgrow(label, Priority.ALWAYS);
+    String key = address.getAddress().isLoopbackAddress() ? "address.loopback" : "address.network";
+    Label reach = new Label();
+    reach.textProperty().bind(messages.text(key));
+    reach.getStyleClass().add("caption");
+    Hint.on(reach, messages.text(key + ".hint"));
     Button copy = new Button();
     copy.setId("copy-address-" + index);
     copy.setGraphic(new FontIcon(Feather.COPY));
@@ -100,7 +102,7 @@ final class AddressList extends VBox {
     copy.accessibleTextProperty().bind(messages.text("address.copy", text));
     Hint.on(copy, messages.text("address.copy", text));
     copy.setOnAction(pressed -> copy(text, copy));
-    HBox row = new HBox(label, copy);
+    HBox row = new HBox(label, reach, copy);
     row.getStyleClass().add("row");
     return row;
   }

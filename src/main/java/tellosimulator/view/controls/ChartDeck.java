@@ -17,11 +17,15 @@ import tellosimulator.view.text.Messages;
  */
 final class ChartDeck extends Region {
 
-  /** Time between two drawings [ns]. Decided: ten a second look alive. */
+  /** Least time between two drawings [ns]. Decided: ten a second look alive. */
   private static final long PERIOD_NANOS = 100_000_000;
 
   private static final double GAP = 8;
-  private static final double ROW_HEIGHT = 66;
+
+  /** Height of charts beside each other [px]. */
+  private static final double LEAST_ROW = 54;
+
+  private static final double ROW = 66;
 
   /** A chart that stands on its own is this high at least, and at the most [px]. */
   private static final double LEAST_ALONE = 64;
@@ -33,6 +37,11 @@ final class ChartDeck extends Region {
 
     static History empty() {
       return new History(new ChartRing(), new ChartRing(), new ChartRing());
+    }
+
+    /** Moment of the newest sample [s]. */
+    double newest() {
+      return height.time(height.size() - 1);
     }
 
     void add(FxDroneModel drone, double seconds) {
@@ -49,6 +58,8 @@ final class ChartDeck extends Region {
   private final LiveChart speed;
   private final LiveChart battery;
   private long drawnNanos = Long.MIN_VALUE;
+  private History drawn = History.empty();
+  private double drawnSeconds;
 
   ChartDeck(ViewContext context) {
     simulation = context.simulation();
@@ -73,23 +84,26 @@ final class ChartDeck extends Region {
     for (FxDroneModel drone : simulation.drones()) {
       histories.computeIfAbsent(drone, unknown -> History.empty()).add(drone, seconds);
     }
-    if (drawnNanos == Long.MIN_VALUE || nanos - drawnNanos >= PERIOD_NANOS) {
+    History shown = histories.get(simulation.selected());
+    boolean due = drawnNanos == Long.MIN_VALUE || nanos - drawnNanos >= PERIOD_NANOS;
+    if (due && !(shown == drawn && shown.newest() == drawnSeconds)) {
       drawnNanos = nanos;
-      History shown = histories.get(simulation.selected());
-      height.show(shown.height(), seconds);
-      speed.show(shown.speed(), seconds);
-      battery.show(shown.battery(), seconds);
+      drawn = shown;
+      drawnSeconds = shown.newest();
+      height.show(shown.height(), drawnSeconds);
+      speed.show(shown.speed(), drawnSeconds);
+      battery.show(shown.battery(), drawnSeconds);
     }
   }
 
   @Override
   protected double computeMinHeight(double width) {
-    return snappedTopInset() + ROW_HEIGHT + snappedBottomInset();
+    return snappedTopInset() + LEAST_ROW + snappedBottomInset();
   }
 
   @Override
   protected double computePrefHeight(double width) {
-    return computeMinHeight(width);
+    return snappedTopInset() + ROW + snappedBottomInset();
   }
 
   @Override

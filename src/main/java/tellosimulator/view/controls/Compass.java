@@ -45,7 +45,7 @@ final class Compass extends Region {
     this.messages = messages;
     this.middle = size / 2;
     this.radius = size / 2 - 2;
-    this.drone = picture(radius * 0.42);
+    this.drone = picture(radius * 0.38);
     initializeSelf(size);
     initializeParts();
     layoutParts();

@@ -1,13 +1,12 @@
 package tellosimulator.view.controls;
 
-import java.util.function.IntFunction;
 import javafx.scene.control.ComboBox;
 import javafx.scene.control.ListCell;
-import javafx.scene.paint.Color;
 import javafx.scene.shape.Circle;
 import tellosimulator.view.FxDroneModel;
 import tellosimulator.view.FxSimulation;
 import tellosimulator.view.ViewContext;
+import tellosimulator.view.drone.DroneColors;
 import tellosimulator.view.text.Messages;
 
 /** Which drone panels and cameras show; only there if there are several. For the JavaFX thread. */
@@ -15,15 +14,10 @@ final class DroneChoice extends ComboBox<FxDroneModel> {
 
   private final FxSimulation simulation;
   private final Messages messages;
-  private final IntFunction<Color> colours;
 
-  /**
-   * @param colours gives the colour of the drone of a number
-   */
-  DroneChoice(ViewContext context, IntFunction<Color> colours) {
+  DroneChoice(ViewContext context) {
     this.simulation = context.simulation();
     this.messages = context.language().messages(DroneChoice.class);
-    this.colours = colours;
     initializeSelf();
     setupBindings();
   }
@@ -57,7 +51,7 @@ final class DroneChoice extends ComboBox<FxDroneModel> {
         setText("");
         setGraphic(null);
       } else {
-        dot.setFill(colours.apply(drone.number()));
+        dot.setFill(DroneColors.of(drone.number()));
         setGraphic(dot);
         textProperty()
             .bind(

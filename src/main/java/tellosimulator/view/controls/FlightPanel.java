@@ -31,7 +31,7 @@ import tellosimulator.view.text.Messages;
 final class FlightPanel extends VBox {
 
   /** Size of the round instruments [px]; two and the height bar fill the panel's width. */
-  private static final double DIAL = 100;
+  private static final double DIAL = 94;
 
   private static final int NUMBERS_IN_A_ROW = 4;
 

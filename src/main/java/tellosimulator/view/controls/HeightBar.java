@@ -20,12 +20,12 @@ final class HeightBar extends Region {
   private static final double MARGIN = 6;
 
   /** Left edge and width of the bar [px]. */
-  private static final double BAR_X = 27;
+  private static final double BAR_X = 26;
 
   private static final double BAR_WIDTH = 9;
 
   /** Width of everything [px]. */
-  private static final double WIDTH = 44;
+  private static final double WIDTH = 42;
 
   /** Numbers that are nearer than this to the ceiling's are left out [px]. */
   private static final double LEAST_GAP = 11;

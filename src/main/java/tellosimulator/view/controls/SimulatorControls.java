@@ -1,6 +1,5 @@
 package tellosimulator.view.controls;
 
-import java.util.function.IntFunction;
 import javafx.beans.property.BooleanProperty;
 import javafx.beans.property.SimpleBooleanProperty;
 import javafx.scene.control.Button;
@@ -9,7 +8,6 @@ import javafx.scene.control.ToggleButton;
 import javafx.scene.layout.HBox;
 import javafx.scene.layout.Priority;
 import javafx.scene.layout.VBox;
-import javafx.scene.paint.Color;
 import org.kordamp.ikonli.feather.Feather;
 import org.kordamp.ikonli.javafx.FontIcon;
 import tellosimulator.sim.Control;
@@ -39,14 +37,11 @@ public final class SimulatorControls extends ScrollPane {
   private final ToggleButton cameraSwitch = new ToggleButton();
   private final VBox parts = new VBox();
 
-  /**
-   * @param colours gives the colour of the drone of a number
-   */
-  public SimulatorControls(ViewContext context, IntFunction<Color> colours) {
+  public SimulatorControls(ViewContext context) {
     simulation = context.simulation();
     actions = context.actions();
     messages = context.language().messages(SimulatorControls.class);
-    choice = new DroneChoice(context, colours);
+    choice = new DroneChoice(context);
     flight = new FlightPanel(context);
     charts = new ChartDeck(context);
     room = new RoomPanel(context);

@@ -1,5 +1,6 @@
 package tellosimulator.view.controls;
 
+import java.util.Comparator;
 import java.util.stream.DoubleStream;
 import javafx.collections.FXCollections;
 import javafx.collections.ObservableList;
@@ -123,6 +124,10 @@ final class TimePanel extends VBox {
 
   private void showFactor(TimeFactor now) {
     showing = true;
+    if (!factor.getItems().contains(now)) {
+      factor.getItems().add(now);
+      FXCollections.sort(factor.getItems(), Comparator.comparingDouble(TimeFactor::value));
+    }
     factor.setValue(now);
     showing = false;
   }

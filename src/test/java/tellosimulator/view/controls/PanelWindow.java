@@ -1,0 +1,162 @@
+package tellosimulator.view.controls;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static tellosimulator.testing.SimulatedDrone.address;
+
+import atlantafx.base.theme.PrimerLight;
+import java.io.IOException;
+import java.net.DatagramPacket;
+import java.net.DatagramSocket;
+import java.net.InetAddress;
+import java.net.InetSocketAddress;
+import java.nio.charset.StandardCharsets;
+import java.util.Collections;
+import java.util.List;
+import java.util.Locale;
+import java.util.OptionalInt;
+import java.util.concurrent.Callable;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.TimeoutException;
+import java.util.function.Function;
+import javafx.application.Application;
+import javafx.scene.Parent;
+import javafx.scene.Scene;
+import javafx.scene.control.Label;
+import javafx.scene.control.Labeled;
+import javafx.scene.input.KeyCode;
+import javafx.stage.Stage;
+import org.testfx.api.FxRobot;
+import org.testfx.util.WaitForAsyncUtils;
+import tellosimulator.math.Vec3;
+import tellosimulator.network.AddressPlan;
+import tellosimulator.network.OnlineSimulation;
+import tellosimulator.sim.SimConfig;
+import tellosimulator.sim.SimSnapshot;
+import tellosimulator.sim.SimSnapshot.DroneSnapshot;
+import tellosimulator.sim.Swarm;
+import tellosimulator.view.ViewContext;
+import tellosimulator.view.text.Language;
+import tellosimulator.world.Room;
+
+/** A panel on a running simulation of its own, whose drones listen where the system chooses. */
+final class PanelWindow implements AutoCloseable {
+
+  private static final int UNUSED_PORT = 9;
+
+  private final OnlineSimulation simulation;
+  private final Language language = new Language(Locale.ENGLISH);
+  private final ViewContext context;
+  private final FxRobot robot = new FxRobot();
+
+  private PanelWindow(int drones) {
+    InetAddress loopback = address("127.0.0.1", 0).getAddress();
+    simulation =
+        new OnlineSimulation(
+            SimConfig.DEFAULT
+                .withRoom(Room.DEFAULT, Swarm.row(drones, Vec3.ZERO, Room.DEFAULT))
+                .withOutlets(new SimConfig.Outlets(UNUSED_PORT, UNUSED_PORT + 1)),
+            AddressPlan.of(Collections.nCopies(drones, loopback), 0),
+            OptionalInt.empty(),
+            List.of());
+    context = ViewContext.of(simulation, language);
+  }
+
+  /** On the JavaFX thread. */
+  static PanelWindow open(Stage stage, int drones, Function<ViewContext, Parent> panel) {
+    PanelWindow window = new PanelWindow(drones);
+    Application.setUserAgentStylesheet(new PrimerLight().getUserAgentStylesheet());
+    stage.setScene(new Scene(panel.apply(window.context), 300, 600));
+    stage.show();
+    window.context.pulse().start();
+    return window;
+  }
+
+  OnlineSimulation simulation() {
+    return simulation;
+  }
+
+  ViewContext context() {
+    return context;
+  }
+
+  SimSnapshot snapshot() {
+    return simulation.snapshot();
+  }
+
+  DroneSnapshot drone(int number) {
+    return snapshot().drones().get(number - 1);
+  }
+
+  String text(String id) {
+    return robot.lookup(id).queryAs(Labeled.class).getText();
+  }
+
+  /** What stands in a field. */
+  String typed(String id) {
+    return robot.lookup(id).queryTextInputControl().getText();
+  }
+
+  /** The sentence below a field, empty if there is none. */
+  String sentence(String id) {
+    Label label = robot.lookup(id).queryAs(Label.class);
+    assertThat(label.isVisible()).isEqualTo(!label.getText().isEmpty());
+    return label.getText();
+  }
+
+  /** Puts a text into a field as a person does, without Enter. */
+  void type(String id, String text) {
+    robot.clickOn(id);
+    robot.press(KeyCode.CONTROL).type(KeyCode.A).release(KeyCode.CONTROL).type(KeyCode.DELETE);
+    robot.write(text);
+  }
+
+  /** Types a text and Enter. */
+  void enter(String id, String text) {
+    type(id, text);
+    robot.type(KeyCode.ENTER);
+  }
+
+  void speak(Locale locale) {
+    robot.interact(() -> language.localeProperty().set(locale));
+  }
+
+  /** Waits until something holds. */
+  void until(Callable<Boolean> condition) {
+    try {
+      WaitForAsyncUtils.waitFor(20, TimeUnit.SECONDS, condition);
+    } catch (TimeoutException e) {
+      throw new AssertionError("it never became true", e);
+    }
+  }
+
+  /** Waits until two more pulses are over, so that what was done has come back. */
+  void settle() {
+    long[] pulses = {0};
+    robot.interact(() -> context.pulse().onBeat(nanos -> pulses[0]++));
+    until(() -> pulses[0] > 2);
+    WaitForAsyncUtils.waitForFxEvents();
+  }
+
+  /** Sends commands one after the other and returns the last reply. */
+  String fly(String... commands) throws IOException {
+    InetSocketAddress drone = simulation.addresses(1).get(0);
+    try (DatagramSocket socket = new DatagramSocket(address("127.0.0.1", 0))) {
+      socket.setSoTimeout(20_000);
+      String reply = "";
+      for (String command : commands) {
+        byte[] bytes = command.getBytes(StandardCharsets.ISO_8859_1);
+        socket.send(new DatagramPacket(bytes, bytes.length, drone));
+        DatagramPacket answer = new DatagramPacket(new byte[2048], 2048);
+        socket.receive(answer);
+        reply = new String(answer.getData(), 0, answer.getLength(), StandardCharsets.ISO_8859_1);
+      }
+      return reply;
+    }
+  }
+
+  @Override
+  public void close() {
+    robot.interact(() -> context.pulse().stop());
+    simulation.close();
+  }
+}

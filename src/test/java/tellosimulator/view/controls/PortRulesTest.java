@@ -1,0 +1,48 @@
+package tellosimulator.view.controls;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static tellosimulator.testing.SimulatedDrone.address;
+
+import java.net.InetSocketAddress;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import tellosimulator.sim.SimConfig.Outlets;
+
+class PortRulesTest {
+
+  @Test
+  void stateAndVideoCannotShareAPort() {
+    assertThat(PortRules.outlet(11111, 11111)).hasValue(new Complaint("port.same", "11111"));
+    assertThat(PortRules.outlet(11112, 11111)).isEmpty();
+    assertThat(PortRules.outlet(88.5, 11111)).hasValue(new Complaint("port.whole"));
+  }
+
+  @Test
+  void twoDronesCannotListenOnTheSamePortOfAnAddress() {
+    var own = List.of(address("127.0.0.1", 8879));
+    var second = List.of(address("127.0.0.2", 8880));
+    var third = List.of(address("127.0.0.1", 8881));
+    var others = List.of(List.<InetSocketAddress>of(), second, third);
+
+    assertThat(PortRules.command(8880, own, others)).isEmpty();
+    assertThat(PortRules.command(8881, own, others))
+        .hasValue(new Complaint("port.other-drone", "3"));
+    assertThat(PortRules.command(8879, own, others)).isEmpty();
+  }
+
+  @ParameterizedTest
+  @CsvSource({
+    "8879, ''",
+    "8889, port.operators",
+    "8890, port.listening",
+    "11111, port.listening",
+    "9000, port.listening",
+    "9001, port.listening"
+  })
+  void portsOfOperatorProgramsAreWarnedOf(int command, String key) {
+    assertThat(PortRules.warning(command, new Outlets(9000, 9001)).map(Complaint::key).orElse(""))
+        .isEqualTo(key);
+  }
+}
