@@ -39,4 +39,10 @@ class FramesTest {
     assertThat(Math.toDegrees(Frames.wrapped(Math.toRadians(degrees))))
         .isCloseTo(wrapped, within(1e-9));
   }
+
+  @Test
+  void onTheScreenForwardLeadsInLeftIsLeftAndUpIsUp() {
+    assertThat(Frames.toScreen(new Vec3(1, 2, 3))).isEqualTo(new Vec3(-2, -3, 1));
+    assertThat(Frames.fromScreen(Frames.toScreen(new Vec3(1, 2, 3)))).isEqualTo(new Vec3(1, 2, 3));
+  }
 }

@@ -20,9 +20,9 @@ final class PropellerDisc {
   private static final Color BLADE = Color.web("#3b3e45");
 
   /** Opacity of the disc, and how much a smeared blade adds to it. Assumed: by eye. */
-  private static final double DISC_OPACITY = 0.13;
+  private static final double DISC_OPACITY = 0.18;
 
-  private static final double BLADE_OPACITY = 0.34;
+  private static final double BLADE_OPACITY = 0.42;
 
   private PropellerDisc() {}
 

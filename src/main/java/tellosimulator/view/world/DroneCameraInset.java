@@ -34,7 +34,7 @@ final class DroneCameraInset extends StackPane {
   /** Width of what is shown [pixels]. Decided. */
   private static final double SMALL = 240;
 
-  private static final double LARGE = 480;
+  private static final double LARGE = 400;
 
   private final Messages messages;
   private final BooleanProperty shown = new SimpleBooleanProperty(this, "shown");

@@ -29,7 +29,7 @@ final class MetreMarks {
   private static final int FULL = 15;
 
   /** Height of a number, as a part of the distance from mark to mark. Decided: by eye. */
-  private static final double NUMBER_HEIGHT = 0.15;
+  private static final double NUMBER_HEIGHT = 0.19;
 
   private static final Color INK = Color.web("#6f675b");
 
@@ -53,7 +53,7 @@ final class MetreMarks {
 
   /** Metres from mark to mark in a room of some length [m]. */
   static double step(double longest) {
-    return longest <= 20 ? 1 : longest <= 60 ? 5 : 10;
+    return longest <= 10 ? 1 : longest <= 25 ? 2 : longest <= 60 ? 5 : 10;
   }
 
   /**

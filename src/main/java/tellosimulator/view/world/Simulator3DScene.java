@@ -36,6 +36,7 @@ public final class Simulator3DScene extends Region {
   private final SimulatorCamera camera;
   private final DroneCamera droneCamera;
   private final DroneCameraInset inset;
+  private final Group content = new Group();
   private final Label noThreeD = new Label();
   private SubScene subScene = new SubScene(new Group(), 0, 0);
 
@@ -99,6 +100,7 @@ public final class Simulator3DScene extends Region {
 
   private void initializeParts() {
     world.getChildren().addAll(camera.node(), droneCamera.node());
+    content.getChildren().addAll(world.lights(), world);
     noThreeD.setId("no-3d");
     noThreeD.setWrapText(true);
     noThreeD.setVisible(!supported);
@@ -106,7 +108,8 @@ public final class Simulator3DScene extends Region {
   }
 
   private void layoutParts() {
-    getChildren().addAll(subScene, noThreeD, inset);
+    // snapshots are lit by the lights of the window's scene, not by those of the SubScene
+    getChildren().addAll(subScene, noThreeD, inset, world.lights());
   }
 
   private void setupEventHandlers() {
@@ -124,7 +127,7 @@ public final class Simulator3DScene extends Region {
   private void buildSubScene(boolean smooth) {
     subScene.setRoot(new Group());
     SceneAntialiasing edges = smooth ? SceneAntialiasing.BALANCED : SceneAntialiasing.DISABLED;
-    subScene = new SubScene(supported ? world : new Group(), 0, 0, true, edges);
+    subScene = new SubScene(supported ? content : new Group(), 0, 0, true, edges);
     subScene.setId("sub-scene");
     subScene.setManaged(false);
     subScene.setMouseTransparent(true);

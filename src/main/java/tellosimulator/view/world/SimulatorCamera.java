@@ -34,7 +34,7 @@ public final class SimulatorCamera {
   /** From behind and above, a little from the right. Decided: one sees nose, floor and shadow. */
   private static final double START_HEADING = Math.toRadians(24);
 
-  private static final double START_ELEVATION = Math.toRadians(27);
+  private static final double START_ELEVATION = Math.toRadians(24);
 
   private static final double START_DISTANCE = 1.15;
 

@@ -35,6 +35,7 @@ final class World extends Group {
 
   private final FxSimulation simulation;
   private final List<Parts> drones = new ArrayList<>();
+  private final RoomView room;
   private final Group marks = new Group();
   private final Group bodies = new Group();
   private final Group trails = new Group();
@@ -42,6 +43,7 @@ final class World extends Group {
 
   World(FxSimulation simulation) {
     this.simulation = simulation;
+    room = new RoomView(simulation);
     initializeSelf();
     initializeParts();
     layoutParts();
@@ -101,7 +103,6 @@ final class World extends Group {
   }
 
   private void layoutParts() {
-    RoomView room = new RoomView(simulation);
     for (Parts drone : drones) {
       bodies.getChildren().add(drone.view);
       trails.getChildren().add(drone.trail);
@@ -109,22 +110,27 @@ final class World extends Group {
       aids.getChildren().addAll(drone.tags);
     }
     aids.getChildren().add(trails);
-    getChildren().addAll(lights(room));
     getChildren().addAll(room, marks, bodies, aids);
   }
 
-  /** The room has its light in its pictures; only drones are lit, which is cheaper. */
-  private List<Node> lights(RoomView room) {
+  /**
+   * Lights that shine as those of the world do; made anew with each call. The room has its light in
+   * its pictures; only drones are lit, which is cheaper.
+   */
+  Group lights() {
     AmbientLight asPainted = new AmbientLight(Color.WHITE);
     asPainted.getScope().addAll(room, marks, aids);
     drones.forEach(drone -> asPainted.getScope().add(drone.view.lamp()));
     AmbientLight onDrones = new AmbientLight(ALL_SIDES);
     onDrones.getScope().add(bodies);
-    return List.of(
-        asPainted,
-        onDrones,
-        directional(LAMP, new Vec3(0.45, -0.35, -0.82)),
-        directional(OTHER_SIDE, new Vec3(-0.7, 0.5, 0.1)));
+    Group lights =
+        new Group(
+            asPainted,
+            onDrones,
+            directional(LAMP, new Vec3(0.45, -0.35, -0.82)),
+            directional(OTHER_SIDE, new Vec3(-0.7, 0.5, 0.1)));
+    lights.getTransforms().add(FxFrames.ofRoom());
+    return lights;
   }
 
   private DirectionalLight directional(Color color, Vec3 direction) {

@@ -1,0 +1,37 @@
+package tellosimulator.view.world;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import org.junit.jupiter.api.Test;
+import tellosimulator.math.Attitude;
+import tellosimulator.math.Pose;
+import tellosimulator.math.Vec3;
+
+class DroneCameraTest {
+
+  @Test
+  void onALevelDroneItLooksAheadAndFifteenDegreesDown() {
+    Attitude attitude = Attitude.ofHeading(Math.toRadians(90));
+
+    Pose camera = DroneCamera.pose(new Pose(new Vec3(1, 1, 1), attitude));
+
+    assertThat(Math.toDegrees(camera.attitude().elevation())).isCloseTo(-15, within(1e-9));
+    assertThat(Math.toDegrees(camera.attitude().heading())).isCloseTo(90, within(1e-9));
+    // 3.5 cm ahead, which is along y
+    assertThat(camera.position().distanceTo(new Vec3(1, 1.035, 1.0185))).isLessThan(1e-9);
+  }
+
+  @Test
+  void itPitchesAndRollsWithTheDrone() {
+    double half = Math.toRadians(10) / 2;
+    Attitude noseDown = new Attitude(Math.cos(half), 0, Math.sin(half), 0);
+    Attitude rightDown = new Attitude(Math.cos(half), Math.sin(half), 0, 0);
+
+    Attitude pitched = DroneCamera.pose(new Pose(Vec3.ZERO, noseDown)).attitude();
+    Attitude rolled = DroneCamera.pose(new Pose(Vec3.ZERO, rightDown)).attitude();
+
+    assertThat(Math.toDegrees(pitched.elevation())).isCloseTo(-25, within(1e-9));
+    assertThat(rolled.toRoom(new Vec3(0, 1, 0)).z()).as("left edge of the picture").isPositive();
+  }
+}
