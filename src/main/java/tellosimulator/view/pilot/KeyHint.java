@@ -34,12 +34,12 @@ final class KeyHint extends VBox {
           new Place(SteeringKey.DOWN, 5, 1),
           new Place(SteeringKey.TURN_RIGHT, 6, 1));
 
-  private static final List<SteeringKey> ACTIONS =
+  private static final List<Place> ACTIONS =
       List.of(
-          SteeringKey.TAKE_OFF_OR_LAND,
-          SteeringKey.FLIP,
-          SteeringKey.EMERGENCY,
-          SteeringKey.FASTER);
+          new Place(SteeringKey.TAKE_OFF_OR_LAND, 0, 0),
+          new Place(SteeringKey.FASTER, 0, 1),
+          new Place(SteeringKey.EMERGENCY, 0, 2),
+          new Place(SteeringKey.FLIP, 1, 1));
 
   private final Messages messages;
   private final ObservableSet<SteeringKey> pressed;
@@ -84,14 +84,14 @@ final class KeyHint extends VBox {
         .addAll(new ColumnConstraints(), new ColumnConstraints(), new ColumnConstraints(), gap);
     addLegend("sticks-left", 0);
     addLegend("sticks-right", 4);
-    for (int i = 0; i < ACTIONS.size(); i++) {
-      SteeringKey key = ACTIONS.get(i);
+    for (Place place : ACTIONS) {
       Label what = new Label();
-      what.textProperty().bind(messages.text("short-" + key.textKey()));
+      what.textProperty().bind(messages.text("short-" + place.key().textKey()));
       what.getStyleClass().add("key-text");
-      HBox pair = new HBox(caps.get(key), what);
+      HBox pair = new HBox(caps.get(place.key()), what);
       pair.getStyleClass().add("key-pair");
-      actions.add(pair, i % 2, i / 2);
+      int columns = place.row() == 1 ? 1 : 2;
+      actions.add(pair, place.column(), place.row(), columns, 1);
     }
     actions.getStyleClass().add("actions");
     getChildren().addAll(sticks, actions);

@@ -1,6 +1,7 @@
 package tellosimulator.view.pilot;
 
 import java.util.Arrays;
+import java.util.Locale;
 import java.util.Optional;
 import javafx.scene.input.KeyCode;
 
@@ -55,7 +56,7 @@ public enum SteeringKey {
 
   /** The key of the text that says what it does, in this package's messages. */
   public String textKey() {
-    return "key-" + name().toLowerCase(java.util.Locale.ROOT).replace('_', '-');
+    return "key-" + name().toLowerCase(Locale.ROOT).replace('_', '-');
   }
 
   static Optional<SteeringKey> of(KeyCode code) {

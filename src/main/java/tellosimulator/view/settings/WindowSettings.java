@@ -1,6 +1,8 @@
 package tellosimulator.view.settings;
 
+import java.util.Locale;
 import java.util.Optional;
+import java.util.stream.Stream;
 import javafx.beans.property.BooleanProperty;
 import javafx.beans.property.DoubleProperty;
 import javafx.beans.property.IntegerProperty;
@@ -70,11 +72,10 @@ public final class WindowSettings {
   }
 
   private void bindLooks() {
-    String[] languages =
-        Language.OFFERED.stream().map(java.util.Locale::getLanguage).toArray(String[]::new);
-    String[] choices = new String[languages.length + 1];
-    choices[0] = SYSTEM_LANGUAGE;
-    System.arraycopy(languages, 0, choices, 1, languages.length);
+    String[] choices =
+        Stream.concat(
+                Stream.of(SYSTEM_LANGUAGE), Language.OFFERED.stream().map(Locale::getLanguage))
+            .toArray(String[]::new);
     settings.bind("theme", theme, Codec.constant(Theme.class));
     settings.bind("language", language, Codec.word(choices));
     settings.bind("ui-scale", uiScale, Codec.decimal(SMALLEST_SCALE, LARGEST_SCALE));

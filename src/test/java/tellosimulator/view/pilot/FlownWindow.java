@@ -22,7 +22,7 @@ import tellosimulator.view.ViewContext;
 import tellosimulator.view.text.Language;
 
 /** A running simulation with real sockets on free ports, and the context of a window on it. */
-final class FlownWindow implements AutoCloseable {
+public final class FlownWindow implements AutoCloseable {
 
   /** State and video go where nobody listens. */
   private static final int DISCARD = 9;
@@ -34,7 +34,7 @@ final class FlownWindow implements AutoCloseable {
   private final OnlineSimulation simulation;
   private final ViewContext context;
 
-  FlownWindow(SimConfig config) {
+  public FlownWindow(SimConfig config) {
     SimListener listener =
         new SimListener() {
           @Override
@@ -51,7 +51,7 @@ final class FlownWindow implements AutoCloseable {
     context = ViewContext.of(simulation, new Language(Locale.ENGLISH));
   }
 
-  ViewContext context() {
+  public ViewContext context() {
     return context;
   }
 

@@ -1,0 +1,163 @@
+package tellosimulator.view.layout;
+
+import atlantafx.base.theme.Styles;
+import java.net.InetSocketAddress;
+import java.util.List;
+import java.util.function.Function;
+import java.util.stream.Stream;
+import javafx.beans.property.SimpleStringProperty;
+import javafx.beans.property.StringProperty;
+import javafx.beans.value.ObservableValue;
+import javafx.geometry.VPos;
+import javafx.scene.Node;
+import javafx.scene.control.Button;
+import javafx.scene.control.Label;
+import javafx.scene.layout.GridPane;
+import javafx.scene.layout.HBox;
+import javafx.scene.layout.Region;
+import javafx.scene.layout.VBox;
+import tellosimulator.view.ViewContext;
+import tellosimulator.view.pilot.SteeringKey;
+import tellosimulator.view.text.Messages;
+
+/** First steps, and everything that mouse and keys do. For the JavaFX thread. */
+public final class HelpPage extends VBox {
+
+  private static final List<String> STEPS = List.of("step-1", "step-2", "step-3", "step-4");
+
+  private static final List<String> MOUSE =
+      List.of("mouse-turn", "mouse-shift", "mouse-zoom", "mouse-fine", "mouse-strong");
+
+  private final ViewContext context;
+  private final Messages messages;
+  private final Messages steering;
+  private final StringProperty address = new SimpleStringProperty("");
+  private final Label title = new Label();
+  private final Button close = new Button();
+  private final HBox columns = new HBox();
+
+  HelpPage(ViewContext context) {
+    this.context = context;
+    messages = context.language().messages(HelpPage.class);
+    steering = context.language().messages(SteeringKey.class);
+    initializeSelf();
+    initializeParts();
+    layoutParts();
+    setupBindings();
+  }
+
+  /** Takes over where the selected drone is to be reached. */
+  void refresh() {
+    int drone = context.simulation().selected().number();
+    InetSocketAddress first = context.actions().addresses(drone).get(0);
+    String host = first.getAddress().getHostAddress();
+    address.set(first.getPort() == 0 ? host : host + ":" + first.getPort());
+  }
+
+  Button closeButton() {
+    return close;
+  }
+
+  private void initializeSelf() {
+    setId("help-page");
+    setMaxHeight(USE_PREF_SIZE);
+    getStyleClass().addAll("page", "help-page");
+    getStylesheets().add(HelpPage.class.getResource("pages.css").toExternalForm());
+  }
+
+  private void initializeParts() {
+    title.getStyleClass().add(Styles.TITLE_3);
+    close.setId("help-close");
+    close.setDefaultButton(true);
+    columns.getStyleClass().add("columns");
+  }
+
+  private void layoutParts() {
+    VBox first = new VBox(steps(), table("mouse", MOUSE.stream().map(this::mouseRow)));
+    VBox second = new VBox(table("window-keys", Stream.of(WindowKey.values()).map(this::keyRow)));
+    VBox third =
+        new VBox(table("steering-keys", Stream.of(SteeringKey.values()).map(this::steeringRow)));
+    for (VBox column : List.of(first, second, third)) {
+      column.getStyleClass().add("column");
+      columns.getChildren().add(column);
+    }
+    third.getChildren().add(wrapped("steering-note"));
+    HBox buttons = new HBox(close);
+    buttons.getStyleClass().add("page-buttons");
+    getChildren().addAll(title, columns, buttons);
+  }
+
+  private void setupBindings() {
+    title.textProperty().bind(messages.text("help"));
+    close.textProperty().bind(messages.text("close"));
+  }
+
+  private Node steps() {
+    VBox all = new VBox(heading("first-steps"));
+    all.getStyleClass().add("steps");
+    STEPS.forEach(step -> all.getChildren().add(wrapped(step)));
+    return all;
+  }
+
+  /** What a key or a button is called, and what it does. */
+  private record Row(String id, ObservableValue<String> key, ObservableValue<String> meaning) {}
+
+  private Row mouseRow(String key) {
+    return new Row(key, messages.text(key), messages.text(key + "-does"));
+  }
+
+  private Row keyRow(WindowKey key) {
+    ObservableValue<String> symbols = following(key::symbols);
+    return new Row(key.textKey(), symbols, messages.text(key.textKey()));
+  }
+
+  private Row steeringRow(SteeringKey key) {
+    ObservableValue<String> symbols =
+        switch (key) {
+          case FASTER -> messages.text("shift");
+          case TAKE_OFF_OR_LAND -> messages.text("space");
+          default -> following(any -> key.symbol());
+        };
+    return new Row("steering-" + key.textKey(), symbols, steering.text(key.textKey()));
+  }
+
+  private ObservableValue<String> following(Function<Messages, String> text) {
+    return context.language().localeProperty().map(locale -> text.apply(messages));
+  }
+
+  private Node table(String headingKey, Stream<Row> rows) {
+    GridPane table = new GridPane();
+    table.getStyleClass().add("key-table");
+    rows.forEach(row -> addRow(table, row));
+    return new VBox(heading(headingKey), table);
+  }
+
+  private static void addRow(GridPane table, Row row) {
+    Label key = new Label();
+    key.setId("help-" + row.id());
+    key.textProperty().bind(row.key());
+    key.getStyleClass().add("key-name");
+    key.setMinWidth(Region.USE_PREF_SIZE);
+    Label meaning = new Label();
+    meaning.textProperty().bind(row.meaning());
+    meaning.setWrapText(true);
+    GridPane.setValignment(key, VPos.TOP);
+    table.addRow(table.getRowCount(), key, meaning);
+  }
+
+  private Label heading(String key) {
+    Label heading = new Label();
+    heading.textProperty().bind(messages.text(key));
+    heading.getStyleClass().addAll(Styles.TEXT_BOLD, "heading");
+    return heading;
+  }
+
+  private Label wrapped(String key) {
+    Label text = new Label();
+    text.setId("help-" + key);
+    text.textProperty().bind(messages.text(key, address));
+    text.setWrapText(true);
+    text.setMinHeight(Region.USE_PREF_SIZE);
+    return text;
+  }
+}

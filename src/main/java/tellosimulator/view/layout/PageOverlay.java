@@ -1,0 +1,83 @@
+package tellosimulator.view.layout;
+
+import atlantafx.base.controls.ModalPane;
+import java.util.Optional;
+import javafx.scene.Node;
+import javafx.scene.layout.StackPane;
+import tellosimulator.view.ViewContext;
+
+/**
+ * The pages that lie over the window: help and about. Lies over everything else in the window's
+ * root, and is not there while no page is open. Closed by Esc, by a click beside the page, or by
+ * the page's button. For the JavaFX thread.
+ */
+public final class PageOverlay extends StackPane {
+
+  private final ModalPane pane = new ModalPane();
+  private final HelpPage help;
+  private final AboutPage about;
+  private Optional<Node> focusedBefore = Optional.empty();
+
+  public PageOverlay(ViewContext context) {
+    help = new HelpPage(context);
+    about = new AboutPage(context);
+    initializeSelf();
+    initializeParts();
+    layoutParts();
+    setupEventHandlers();
+    setupBindings();
+  }
+
+  /** Opens the help, or closes it if it is open. */
+  public void toggleHelp() {
+    if (pane.isDisplay() && pane.getContent() == help) {
+      pane.hide(true);
+    } else {
+      help.refresh();
+      show(help, help.closeButton());
+    }
+  }
+
+  public void showAbout() {
+    show(about, about.closeButton());
+  }
+
+  private void show(Node page, Node focused) {
+    if (!pane.isDisplay()) {
+      focusedBefore = Optional.ofNullable(getScene().getFocusOwner());
+    }
+    pane.show(page);
+    focused.requestFocus();
+  }
+
+  private void initializeSelf() {
+    setId("page-overlay");
+    setPickOnBounds(false);
+  }
+
+  private void initializeParts() {
+    pane.setId("page-overlay-pane");
+    pane.setInTransitionFactory(null);
+    pane.setOutTransitionFactory(null);
+  }
+
+  private void layoutParts() {
+    getChildren().add(pane);
+  }
+
+  private void setupEventHandlers() {
+    help.closeButton().setOnAction(pressed -> pane.hide(true));
+    about.closeButton().setOnAction(pressed -> pane.hide(true));
+    pane.displayProperty()
+        .addListener(
+            (observed, before, shown) -> {
+              if (!shown) {
+                focusedBefore.ifPresent(Node::requestFocus);
+              }
+            });
+  }
+
+  private void setupBindings() {
+    visibleProperty().bind(pane.displayProperty());
+  }
+}

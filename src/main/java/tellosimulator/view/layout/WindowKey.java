@@ -1,0 +1,80 @@
+package tellosimulator.view.layout;
+
+import java.util.Arrays;
+import java.util.List;
+import java.util.Locale;
+import java.util.stream.Collectors;
+import javafx.scene.input.KeyCode;
+import javafx.scene.input.KeyCodeCombination;
+import javafx.scene.input.KeyCombination;
+import javafx.scene.input.KeyEvent;
+import tellosimulator.view.text.Messages;
+
+/** The keys of the window, other than those that fly a drone. */
+public enum WindowKey {
+  HELP(KeyCode.F1),
+  SIMULATOR_CONTROLS(KeyCode.F2),
+  NETWORK_CONTROLS(KeyCode.F3),
+  LOG(KeyCode.F4),
+  INSET(KeyCode.F6),
+  TRAIL(KeyCode.F7),
+  PAUSE(KeyCode.F9),
+  FULL_SCREEN(KeyCode.F11),
+  FRONT_VIEW(KeyCode.DIGIT1, KeyCode.NUMPAD1),
+  SIDE_VIEW(KeyCode.DIGIT2, KeyCode.NUMPAD2),
+  TOP_VIEW(KeyCode.DIGIT3, KeyCode.NUMPAD3),
+  CHASE_VIEW(KeyCode.DIGIT4, KeyCode.NUMPAD4),
+  DRONE_CAMERA(KeyCode.DIGIT5, KeyCode.NUMPAD5),
+  RESET_VIEW(KeyCode.DIGIT0, KeyCode.NUMPAD0, KeyCode.HOME),
+  SEARCH_LOG(KeyCombination.SHORTCUT_DOWN, KeyCode.F),
+  QUIT(KeyCombination.SHORTCUT_DOWN, KeyCode.Q);
+
+  private final boolean withShortcut;
+  private final List<KeyCode> codes;
+  private final List<KeyCombination> combinations;
+
+  WindowKey(KeyCode... codes) {
+    this.withShortcut = false;
+    this.codes = List.of(codes);
+    this.combinations =
+        Arrays.stream(codes).map(code -> (KeyCombination) new KeyCodeCombination(code)).toList();
+  }
+
+  WindowKey(KeyCombination.Modifier shortcut, KeyCode code) {
+    this.withShortcut = true;
+    this.codes = List.of(code);
+    this.combinations = List.of(new KeyCodeCombination(code, shortcut));
+  }
+
+  boolean matches(KeyEvent event) {
+    return combinations.stream().anyMatch(combination -> combination.match(event));
+  }
+
+  /** Whether a text field could want it for itself. */
+  boolean writes() {
+    return !withShortcut && !codes.get(0).isFunctionKey();
+  }
+
+  /** What is written on the keys, for people. */
+  public String symbols(Messages messages) {
+    String prefix = withShortcut ? shortcut(messages) : "";
+    return codes.stream()
+        .filter(code -> !code.isKeypadKey())
+        .map(code -> prefix + symbol(code, messages))
+        .collect(Collectors.joining(messages.now("or")));
+  }
+
+  private static String shortcut(Messages messages) {
+    boolean mac = System.getProperty("os.name").toLowerCase(Locale.ROOT).contains("mac");
+    return mac ? "⌘ " : messages.now("ctrl") + "+";
+  }
+
+  private static String symbol(KeyCode code, Messages messages) {
+    return code == KeyCode.HOME ? messages.now("home") : code.getName();
+  }
+
+  /** The key of the text that says what it does, in this package's messages. */
+  public String textKey() {
+    return "key-" + name().toLowerCase(Locale.ROOT).replace('_', '-');
+  }
+}

@@ -1,0 +1,186 @@
+package tellosimulator.view.layout;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.testfx.util.WaitForAsyncUtils.waitForFxEvents;
+
+import atlantafx.base.theme.PrimerLight;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import javafx.application.Application;
+import javafx.scene.Scene;
+import javafx.scene.control.Label;
+import javafx.scene.control.ListView;
+import javafx.scene.control.TextArea;
+import javafx.scene.control.TextField;
+import javafx.scene.input.KeyCode;
+import javafx.scene.layout.StackPane;
+import javafx.stage.Stage;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.extension.ExtendWith;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
+import org.testfx.api.FxRobot;
+import org.testfx.framework.junit5.ApplicationExtension;
+import org.testfx.framework.junit5.Start;
+import tellosimulator.sim.SimConfig;
+import tellosimulator.view.pilot.FlownWindow;
+import tellosimulator.view.pilot.SteeringKey;
+
+@ExtendWith(ApplicationExtension.class)
+class PageOverlayFxTest {
+
+  private final List<WindowKey> pressed = new ArrayList<>();
+  private FlownWindow window;
+  private PageOverlay overlay;
+
+  @Start
+  void start(Stage stage) {
+    Application.setUserAgentStylesheet(new PrimerLight().getUserAgentStylesheet());
+    window = new FlownWindow(SimConfig.DEFAULT);
+    overlay = new PageOverlay(window.context());
+    TextField field = new TextField();
+    field.setId("field");
+    StackPane below = new StackPane(field);
+    Scene scene = new Scene(new StackPane(below, overlay), 1280, 800);
+    WindowKeys keys = new WindowKeys();
+    for (WindowKey key : WindowKey.values()) {
+      keys.on(key, () -> pressed.add(key));
+    }
+    keys.on(WindowKey.HELP, overlay::toggleHelp).install(scene);
+    stage.setScene(scene);
+    stage.show();
+    overlay.getParent().requestFocus();
+  }
+
+  @AfterEach
+  void close() {
+    window.close();
+  }
+
+  @Test
+  void theHelpListsEveryKeyInBothLanguages(FxRobot robot) {
+    robot.type(KeyCode.F1);
+    assertThat(robot.lookup("#help-page").query().isVisible()).isTrue();
+
+    for (Locale language : List.of(Locale.ENGLISH, Locale.GERMAN)) {
+      robot.interact(() -> window.context().language().localeProperty().set(language));
+      for (WindowKey key : WindowKey.values()) {
+        assertThat(label(robot, "#help-" + key.textKey()).getText()).isNotBlank();
+      }
+      for (SteeringKey key : SteeringKey.values()) {
+        assertThat(label(robot, "#help-steering-" + key.textKey()).getText()).isNotBlank();
+      }
+    }
+    assertThat(label(robot, "#help-key-reset-view").getText()).isEqualTo("0 oder Pos1");
+    assertThat(label(robot, "#help-steering-key-take-off-or-land").getText())
+        .isEqualTo("Leertaste");
+  }
+
+  @Test
+  void nothingOfTheHelpIsCutOff(FxRobot robot) {
+    robot.type(KeyCode.F1);
+
+    for (Locale language : List.of(Locale.ENGLISH, Locale.GERMAN)) {
+      robot.interact(() -> window.context().language().localeProperty().set(language));
+      waitForFxEvents();
+      for (Label label :
+          robot.from(robot.lookup("#help-page")).lookup(".label").queryAllAs(Label.class)) {
+        assertThat(label.getWidth() * label.getHeight())
+            .as(label.getText())
+            .isGreaterThanOrEqualTo(label.getWidth() * (label.prefHeight(label.getWidth()) - 1));
+      }
+    }
+  }
+
+  @Test
+  void theFirstStepsNameTheAddress(FxRobot robot) {
+    window.context().actions().setCommandPort(1, 8879);
+
+    robot.type(KeyCode.F1);
+
+    assertThat(label(robot, "#help-step-2").getText()).contains("127.0.0.1:8879");
+  }
+
+  @Test
+  void theHelpIsClosedByEscButtonAndF1(FxRobot robot) {
+    robot.type(KeyCode.F1, KeyCode.ESCAPE);
+    assertThat(overlay.isVisible()).isFalse();
+
+    robot.type(KeyCode.F1).clickOn("#help-close");
+    assertThat(overlay.isVisible()).isFalse();
+
+    robot.type(KeyCode.F1, KeyCode.F1);
+    assertThat(overlay.isVisible()).isFalse();
+  }
+
+  @Test
+  void theFocusGoesBackToWhereItWas(FxRobot robot) {
+    robot.clickOn("#field").type(KeyCode.F1);
+    assertThat(robot.lookup("#field").query().isFocused()).isFalse();
+
+    robot.type(KeyCode.ESCAPE);
+
+    assertThat(robot.lookup("#field").query().isFocused()).isTrue();
+  }
+
+  @Test
+  void theAboutPageShowsVersionsAndEachLicence(FxRobot robot) {
+    robot.interact(overlay::showAbout);
+    assertThat(label(robot, "#about-title").getText()).isEqualTo("Tello Simulator development");
+    assertThat(label(robot, "#about-versions").getText())
+        .contains(System.getProperty("java.version"), System.getProperty("javafx.version"));
+
+    ListView<?> documents = robot.lookup("#about-documents").queryListView();
+    assertThat(documents.getItems().stream().map(String::valueOf))
+        .contains(
+            "META-INF/NOTICE",
+            "META-INF/LICENSE",
+            "META-INF/licenses/GPL-2.0-with-classpath-exception.txt",
+            "META-INF/licenses/EPL-2.0.md",
+            "META-INF/licenses/MIT-slf4j.txt");
+    for (int i = 0; i < documents.getItems().size(); i++) {
+      int row = i;
+      robot.interact(() -> documents.getSelectionModel().select(row));
+      assertThat(robot.lookup("#about-text").queryAs(TextArea.class).getText())
+          .as("%s", documents.getItems().get(i))
+          .hasSizeGreaterThan(500)
+          .containsIgnoringCase(i == 0 ? "OpenJFX" : "license");
+    }
+    robot.clickOn("#about-close");
+    assertThat(overlay.isVisible()).isFalse();
+  }
+
+  @ParameterizedTest
+  @EnumSource(
+      value = WindowKey.class,
+      names = {"HELP", "SEARCH_LOG", "QUIT", "RESET_VIEW"},
+      mode = EnumSource.Mode.EXCLUDE)
+  void keysAct(WindowKey key, FxRobot robot) {
+    robot.type(
+        KeyCode.getKeyCode(key.symbols(window.context().language().messages(WindowKey.class))));
+
+    assertThat(pressed).containsExactly(key);
+  }
+
+  @Test
+  void keysWithControlAct(FxRobot robot) {
+    robot.press(KeyCode.CONTROL).type(KeyCode.F).release(KeyCode.CONTROL).type(KeyCode.HOME);
+
+    assertThat(pressed).containsExactly(WindowKey.SEARCH_LOG, WindowKey.RESET_VIEW);
+  }
+
+  @Test
+  void textFieldsKeepWhatCanBeTyped(FxRobot robot) {
+    robot.clickOn("#field").type(KeyCode.DIGIT1, KeyCode.HOME, KeyCode.F7);
+    robot.press(KeyCode.CONTROL).type(KeyCode.F).release(KeyCode.CONTROL);
+
+    assertThat(robot.lookup("#field").queryAs(TextField.class).getText()).isEqualTo("1");
+    assertThat(pressed).containsExactly(WindowKey.TRAIL, WindowKey.SEARCH_LOG);
+  }
+
+  private static Label label(FxRobot robot, String id) {
+    return robot.lookup(id).queryAs(Label.class);
+  }
+}
