@@ -60,6 +60,7 @@ public final class SimulatorApp implements AutoCloseable {
         });
     context.pulse().start();
     stage.show();
+    OpeningSize.hold(stage);
     FirstFrame.report();
   }
 

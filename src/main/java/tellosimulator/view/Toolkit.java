@@ -32,6 +32,7 @@ public final class Toolkit {
     if (System.getProperty(FORCE_GPU) == null) {
       System.setProperty(FORCE_GPU, "true");
     }
+    Platform.setImplicitExit(false); // or it would end at once, as it has no window yet
     CountDownLatch running = new CountDownLatch(1);
     try {
       Platform.startup(running::countDown);
@@ -40,7 +41,6 @@ public final class Toolkit {
       return Optional.of(NoWindow.because(e, nativesAreThere()).sentence());
     }
     running.await();
-    Platform.setImplicitExit(false);
     if (!Platform.isSupported(ConditionalFeature.SCENE3D)) {
       LOG.warn("The window shows no room: this machine's display cannot do 3D. {}", WHAT_HELPS);
     }
