@@ -15,6 +15,8 @@ import tellosimulator.headless.HeadlessSimulator;
 import tellosimulator.network.PortTakenException;
 import tellosimulator.view.SimulatorApp;
 import tellosimulator.view.Toolkit;
+import tellosimulator.view.layout.WindowState;
+import tellosimulator.view.settings.Settings;
 
 /** The command line: reads the options, then runs the simulator. */
 public final class Main {
@@ -71,16 +73,20 @@ public final class Main {
     options.check();
     if (!options.headless()) {
       StrayOutput.intoTheLog();
+      Settings settings = Settings.load(Settings.file());
+      WindowState state = WindowState.remembered(settings);
+      state.uiScaleProperty().get().apply();
       Optional<String> obstacle = Toolkit.start();
       if (obstacle.isEmpty()) {
-        return simulateInWindow(options, out);
+        return simulateInWindow(options, settings, state, out);
       }
       err.println(obstacle.get());
     }
     return simulateHeadless(options, out);
   }
 
-  private static int simulateInWindow(Options options, PrintStream out)
+  private static int simulateInWindow(
+      Options options, Settings settings, WindowState state, PrintStream out)
       throws InterruptedException, PortTakenException {
     try (SimulatorApp app =
         new SimulatorApp(options.simConfig(), options.addressPlan(), options.replyPort())) {
@@ -89,7 +95,7 @@ public final class Main {
         app.switchAllOn();
         out.println(app.ready());
       }
-      app.run();
+      app.run(settings, state);
       return 0;
     }
   }

@@ -3,6 +3,7 @@ package tellosimulator.view;
 import java.net.InetSocketAddress;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.ObjIntConsumer;
 import tellosimulator.network.OnlineSimulation;
 import tellosimulator.network.PortTakenException;
 import tellosimulator.network.Traffic;
@@ -15,6 +16,7 @@ import tellosimulator.sim.Control;
 public final class SimulatorActions {
 
   private final OnlineSimulation simulation;
+  private ObjIntConsumer<PortTakenException> refused = (refusal, drone) -> {};
 
   public SimulatorActions(OnlineSimulation simulation) {
     this.simulation = simulation;
@@ -30,8 +32,14 @@ public final class SimulatorActions {
       simulation.carryOut(new Control.Power(drone, on));
       return Optional.empty();
     } catch (PortTakenException e) {
+      refused.accept(e, drone);
       return Optional.of(e);
     }
+  }
+
+  /** Tells somebody of each drone that stays off, and why. */
+  void onRefused(ObjIntConsumer<PortTakenException> listener) {
+    refused = listener;
   }
 
   /** Does anything else than using the power switch. */

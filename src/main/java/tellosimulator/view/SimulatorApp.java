@@ -10,11 +10,15 @@ import tellosimulator.network.AddressPlan;
 import tellosimulator.network.OnlineSimulation;
 import tellosimulator.network.PortTakenException;
 import tellosimulator.sim.SimConfig;
+import tellosimulator.view.layout.WindowState;
+import tellosimulator.view.log.LogFeed;
+import tellosimulator.view.settings.Settings;
 import tellosimulator.view.text.Language;
 
 /** The program with a window. */
 public final class SimulatorApp implements AutoCloseable {
 
+  private final LogFeed feed = new LogFeed();
   private final OnlineSimulation simulation;
   private final CountDownLatch closed = new CountDownLatch(1);
 
@@ -24,7 +28,7 @@ public final class SimulatorApp implements AutoCloseable {
    * @param replyPort port to which all replies go; empty for the port each command came from
    */
   public SimulatorApp(SimConfig config, AddressPlan plan, OptionalInt replyPort) {
-    simulation = new OnlineSimulation(config, plan, replyPort, List.of());
+    simulation = new OnlineSimulation(config, plan, replyPort, List.of(feed));
   }
 
   /**
@@ -41,27 +45,32 @@ public final class SimulatorApp implements AutoCloseable {
     return simulation.ready();
   }
 
-  /** Opens the window, and returns after it was closed. The {@link Toolkit} must run. */
-  public void run() throws InterruptedException {
-    Platform.runLater(this::open);
+  /**
+   * Opens the window, and returns after it was closed. The {@link Toolkit} must run.
+   *
+   * @param settings what was remembered, and what is to be remembered
+   * @param state what the window is switched to
+   */
+  public void run(Settings settings, WindowState state) throws InterruptedException {
+    Platform.runLater(() -> open(settings, state));
     closed.await();
     Platform.exit();
   }
 
-  private void open() {
+  private void open(Settings settings, WindowState state) {
     Language language = new Language(Locale.getDefault());
+    settings.bind("language", language.localeProperty(), Language.codec());
     ViewContext context = ViewContext.of(simulation, language);
     Stage stage = new Stage();
-    SimulatorWindow window = new SimulatorWindow(stage, context);
+    SimulatorWindow window = new SimulatorWindow(stage, context, state, feed);
+    window.remember(settings);
     stage.setOnHidden(
         hidden -> {
           window.close();
+          settings.save();
           closed.countDown();
         });
-    context.pulse().start();
-    stage.show();
-    OpeningSize.hold(stage);
-    FirstFrame.report();
+    window.show();
   }
 
   @Override

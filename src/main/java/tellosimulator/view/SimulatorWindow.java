@@ -1,79 +1,161 @@
 package tellosimulator.view;
 
 import javafx.application.Application;
-import javafx.geometry.Rectangle2D;
+import javafx.beans.property.BooleanProperty;
 import javafx.scene.Scene;
+import javafx.scene.input.KeyCombination;
 import javafx.scene.layout.StackPane;
-import javafx.stage.Screen;
 import javafx.stage.Stage;
+import tellosimulator.sim.Control;
 import tellosimulator.view.controls.NetworkControls;
 import tellosimulator.view.controls.SimulatorControls;
+import tellosimulator.view.layout.PageOverlay;
 import tellosimulator.view.layout.SimulatorPane;
 import tellosimulator.view.layout.WindowBar;
+import tellosimulator.view.layout.WindowKey;
+import tellosimulator.view.layout.WindowKeys;
 import tellosimulator.view.layout.WindowState;
+import tellosimulator.view.log.LogBox;
+import tellosimulator.view.log.LogFeed;
+import tellosimulator.view.log.LogLevel;
 import tellosimulator.view.pilot.PilotControls;
+import tellosimulator.view.settings.Codec;
+import tellosimulator.view.settings.Settings;
+import tellosimulator.view.settings.WindowPlacement;
 import tellosimulator.view.world.Simulator3DScene;
 import tellosimulator.view.world.ViewCamera;
 
-/** The window with all its parts. For the JavaFX thread. */
+/** The window: its parts, put together. For the JavaFX thread. */
 public final class SimulatorWindow implements AutoCloseable {
 
-  /** Size at first [px]. Decided: what fits on a small notebook. */
-  private static final double WIDTH = 1280;
+  /** Limits of the remembered grid [cm]. Decided: those of its slider. */
+  private static final double SMALLEST_GRID_CM = 10;
 
-  private static final double HEIGHT = 800;
+  private static final double LARGEST_GRID_CM = 200;
 
-  private final WindowState state = new WindowState();
-  private final Simulator3DScene scene3d;
+  private final Stage stage;
+  private final ViewContext context;
+  private final WindowState state;
+  private final Simulator3DScene world;
   private final PilotControls pilot;
   private final SimulatorControls simulatorControls;
+  private final LogBox log;
+  private final PageOverlay pages;
+  private final Scene scene;
 
-  /** Builds the window, and does not show it yet. */
-  public SimulatorWindow(Stage stage, ViewContext context) {
-    scene3d = new Simulator3DScene(context);
+  /**
+   * Builds the window, and does not show it yet.
+   *
+   * @param state what it is switched to
+   * @param feed what its log shows
+   */
+  public SimulatorWindow(Stage stage, ViewContext context, WindowState state, LogFeed feed) {
+    this.stage = stage;
+    this.context = context;
+    this.state = state;
+    world = new Simulator3DScene(context);
     pilot = new PilotControls(context);
     simulatorControls = new SimulatorControls(context);
-    SimulatorPane pane =
-        new SimulatorPane(
-            new SimulatorPane.Parts(
-                new WindowBar(context, state, scene3d),
-                new SimulatorPane.Middle(scene3d, pilot),
-                simulatorControls,
-                new NetworkControls(context),
-                new StackPane()),
-            state);
-    Scene scene = new Scene(new StackPane(pane));
-    pilot.install(scene);
+    log = new LogBox(context, feed);
+    pages = new PageOverlay(context);
+    scene = new Scene(new StackPane(pane(), pages));
+    setupKeys();
     setupBindings();
+    context.actions().onRefused((refusal, drone) -> feed.cannotSwitchOn(drone, refusal));
     stage.setScene(scene);
     stage.setTitle("Tello Simulator");
-    Rectangle2D screen = Screen.getPrimary().getVisualBounds();
-    stage.setWidth(Math.min(WIDTH, screen.getWidth()));
-    stage.setHeight(Math.min(HEIGHT, screen.getHeight()));
+    stage.setFullScreenExitHint("");
+    stage.setFullScreenExitKeyCombination(KeyCombination.NO_MATCH);
+  }
+
+  private SimulatorPane pane() {
+    return new SimulatorPane(
+        new SimulatorPane.Parts(
+            new WindowBar(context, state, world, pages),
+            new SimulatorPane.Middle(world, pilot),
+            simulatorControls,
+            new NetworkControls(context),
+            log),
+        state);
+  }
+
+  private void setupKeys() {
+    pilot.install(scene); // first, because while it is on its keys go before the window's
+    new WindowKeys()
+        .on(WindowKey.HELP, pages::toggleHelp)
+        .on(WindowKey.SIMULATOR_CONTROLS, () -> toggle(state.simulatorControlsShownProperty()))
+        .on(WindowKey.NETWORK_CONTROLS, () -> toggle(state.networkControlsShownProperty()))
+        .on(WindowKey.LOG, () -> toggle(state.logShownProperty()))
+        .on(WindowKey.INSET, () -> toggle(world.insetVisibleProperty()))
+        .on(WindowKey.TRAIL, () -> toggle(world.trailVisibleProperty()))
+        .on(WindowKey.PAUSE, this::togglePause)
+        .on(WindowKey.FULL_SCREEN, () -> toggle(state.fullScreenProperty()))
+        .on(WindowKey.FRONT_VIEW, () -> look(() -> world.camera().front()))
+        .on(WindowKey.SIDE_VIEW, () -> look(() -> world.camera().side()))
+        .on(WindowKey.TOP_VIEW, () -> look(() -> world.camera().top()))
+        .on(WindowKey.CHASE_VIEW, () -> look(() -> world.camera().chase()))
+        .on(WindowKey.RESET_VIEW, () -> look(() -> world.camera().reset()))
+        .on(WindowKey.DRONE_CAMERA, () -> world.viewCameraProperty().set(ViewCamera.DRONE))
+        .on(WindowKey.QUIT, stage::hide)
+        .install(scene);
+  }
+
+  private static void toggle(BooleanProperty property) {
+    property.set(!property.get());
+  }
+
+  private void togglePause() {
+    context.actions().carryOut(new Control.Pause(!context.simulation().pausedProperty().get()));
+  }
+
+  private void look(Runnable from) {
+    world.viewCameraProperty().set(ViewCamera.SIMULATOR);
+    from.run();
   }
 
   private void setupBindings() {
     state
         .themeProperty()
         .subscribe(theme -> Application.setUserAgentStylesheet(theme.stylesheet()));
+    state.fullScreenProperty().subscribe(stage::setFullScreen);
+    stage.fullScreenProperty().subscribe(full -> state.fullScreenProperty().set(full));
     simulatorControls
         .droneCameraProperty()
         .subscribe(
             drone ->
-                scene3d.viewCameraProperty().set(drone ? ViewCamera.DRONE : ViewCamera.SIMULATOR));
-    scene3d
+                world.viewCameraProperty().set(drone ? ViewCamera.DRONE : ViewCamera.SIMULATOR));
+    world
         .viewCameraProperty()
         .subscribe(
             camera -> simulatorControls.droneCameraProperty().set(camera == ViewCamera.DRONE));
   }
 
-  /** What the window itself can be switched to. */
-  public WindowState state() {
-    return state;
+  /** Is at first as it was left, and remembers how it is left. */
+  public void remember(Settings settings) {
+    WindowPlacement.remember(stage, settings);
+    settings.bind("show.trail", world.trailVisibleProperty(), Codec.flag());
+    settings.bind("show.inset", world.insetVisibleProperty(), Codec.flag());
+    settings.bind("log.level", log.levelProperty(), Codec.constant(LogLevel.class));
+    settings.bind("log.time-stamps", log.timeStampsProperty(), Codec.flag());
+    settings.bind(
+        "grid-cm",
+        context.simulation().gridCmProperty(),
+        Codec.decimal(SMALLEST_GRID_CM, LARGEST_GRID_CM));
+    context.pulse().onBeat(settings::beat);
   }
 
+  /** Opens it. */
+  public void show() {
+    context.pulse().start();
+    stage.show();
+    OpeningSize.hold(stage);
+    FirstFrame.report();
+  }
+
+  /** Ends what it does beside showing. */
   @Override
   public void close() {
+    context.pulse().stop();
     pilot.close();
   }
 }

@@ -13,7 +13,6 @@ import javafx.scene.control.RadioMenuItem;
 import javafx.scene.control.ToggleGroup;
 import org.kordamp.ikonli.feather.Feather;
 import org.kordamp.ikonli.javafx.FontIcon;
-import tellosimulator.view.layout.WindowState.Page;
 import tellosimulator.view.text.Language;
 import tellosimulator.view.text.Messages;
 
@@ -22,17 +21,17 @@ final class SettingsMenu extends MenuButton {
 
   private final Messages messages;
 
-  SettingsMenu(Language language, WindowState state) {
+  SettingsMenu(Language language, WindowState state, PageOverlay pages) {
     super("", new FontIcon(Feather.SETTINGS));
     messages = language.messages(SettingsMenu.class);
     setId("settings");
     setFocusTraversable(false);
     accessibleTextProperty().bind(messages.text("settings"));
-    getStyleClass().addAll(Styles.BUTTON_ICON, Styles.FLAT, Tweaks.NO_ARROW);
+    getStyleClass().addAll(Styles.BUTTON_ICON, Styles.FLAT, Styles.SMALL, Tweaks.NO_ARROW);
     MenuItem about = new MenuItem();
     about.setId("about");
     about.textProperty().bind(messages.text("about"));
-    about.setOnAction(event -> state.pageProperty().set(Page.ABOUT));
+    about.setOnAction(event -> pages.showAbout());
     getItems()
         .setAll(
             choice("language", Language.OFFERED, language.localeProperty()),

@@ -1,6 +1,7 @@
 package tellosimulator.view.layout;
 
 import javafx.beans.property.BooleanProperty;
+import javafx.geometry.Insets;
 import javafx.geometry.Pos;
 import javafx.scene.Cursor;
 import javafx.scene.Node;
@@ -18,7 +19,8 @@ import javafx.scene.layout.VBox;
  */
 public final class SimulatorPane extends BorderPane {
 
-  private static final double LEAST_LOG_HEIGHT = 90;
+  /** Between what lies over the scene and the scene's edge [px]. */
+  private static final double FLOATING_GAP = 10;
 
   /** What the log always leaves to the scene [px]. */
   private static final double LEAST_SCENE_HEIGHT = 200;
@@ -73,6 +75,7 @@ public final class SimulatorPane extends BorderPane {
     free.setAlignment(Pos.BOTTOM_CENTER);
     free.setPickOnBounds(false);
     free.setMinSize(0, 0);
+    free.setPadding(new Insets(FLOATING_GAP));
     parts.middle().pilot().setMaxSize(Region.USE_PREF_SIZE, Region.USE_PREF_SIZE);
     parts.middle().pilot().getStyleClass().add("floating");
     overlay.setCenter(free);
@@ -106,8 +109,8 @@ public final class SimulatorPane extends BorderPane {
 
   private void resizeLog(MouseEvent drag) {
     double wanted = sceneToLocal(drag.getSceneX(), drag.getSceneY()).getY();
-    double most = Math.max(LEAST_LOG_HEIGHT, getHeight() - LEAST_SCENE_HEIGHT);
-    double height = Math.max(LEAST_LOG_HEIGHT, Math.min(most, getHeight() - wanted));
+    double most = Math.max(WindowState.LEAST_LOG_HEIGHT, getHeight() - LEAST_SCENE_HEIGHT);
+    double height = Math.max(WindowState.LEAST_LOG_HEIGHT, Math.min(most, getHeight() - wanted));
     state.logHeightProperty().set(height);
   }
 

@@ -2,6 +2,7 @@ package tellosimulator.view.layout;
 
 import atlantafx.base.theme.Styles;
 import javafx.beans.property.Property;
+import javafx.geometry.Pos;
 import javafx.scene.Node;
 import javafx.scene.control.Button;
 import javafx.scene.control.ButtonBase;
@@ -18,7 +19,6 @@ import org.kordamp.ikonli.Ikon;
 import org.kordamp.ikonli.feather.Feather;
 import org.kordamp.ikonli.javafx.FontIcon;
 import tellosimulator.view.ViewContext;
-import tellosimulator.view.layout.WindowState.Page;
 import tellosimulator.view.text.Messages;
 import tellosimulator.view.world.Simulator3DScene;
 import tellosimulator.view.world.ViewCamera;
@@ -33,7 +33,8 @@ public final class WindowBar extends ToolBar {
   private final WindowState state;
   private final Simulator3DScene scene;
 
-  public WindowBar(ViewContext context, WindowState state, Simulator3DScene scene) {
+  public WindowBar(
+      ViewContext context, WindowState state, Simulator3DScene scene, PageOverlay pages) {
     this.messages = context.language().messages(WindowBar.class);
     this.state = state;
     this.scene = scene;
@@ -48,8 +49,8 @@ public final class WindowBar extends ToolBar {
             toggle("show-trail", Feather.ACTIVITY, scene.trailVisibleProperty()),
             space(),
             theme(),
-            new SettingsMenu(context.language(), state),
-            button("help", Feather.HELP_CIRCLE, () -> state.pageProperty().set(Page.HELP)),
+            new SettingsMenu(context.language(), state, pages),
+            button("help", Feather.HELP_CIRCLE, pages::toggleHelp),
             toggle("full-screen", Feather.MAXIMIZE, state.fullScreenProperty()),
             new Separator(),
             toggle("show-log", Feather.TERMINAL, state.logShownProperty()),
@@ -64,6 +65,7 @@ public final class WindowBar extends ToolBar {
             view("view-top", () -> scene.camera().top()),
             view("view-chase", () -> scene.camera().chase()),
             view("view-reset", () -> scene.camera().reset()));
+    views.setAlignment(Pos.CENTER);
     for (Node view : views.getChildren()) {
       view.getStyleClass().add(Styles.CENTER_PILL);
     }
@@ -83,7 +85,6 @@ public final class WindowBar extends ToolBar {
   private Button view(String id, Runnable look) {
     Button button = new Button();
     button.textProperty().bind(messages.text(id));
-    button.getStyleClass().add(Styles.SMALL);
     return prepared(
         button,
         id,
@@ -135,6 +136,7 @@ public final class WindowBar extends ToolBar {
     tooltip.textProperty().bind(messages.text(id + "-tip"));
     tooltip.setShowDelay(TOOLTIP_DELAY);
     button.setId(id);
+    button.getStyleClass().add(Styles.SMALL);
     button.setTooltip(tooltip);
     button.accessibleTextProperty().bind(tooltip.textProperty());
     button.setFocusTraversable(false); // the keys belong to the 3D scene

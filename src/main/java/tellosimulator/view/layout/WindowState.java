@@ -6,6 +6,8 @@ import javafx.beans.property.ObjectProperty;
 import javafx.beans.property.SimpleBooleanProperty;
 import javafx.beans.property.SimpleDoubleProperty;
 import javafx.beans.property.SimpleObjectProperty;
+import tellosimulator.view.settings.Codec;
+import tellosimulator.view.settings.Settings;
 
 /**
  * What the window itself can be switched to: which parts are there, whether they lie over the 3D
@@ -13,24 +15,33 @@ import javafx.beans.property.SimpleObjectProperty;
  */
 public final class WindowState {
 
-  /** A page that lies over everything else. */
-  public enum Page {
-    NONE,
-    HELP,
-    ABOUT
-  }
-
   /** Height of the log at first [px]. Decided: half a dozen lines. */
-  public static final double LOG_HEIGHT = 190;
+  static final double LOG_HEIGHT = 172;
+
+  /** Limits of the height of the log [px]. Decided: a line, and any screen. */
+  static final double LEAST_LOG_HEIGHT = 90;
+
+  private static final double MOST_LOG_HEIGHT = 10_000;
 
   private final BooleanProperty simulatorControlsShown = new SimpleBooleanProperty(true);
   private final BooleanProperty networkControlsShown = new SimpleBooleanProperty(true);
   private final BooleanProperty logShown = new SimpleBooleanProperty(true);
   private final DoubleProperty logHeight = new SimpleDoubleProperty(LOG_HEIGHT);
   private final BooleanProperty fullScreen = new SimpleBooleanProperty();
-  private final ObjectProperty<Page> page = new SimpleObjectProperty<>(Page.NONE);
   private final ObjectProperty<Theme> theme = new SimpleObjectProperty<>(Theme.LIGHT);
   private final ObjectProperty<UiScale> uiScale = new SimpleObjectProperty<>(UiScale.SYSTEM);
+
+  /** Is at first as it was left, and remembers how it is left. */
+  public static WindowState remembered(Settings settings) {
+    WindowState state = new WindowState();
+    settings.bind("show.simulator-controls", state.simulatorControlsShown, Codec.flag());
+    settings.bind("show.network-controls", state.networkControlsShown, Codec.flag());
+    settings.bind("show.log", state.logShown, Codec.flag());
+    settings.bind("log.height", state.logHeight, Codec.decimal(LEAST_LOG_HEIGHT, MOST_LOG_HEIGHT));
+    settings.bind("theme", state.theme, Codec.constant(Theme.class));
+    settings.bind("ui-scale", state.uiScale, Codec.constant(UiScale.class));
+    return state;
+  }
 
   public BooleanProperty simulatorControlsShownProperty() {
     return simulatorControlsShown;
@@ -52,11 +63,6 @@ public final class WindowState {
   /** Whether the 3D scene fills the screen, with the other parts over it. */
   public BooleanProperty fullScreenProperty() {
     return fullScreen;
-  }
-
-  /** The page that lies over everything else. */
-  public ObjectProperty<Page> pageProperty() {
-    return page;
   }
 
   public ObjectProperty<Theme> themeProperty() {

@@ -10,6 +10,8 @@ import java.util.List;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import javafx.beans.binding.Bindings;
+import javafx.beans.property.BooleanProperty;
+import javafx.beans.property.ObjectProperty;
 import javafx.scene.control.Label;
 import javafx.scene.control.ListView;
 import javafx.scene.control.SelectionMode;
@@ -28,8 +30,6 @@ import tellosimulator.view.text.Messages;
 
 /** The log at the bottom of the window: everything that happens, newest last. */
 public final class LogBox extends VBox {
-
-  private static final double HEIGHT = 170;
 
   /** Height of a line in sizes of its font. */
   private static final double LINE_HEIGHT = 1.65;
@@ -70,11 +70,20 @@ public final class LogBox extends VBox {
     setupBindings();
   }
 
+  /** How much a line must matter to be shown. */
+  public ObjectProperty<LogLevel> levelProperty() {
+    return toolbar.levelProperty();
+  }
+
+  /** Whether lines show their simulated time. */
+  public BooleanProperty timeStampsProperty() {
+    return toolbar.timeStampsProperty();
+  }
+
   private void initializeSelf() {
     setId("log");
     getStyleClass().add("log-box");
     getStylesheets().add(LogBox.class.getResource("log.css").toExternalForm());
-    setPrefHeight(HEIGHT);
     feed.note(LogLevel.INFO, "welcome");
   }
 

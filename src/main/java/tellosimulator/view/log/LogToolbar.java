@@ -3,6 +3,7 @@ package tellosimulator.view.log;
 import atlantafx.base.controls.CustomTextField;
 import atlantafx.base.theme.Styles;
 import javafx.beans.property.BooleanProperty;
+import javafx.beans.property.ObjectProperty;
 import javafx.beans.property.ReadOnlyObjectProperty;
 import javafx.beans.value.ObservableNumberValue;
 import javafx.beans.value.ObservableStringValue;
@@ -66,7 +67,7 @@ final class LogToolbar extends HBox {
   }
 
   /** The least level that is to be shown. */
-  ReadOnlyObjectProperty<LogLevel> levelProperty() {
+  ObjectProperty<LogLevel> levelProperty() {
     return level.valueProperty();
   }
 

@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.Locale;
 import javafx.beans.property.ObjectProperty;
 import javafx.beans.property.SimpleObjectProperty;
+import tellosimulator.view.settings.Codec;
 
 /** The language of the window; texts follow it at once. For the JavaFX thread. */
 public final class Language {
@@ -28,6 +29,14 @@ public final class Language {
   /** One of {@link #OFFERED}. */
   public ObjectProperty<Locale> localeProperty() {
     return locale;
+  }
+
+  /** How a language is written in the settings. */
+  public static Codec<Locale> codec() {
+    return new Codec<>(
+        "one of " + String.join(", ", OFFERED.stream().map(Locale::getLanguage).toList()),
+        text -> OFFERED.stream().filter(offer -> offer.getLanguage().equals(text)).findFirst(),
+        Locale::getLanguage);
   }
 
   /** One of {@link #OFFERED}. */

@@ -23,7 +23,6 @@ import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
-import tellosimulator.world.Room;
 
 class SettingsTest {
 
@@ -33,6 +32,13 @@ class SettingsTest {
 
   private final DoubleProperty scale = new SimpleDoubleProperty(1);
   private final BooleanProperty trail = new SimpleBooleanProperty(true);
+
+  private enum Theme {
+    SYSTEM,
+    LIGHT,
+    DARK
+  }
+
   private final ObjectProperty<Theme> theme = new SimpleObjectProperty<>(Theme.SYSTEM);
 
   @Test
@@ -219,49 +225,6 @@ class SettingsTest {
     assertThatThrownBy(() -> settings.bind("trail", trail, Codec.flag()))
         .isInstanceOf(IllegalArgumentException.class)
         .hasMessage("key is trail, but that is bound already");
-  }
-
-  @Test
-  void allThatTheWindowRemembersIsKept() {
-    Settings first = Settings.load(file());
-    WindowSettings before = new WindowSettings(first);
-    before.roomProperty().set(new Room(3.5, 20, 1));
-    before.languageProperty().set("de");
-    before.commandPortProperty().set(8889);
-    before.logLevelProperty().set("debug");
-    before.logProperty().set(false);
-    first.save();
-
-    WindowSettings after = new WindowSettings(Settings.load(file()));
-
-    assertThat(after.roomProperty().get()).isEqualTo(new Room(3.5, 20, 1));
-    assertThat(after.languageProperty().get()).isEqualTo("de");
-    assertThat(after.commandPortProperty().get()).isEqualTo(8889);
-    assertThat(after.logLevelProperty().get()).isEqualTo("debug");
-    assertThat(after.logProperty().get()).isFalse();
-    assertThat(after.trailProperty().get()).isTrue();
-  }
-
-  @ParameterizedTest
-  @ValueSource(
-      strings = {
-        "room=99x500x300",
-        "room=500x500",
-        "room=500x500x20001",
-        "room=5e2x1x1",
-        "port.command=0",
-        "port.command=65536",
-        "port.command=88.5",
-        "language=fr"
-      })
-  void theWindowRefusesWhatTheCoreWouldRefuse(String line) throws IOException {
-    Files.writeString(file(), line);
-
-    WindowSettings settings = new WindowSettings(Settings.load(file()));
-
-    assertThat(settings.roomProperty().get()).isEqualTo(Room.DEFAULT);
-    assertThat(settings.commandPortProperty().get()).isEqualTo(8879);
-    assertThat(settings.languageProperty().get()).isEqualTo(WindowSettings.SYSTEM_LANGUAGE);
   }
 
   private Settings load() {
