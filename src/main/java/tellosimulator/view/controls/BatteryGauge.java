@@ -47,7 +47,7 @@ final class BatteryGauge extends Region {
   private static final double CASE_WIDTH = 30;
 
   private static final double HEIGHT = 16;
-  private static final double WIDTH = 76;
+  private static final double WIDTH = 79;
 
   /** What is between the case and its filling [px]. */
   private static final double GAP = 2.5;

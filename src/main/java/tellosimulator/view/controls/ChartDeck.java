@@ -58,7 +58,7 @@ final class ChartDeck extends Region {
   private final LiveChart speed;
   private final LiveChart battery;
   private long drawnNanos = Long.MIN_VALUE;
-  private History drawn = History.empty();
+  private int drawnDrone;
   private double drawnSeconds;
 
   ChartDeck(ViewContext context) {
@@ -86,9 +86,9 @@ final class ChartDeck extends Region {
     }
     History shown = histories.get(simulation.selected());
     boolean due = drawnNanos == Long.MIN_VALUE || nanos - drawnNanos >= PERIOD_NANOS;
-    if (due && !(shown == drawn && shown.newest() == drawnSeconds)) {
+    if (due && !(shown.newest() == drawnSeconds && drawnDrone == simulation.selected().number())) {
       drawnNanos = nanos;
-      drawn = shown;
+      drawnDrone = simulation.selected().number();
       drawnSeconds = shown.newest();
       height.show(shown.height(), drawnSeconds);
       speed.show(shown.speed(), drawnSeconds);

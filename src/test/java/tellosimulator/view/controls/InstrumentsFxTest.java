@@ -3,8 +3,8 @@ package tellosimulator.view.controls;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
-import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import javafx.beans.property.SimpleStringProperty;
 import javafx.css.PseudoClass;
 import javafx.geometry.Bounds;
@@ -99,14 +99,17 @@ class InstrumentsFxTest {
   void theBatteryWarnsInSteps(FxRobot robot) {
     robot.interact(() -> battery.percentProperty().set(50));
     assertThat(battery.getPseudoClassStates()).isEmpty();
-    for (String step : List.of("49 fair", "20 fair", "19 low", "10 low", "9 critical")) {
-      String[] parts = step.split(" ");
-      robot.interact(() -> battery.percentProperty().set(Double.parseDouble(parts[0])));
-      assertThat(battery.getPseudoClassStates())
-          .as(step)
-          .containsExactly(PseudoClass.getPseudoClass(parts[1]));
-    }
-    assertThat(((Text) battery.lookup("#battery-percent")).getText()).isEqualTo("9 %");
+    Map<Integer, String> steps =
+        Map.of(49, "fair", 20, "fair", 19, "low", 10, "low", 9, "critical");
+    steps.forEach(
+        (percent, look) -> {
+          robot.interact(() -> battery.percentProperty().set(percent));
+          assertThat(battery.getPseudoClassStates())
+              .as("%d %%", percent)
+              .containsExactly(PseudoClass.getPseudoClass(look));
+          assertThat(((Text) battery.lookup("#battery-percent")).getText())
+              .isEqualTo(percent + " %");
+        });
   }
 
   @Test

@@ -73,8 +73,7 @@ class NetworkControlsFxTest {
 
   @Test
   void aTakenPortIsExplainedAndAnotherPortHelps(FxRobot robot) throws IOException {
-    try (DatagramSocket taken = new DatagramSocket(address("127.0.0.1", 0));
-        DatagramSocket free = new DatagramSocket(address("127.0.0.1", 0))) {
+    try (DatagramSocket taken = new DatagramSocket(address("127.0.0.1", 0))) {
       String port = Integer.toString(taken.getLocalPort());
       window.enter("#command-port", port);
       robot.clickOn("#power");
@@ -88,14 +87,19 @@ class NetworkControlsFxTest {
       window.speak(Locale.GERMAN);
       assertThat(window.sentence("#power-error")).startsWith("Port " + port + " von 127.0.0.1");
 
-      int another = free.getLocalPort();
-      free.close();
+      int another = freePort();
       window.enter("#command-port", Integer.toString(another));
       assertThat(window.sentence("#power-error")).isEmpty();
       robot.clickOn("#power");
 
       assertThat(window.drone(1).state().phase()).isEqualTo(FlightPhase.GROUNDED);
       assertThat(window.simulation().addresses(1)).containsExactly(address("127.0.0.1", another));
+    }
+  }
+
+  private static int freePort() throws IOException {
+    try (DatagramSocket socket = new DatagramSocket(address("127.0.0.1", 0))) {
+      return socket.getLocalPort();
     }
   }
 
