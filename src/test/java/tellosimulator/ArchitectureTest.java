@@ -39,10 +39,11 @@ class ArchitectureTest {
   private static final Map<String, List<String>> STANDS_ON =
       Map.ofEntries(
           Map.entry("math", List.of()),
+          Map.entry("words", List.of()),
           Map.entry("time", List.of()),
           Map.entry("profile", List.of("math")),
-          Map.entry("command", List.of("profile", "time")),
-          Map.entry("world", List.of("math", "time")),
+          Map.entry("command", List.of("profile", "time", "words")),
+          Map.entry("world", List.of("math", "time", "words")),
           Map.entry("model", List.of("world", "profile")),
           Map.entry("physics", List.of("model")),
           Map.entry("sensor", List.of("model")),
@@ -61,6 +62,7 @@ class ArchitectureTest {
   private static final String[] CORE =
       packages(
           "math",
+          "words",
           "time",
           "profile",
           "command",

@@ -5,6 +5,7 @@ import tellosimulator.command.CommandParser.Parsed;
 import tellosimulator.profile.Behaviour;
 import tellosimulator.profile.Profile;
 import tellosimulator.time.SimTime;
+import tellosimulator.words.Phrase;
 
 /**
  * Turns texts into commands, in the order in which the drone checks them: form, busy, range,
@@ -83,15 +84,16 @@ public final class CommandHandler {
     boolean app =
         text.startsWith(APP_REQUEST) || (!text.isEmpty() && text.charAt(0) == APP_PROTOCOL);
     if (app) {
-      observer.ignored(peer, text, "it belongs to the app's binary protocol");
+      observer.ignored(peer, text, Phrase.of("it belongs to the app's binary protocol"));
       return true;
     }
     if (Reply.isEcho(text)) {
-      observer.ignored(peer, text, "it is a drone's own reply, and an answer would go on for ever");
+      observer.ignored(
+          peer, text, Phrase.of("it is a drone's own reply, and an answer would go on for ever"));
       return true;
     }
     if (!session.link().sdkMode() && !text.equals(CommandSyntax.COMMAND.verb())) {
-      observer.ignored(peer, text, "the drone waits for `command` first");
+      observer.ignored(peer, text, Phrase.of("the drone waits for `command` first"));
       return true;
     }
     return false;
@@ -115,16 +117,17 @@ public final class CommandHandler {
 
   private Optional<Refusal> refusal(Parsed parsed) {
     CommandSyntax syntax = parsed.syntax();
-    Optional<String> running = target.running();
+    Optional<Phrase> running = target.running();
     if (running.isPresent() && !syntax.busyRule().allows(behaviour)) {
-      return running.map(words -> new Refusal(Reply.NOT_JOYSTICK, words));
+      return running.map(reason -> new Refusal(Reply.NOT_JOYSTICK, reason));
     }
     Optional<Refusal> complaint = parsed.complaint();
     if (complaint.isPresent()) {
       return complaint;
     }
     return syntax.needsFlight() && !target.flying()
-        ? Optional.of(new Refusal(Reply.MOTOR_STOP, "the drone does not fly, its motors are off"))
+        ? Optional.of(
+            new Refusal(Reply.MOTOR_STOP, Phrase.of("the drone does not fly, its motors are off")))
         : Optional.empty();
   }
 

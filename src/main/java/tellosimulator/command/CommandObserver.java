@@ -1,5 +1,7 @@
 package tellosimulator.command;
 
+import tellosimulator.words.Phrase;
+
 /** Is told what happens between operators and drone. Called on the simulation thread. */
 public interface CommandObserver {
 
@@ -7,7 +9,7 @@ public interface CommandObserver {
   void received(Peer peer, String text);
 
   /** Something arrived that the drone does not react to. */
-  void ignored(Peer peer, String text, String reason);
+  void ignored(Peer peer, String text, Phrase reason);
 
   /** A reply to {@code text} was given. */
   void replied(Peer peer, String text, Reply reply);
@@ -17,12 +19,12 @@ public interface CommandObserver {
    *
    * @param reason why, in plain words that follow "failed: "
    */
-  void failed(Peer peer, String text, Reply reply, String reason);
+  void failed(Peer peer, String text, Reply reply, Phrase reason);
 
   /**
    * {@code text} was refused.
    *
    * @param reason why, in plain words that follow "refused: "
    */
-  void refused(Peer peer, String text, Reply reply, String reason);
+  void refused(Peer peer, String text, Reply reply, Phrase reason);
 }

@@ -8,6 +8,7 @@ import java.util.Optional;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import tellosimulator.profile.Profile;
+import tellosimulator.words.Phrase;
 
 /** Finds the row of the table that a text is written after. Immutable; for any thread. */
 final class CommandParser {
@@ -52,37 +53,40 @@ final class CommandParser {
   }
 
   /** Why {@code text} is unknown, in plain words that follow "refused: ". */
-  String explain(String text) {
+  Phrase explain(String text) {
     if (text.length() > WireText.LONGEST) {
-      return "it is longer than " + WireText.LONGEST + " bytes";
+      return Phrase.of("it is longer than %d bytes", WireText.LONGEST);
     }
     String first = words(text).get(0);
     List<CommandSyntax> candidates = byFirstWord.getOrDefault(first, List.of());
     if (!candidates.isEmpty()) {
-      return "expected "
-          + candidates.stream()
-              .map(syntax -> "`" + syntax.usage() + "`")
-              .collect(Collectors.joining(" or "))
-          + ", words separated by one blank and numbers in plain digits";
+      return Phrase.of(
+          "expected %s, words separated by one blank and numbers in plain digits",
+          candidates.stream()
+              .map(syntax -> Phrase.of("`%s`", syntax.usage()))
+              .reduce((one, other) -> Phrase.of("%s or %s", one, other))
+              .orElseThrow());
     }
     if (first.isEmpty()) {
-      return text.isEmpty() ? "it is empty" : "it begins with a blank";
+      return text.isEmpty() ? Phrase.of("it is empty") : Phrase.of("it begins with a blank");
     }
     return byFirstWord.keySet().stream()
         .filter(verb -> verb.equalsIgnoreCase(first))
         .findFirst()
-        .map(verb -> "this command is written `" + verb + "`")
+        .map(verb -> Phrase.of("this command is written `%s`", verb))
         .or(() -> otherProfiles(first))
-        .orElse("there is no such command");
+        .orElse(Phrase.of("there is no such command"));
   }
 
   /** Which products would know a verb. */
-  private static Optional<String> otherProfiles(String verb) {
+  private static Optional<Phrase> otherProfiles(String verb) {
     return Stream.of(CommandSyntax.values())
         .filter(syntax -> words(syntax.verb()).get(0).equals(verb))
         .map(CommandSyntax::since)
         .min(Comparator.naturalOrder())
-        .map(since -> "this drone does not know it, it came with SDK " + since.version());
+        .map(
+            since ->
+                Phrase.of("this drone does not know it, it came with SDK %s", since.version()));
   }
 
   /** The words between single blanks; two blanks in a row give an empty word. */

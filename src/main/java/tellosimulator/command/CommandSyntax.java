@@ -22,6 +22,7 @@ import java.util.Optional;
 import java.util.function.Function;
 import tellosimulator.profile.Profile;
 import tellosimulator.profile.Sdk;
+import tellosimulator.words.Phrase;
 
 /**
  * The table of all commands: a row says how a command is written, when it is known, what its
@@ -285,8 +286,9 @@ public enum CommandSyntax {
     String before = "";
     for (int i = row.parameters().size() - 1; i >= 0; i--) {
       Parameter parameter = row.parameters().get(i);
-      boolean same = parameter.allowed().equals(before);
-      before = parameter.allowed();
+      String allowed = parameter.allowed().english();
+      boolean same = allowed.equals(before);
+      before = allowed;
       String separator = ranges.isEmpty() ? "" : "; ";
       ranges.insert(0, parameter.name() + (same ? ", " : ": " + before + separator));
     }
@@ -333,7 +335,7 @@ public enum CommandSyntax {
   /** What is wrong with the values; empty if nothing is. */
   Optional<Refusal> complaint(Arguments arguments, Profile profile) {
     for (int i = 0; i < row.parameters().size(); i++) {
-      Optional<String> complaint = row.parameters().get(i).complaint(arguments.word(i));
+      Optional<Phrase> complaint = row.parameters().get(i).complaint(arguments.word(i));
       if (complaint.isPresent()) {
         return complaint.map(reason -> new Refusal(outOfRange(), reason));
       }

@@ -1,6 +1,7 @@
 package tellosimulator.command;
 
 import java.util.Optional;
+import tellosimulator.words.Phrase;
 
 /**
  * What carries commands out: one method a kind of command. Called on the simulation thread. Each
@@ -9,7 +10,7 @@ import java.util.Optional;
 public interface CommandTarget {
 
   /** What is being carried out and how far it is, in plain words; empty if nothing is. */
-  Optional<String> running();
+  Optional<Phrase> running();
 
   /** Whether the motors carry the drone, so that it can move. */
   boolean flying();

@@ -1,11 +1,11 @@
 package tellosimulator.command;
 
-import java.util.Locale;
 import java.util.Optional;
 import tellosimulator.math.Arc;
 import tellosimulator.math.Vec3;
 import tellosimulator.profile.Profile;
 import tellosimulator.profile.Sdk;
+import tellosimulator.words.Phrase;
 
 /** What must hold of the points of {@code go} and {@code curve} taken together. */
 final class GeometryRules {
@@ -25,12 +25,12 @@ final class GeometryRules {
   private GeometryRules() {}
 
   static Optional<Refusal> go(Arguments arguments) {
-    return tooNear("x, y and z", arguments.point(0));
+    return tooNear("", arguments.point(0));
   }
 
   static Optional<Refusal> curve(Arguments arguments) {
-    return tooNear("x1, y1 and z1", arguments.point(0))
-        .or(() -> tooNear("x2, y2 and z2", arguments.point(3)))
+    return tooNear("1", arguments.point(0))
+        .or(() -> tooNear("2", arguments.point(3)))
         .or(() -> radius(Arc.through(arguments.point(0), arguments.point(3))));
   }
 
@@ -41,8 +41,8 @@ final class GeometryRules {
 
   /** The radius depends on where the pad is seen, so it is not known yet. */
   static Optional<Refusal> curveOverPad(Arguments arguments, Profile profile) {
-    return tooNear("x1, y1 and z1", arguments.point(0))
-        .or(() -> tooNear("x2, y2 and z2", arguments.point(3)))
+    return tooNear("1", arguments.point(0))
+        .or(() -> tooNear("2", arguments.point(3)))
         .or(() -> belowPad("z1", arguments.number(2), profile))
         .or(() -> belowPad("z2", arguments.number(5), profile));
   }
@@ -50,7 +50,7 @@ final class GeometryRules {
   /** Documented: SDK 3.0 guide, z above 0. */
   static Optional<Refusal> jump(Arguments arguments, Profile profile) {
     return profile.knows(Sdk.SDK_3_0) && arguments.number(2) == 0
-        ? Optional.of(new Refusal(Reply.OUT_OF_RANGE, "z is 0, it must be above 0"))
+        ? Optional.of(new Refusal(Reply.OUT_OF_RANGE, Phrase.of("z is 0, it must be above 0")))
         : belowPad("z", arguments.number(2), profile);
   }
 
@@ -59,7 +59,10 @@ final class GeometryRules {
     return Arc.through(arguments.point(0), arguments.point(3)).orElseThrow();
   }
 
-  private static Optional<Refusal> tooNear(String names, Vec3 point) {
+  /**
+   * @param index what the names of the coordinates end with
+   */
+  private static Optional<Refusal> tooNear(String index, Vec3 point) {
     boolean near =
         Math.abs(point.x()) <= TOO_NEAR
             && Math.abs(point.y()) <= TOO_NEAR
@@ -68,28 +71,34 @@ final class GeometryRules {
         ? Optional.of(
             new Refusal(
                 Reply.OUT_OF_RANGE,
-                names + " are all within ±20 cm, one of them must be further away"))
+                Phrase.of(
+                    "x%1$s, y%1$s and z%1$s are all within ±20 cm, one of them must be further away",
+                    index)))
         : Optional.empty();
   }
 
   private static Optional<Refusal> belowPad(String name, double z, Profile profile) {
     return profile.knows(Sdk.SDK_3_0) && z < 0
         ? Optional.of(
-            new Refusal(Reply.OUT_OF_RANGE, name + " is below the pad, allowed is from 0"))
+            new Refusal(
+                Reply.OUT_OF_RANGE, Phrase.of("%s is below the pad, allowed is from 0", name)))
         : Optional.empty();
   }
 
   private static Optional<Refusal> radius(Optional<Arc> arc) {
     if (arc.isEmpty()) {
       return Optional.of(
-          new Refusal(Reply.RADIUS, "the three points lie on one line, no circle passes them"));
+          new Refusal(
+              Reply.RADIUS, Phrase.of("the three points lie on one line, no circle passes them")));
     }
     double radius = arc.get().radius();
     if (radius >= SMALLEST_RADIUS && radius <= LARGEST_RADIUS) {
       return Optional.empty();
     }
-    String reason =
-        String.format(Locale.ROOT, "the radius is %.2f m, allowed is 0.5 to 10 m", radius);
+    Phrase reason =
+        Phrase.of(
+            "the radius is %.2f m, allowed is %.1f to %.0f m",
+            radius, SMALLEST_RADIUS, LARGEST_RADIUS);
     return Optional.of(new Refusal(Reply.RADIUS, reason));
   }
 }

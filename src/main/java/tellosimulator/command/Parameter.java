@@ -3,6 +3,7 @@ package tellosimulator.command;
 import java.util.List;
 import java.util.Optional;
 import java.util.regex.Pattern;
+import tellosimulator.words.Phrase;
 
 /** One parameter of a command: what a word in its place must look like. */
 sealed interface Parameter {
@@ -11,7 +12,7 @@ sealed interface Parameter {
   String name();
 
   /** The allowed values in plain words. */
-  String allowed();
+  Phrase allowed();
 
   /** Whether there are words of the right form that are not allowed. */
   boolean limited();
@@ -20,7 +21,7 @@ sealed interface Parameter {
   boolean isForm(String word);
 
   /** What is wrong with a word of the right form; empty if nothing is. */
-  Optional<String> complaint(String word);
+  Optional<Phrase> complaint(String word);
 
   /** A number without a range. */
   static Parameter number(String name, String unit) {
@@ -61,9 +62,9 @@ sealed interface Parameter {
     }
 
     @Override
-    public String allowed() {
-      String range = limited() ? text(least) + " to " + text(most) : "any";
-      return unit.isEmpty() ? range : range + " " + unit;
+    public Phrase allowed() {
+      Phrase range = limited() ? Phrase.of("%s to %s", text(least), text(most)) : Phrase.of("any");
+      return unit.isEmpty() ? range : Phrase.of("%s %s", range, unit);
     }
 
     @Override
@@ -72,11 +73,11 @@ sealed interface Parameter {
     }
 
     @Override
-    public Optional<String> complaint(String word) {
+    public Optional<Phrase> complaint(String word) {
       double value = Double.parseDouble(word);
       return value >= least && value <= most
           ? Optional.empty()
-          : Optional.of(name + " is " + word + ", allowed is " + allowed());
+          : Optional.of(Phrase.of("%s is %s, allowed is %s", name, word, allowed()));
     }
 
     private static String text(double value) {
@@ -98,7 +99,7 @@ sealed interface Parameter {
     }
 
     @Override
-    public String allowed() {
+    public Phrase allowed() {
       return number.allowed();
     }
 
@@ -108,11 +109,11 @@ sealed interface Parameter {
     }
 
     @Override
-    public Optional<String> complaint(String word) {
+    public Optional<Phrase> complaint(String word) {
       double value = Double.parseDouble(word);
       return value == Math.rint(value)
           ? number.complaint(word)
-          : Optional.of(name() + " is " + word + ", it must be a whole number");
+          : Optional.of(Phrase.of("%s is %s, it must be a whole number", name(), word));
     }
   }
 
@@ -125,8 +126,8 @@ sealed interface Parameter {
     }
 
     @Override
-    public String allowed() {
-      return String.join(", ", words);
+    public Phrase allowed() {
+      return Phrase.of("%s", String.join(", ", words));
     }
 
     @Override
@@ -135,11 +136,13 @@ sealed interface Parameter {
     }
 
     @Override
-    public Optional<String> complaint(String word) {
+    public Optional<Phrase> complaint(String word) {
       return words.contains(word)
           ? Optional.empty()
           : Optional.of(
-              name + " is " + WireText.printable(word) + ", allowed is one of " + allowed());
+              Phrase.of(
+                  "%s is %s, allowed is one of %s",
+                  name, WireText.printable(word), String.join(", ", words)));
     }
   }
 
@@ -152,8 +155,8 @@ sealed interface Parameter {
     }
 
     @Override
-    public String allowed() {
-      return "any word";
+    public Phrase allowed() {
+      return Phrase.of("any word");
     }
 
     @Override
@@ -162,7 +165,7 @@ sealed interface Parameter {
     }
 
     @Override
-    public Optional<String> complaint(String word) {
+    public Optional<Phrase> complaint(String word) {
       return Optional.empty();
     }
   }

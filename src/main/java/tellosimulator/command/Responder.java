@@ -3,6 +3,7 @@ package tellosimulator.command;
 import java.util.ArrayList;
 import java.util.List;
 import tellosimulator.time.SimTime;
+import tellosimulator.words.Phrase;
 
 /**
  * One command that waits for its answer: now or later, once, twice ({@code stop}) or never. For the
@@ -53,7 +54,7 @@ public final class Responder {
    *
    * @param reason in plain words that follow "refused: "
    */
-  public void refuse(Reply reply, String reason) {
+  public void refuse(Reply reply, Phrase reason) {
     observer.refused(peer, text, reply, reason);
     send(reply);
   }
@@ -63,7 +64,7 @@ public final class Responder {
    *
    * @param reason in plain words that follow "failed: "
    */
-  public void fail(Reply reply, String reason) {
+  public void fail(Reply reply, Phrase reason) {
     observer.failed(peer, text, reply, reason);
     send(reply);
   }

@@ -7,6 +7,7 @@ import tellosimulator.model.DroneSpec;
 import tellosimulator.model.Motion;
 import tellosimulator.physics.Setpoint;
 import tellosimulator.profile.Behaviour;
+import tellosimulator.words.Phrase;
 
 /**
  * Flies the present maneuver, with the sticks of {@code rc} on top, and says when it is over. For
@@ -232,8 +233,8 @@ final class Autopilot {
     }
 
     @Override
-    public String progress() {
-      return "standing";
+    public Phrase progress() {
+      return Phrase.of("standing");
     }
   }
 }

@@ -16,6 +16,7 @@ import tellosimulator.model.FlightPhase;
 import tellosimulator.physics.Setpoint;
 import tellosimulator.sensor.SeededNoise.Channel;
 import tellosimulator.time.SimTime;
+import tellosimulator.words.Phrase;
 import tellosimulator.world.Collision;
 
 /**
@@ -90,7 +91,7 @@ public final class DroneController implements CommandTarget {
       flight.reset();
       model.powerOn(now);
       restart.forget();
-      observer.happened(new Note("is on and waits for commands"));
+      observer.happened(new Note(Phrase.of("is on and waits for commands")));
     }
   }
 
@@ -101,13 +102,13 @@ public final class DroneController implements CommandTarget {
       return;
     }
     if (flight.airborne()) {
-      observer.happened(new Fell("it was switched off"));
+      observer.happened(new Fell(Phrase.of("it was switched off")));
     }
     flight.reset();
     speed = DroneSpec.DEFAULT_SPEED;
     model.powerOff();
     wiring.forgetLink().run();
-    observer.happened(new Note("is off"));
+    observer.happened(new Note(Phrase.of("is off")));
   }
 
   /** Back to the start, as if it had just been put there. */
@@ -115,13 +116,13 @@ public final class DroneController implements CommandTarget {
     flight.reset();
     model.reset();
     speed = DroneSpec.DEFAULT_SPEED;
-    observer.happened(new Note("was put back to its start"));
+    observer.happened(new Note(Phrase.of("was put back to its start")));
   }
 
   // --- CommandTarget ---
 
   @Override
-  public Optional<String> running() {
+  public Optional<Phrase> running() {
     return flight.running();
   }
 
@@ -147,7 +148,8 @@ public final class DroneController implements CommandTarget {
     }
     String operator = session.link().operator().orElseThrow().host();
     if (!operator.equals(responder.peer().host())) {
-      observer.happened(new Note("still sends its state to " + operator + ", which is not silent"));
+      observer.happened(
+          new Note(Phrase.of("still sends its state to %s, which is not silent", operator)));
     }
     responder.reply(Reply.OK);
   }
@@ -168,14 +170,14 @@ public final class DroneController implements CommandTarget {
       responder.refuse(Reply.NOT_JOYSTICK, running().orElseThrow());
       return;
     }
-    flight.interrupt(Reply.AUTO_LAND, "`land` cut it off");
+    flight.interrupt(Reply.AUTO_LAND, Phrase.of("`land` cut it off"));
     flight.land(Task.of(responder));
   }
 
   @Override
   public void stop(Command.Stop command, Responder responder) {
     if (!flight.airborne()) {
-      responder.refuse(Reply.ERROR, "the drone does not fly");
+      responder.refuse(Reply.ERROR, Phrase.of("the drone does not fly"));
     } else if (!refusedForBattery(responder)) {
       responder.reply(Reply.OK);
       flight.stop(responder);
@@ -191,7 +193,7 @@ public final class DroneController implements CommandTarget {
       flight.motorsOff(FlightPhase.GROUNDED, true);
     } else if (flight.flying()) {
       flight.motorsOff(FlightPhase.FALLING, true);
-      observer.happened(new Fell("`emergency` stopped its motors"));
+      observer.happened(new Fell(Phrase.of("`emergency` stopped its motors")));
     }
   }
 
@@ -208,7 +210,7 @@ public final class DroneController implements CommandTarget {
     boolean silent = stoppedShort && !wiring.behaviour().answersLowDown();
     if (silent) {
       observer.happened(
-          new Note("stops above the floor and never answers `" + responder.text() + "`"));
+          new Note(Phrase.of("stops above the floor and never answers `%s`", responder.text())));
     }
     flight.fly(pathTo(goal, speed), silent ? Task.NOBODY : Task.of(responder));
   }
@@ -251,7 +253,8 @@ public final class DroneController implements CommandTarget {
     if (percent < ENOUGH_FOR_FLIP) {
       responder.refuse(
           Reply.ERROR,
-          "the battery is at " + percent + " %, a flip needs at least " + ENOUGH_FOR_FLIP + " %");
+          Phrase.of(
+              "the battery is at %d %%, a flip needs at least %d %%", percent, ENOUGH_FOR_FLIP));
       return;
     }
     flight.fly(
@@ -292,7 +295,7 @@ public final class DroneController implements CommandTarget {
       restart.schedule(now, Restart.NOTICE);
       return;
     }
-    observer.happened(new Note("joins no network, because it is simulated"));
+    observer.happened(new Note(Phrase.of("joins no network, because it is simulated")));
     responder.reply(Reply.OK);
   }
 
@@ -321,7 +324,7 @@ public final class DroneController implements CommandTarget {
     if (session.setPorts(responder.peer(), command.statePort(), command.videoPort())) {
       responder.reply(Reply.OK);
     } else {
-      responder.refuse(Reply.ERROR, "state and video go to another host");
+      responder.refuse(Reply.ERROR, Phrase.of("state and video go to another host"));
     }
   }
 
@@ -333,7 +336,7 @@ public final class DroneController implements CommandTarget {
       model.setPhase(wanted);
       responder.reply(Reply.OK);
     } else {
-      responder.refuse(Reply.ERROR, "the drone does not stand on the ground");
+      responder.refuse(Reply.ERROR, Phrase.of("the drone does not stand on the ground"));
     }
   }
 
@@ -379,12 +382,12 @@ public final class DroneController implements CommandTarget {
 
   private boolean refusedForBattery(Responder responder) {
     if (flight.landsForBattery()) {
-      responder.refuse(Reply.AUTO_LAND, "the drone lands because of its battery");
+      responder.refuse(Reply.AUTO_LAND, Phrase.of("the drone lands because of its battery"));
     }
     return flight.landsForBattery();
   }
 
   private static void refusePad(Responder responder, String pad) {
-    responder.refuse(Reply.NO_VALID_MARKER, "the drone does not see the pad " + pad);
+    responder.refuse(Reply.NO_VALID_MARKER, Phrase.of("the drone does not see the pad %s", pad));
   }
 }

@@ -8,6 +8,7 @@ import tellosimulator.model.PadMode;
 import tellosimulator.model.VideoSettings;
 import tellosimulator.profile.Profile;
 import tellosimulator.profile.Sdk;
+import tellosimulator.words.Phrase;
 
 /** The commands for what a drone carries: camera and pad detector. For the simulation thread. */
 final class Equipment {
@@ -31,7 +32,7 @@ final class Equipment {
 
   void setPadDirection(Command.SetPadDirection command, Responder responder) {
     if (model.pads() == PadMode.OFF) {
-      responder.refuse(Reply.ERROR, "pad detection is off, send `mon` first");
+      responder.refuse(Reply.ERROR, Phrase.of("pad detection is off, send `mon` first"));
       return;
     }
     PadMode[] modes = {PadMode.DOWN, PadMode.FORWARD, PadMode.BOTH};
@@ -42,7 +43,10 @@ final class Equipment {
   void stream(Command.Stream command, Responder responder) {
     model.setVideo(model.video().withOn(command.on()));
     observer.happened(
-        new FlightEvent.Note(command.on() ? "films, but sends no pictures yet" : "films no more"));
+        new FlightEvent.Note(
+            command.on()
+                ? Phrase.of("films, but sends no pictures yet")
+                : Phrase.of("films no more")));
     responder.reply(Reply.OK);
   }
 

@@ -1,6 +1,5 @@
 package tellosimulator.controller;
 
-import java.util.Locale;
 import java.util.Optional;
 import tellosimulator.command.Reply;
 import tellosimulator.command.Responder;
@@ -18,6 +17,7 @@ import tellosimulator.model.FlightPhase;
 import tellosimulator.physics.Setpoint;
 import tellosimulator.profile.Behaviour;
 import tellosimulator.time.SimTime;
+import tellosimulator.words.Phrase;
 import tellosimulator.world.Collision;
 import tellosimulator.world.Surface;
 
@@ -84,15 +84,11 @@ final class Flight {
   }
 
   /** What runs and how far it is; empty if nobody waits for anything. */
-  Optional<String> running() {
+  Optional<Phrase> running() {
     return task == Task.NOBODY
         ? Optional.empty()
         : Optional.of(
-            String.format(
-                Locale.ROOT,
-                "`%s` is still running, %s",
-                task.text(),
-                autopilot.maneuver().progress()));
+            Phrase.of("`%s` is still running, %s", task.text(), autopilot.maneuver().progress()));
   }
 
   /** Whether something moves, or somebody waits for time to pass. */
@@ -172,7 +168,7 @@ final class Flight {
   }
 
   /** Cuts off what runs, with an answer. */
-  void interrupt(Reply reply, String reason) {
+  void interrupt(Reply reply, Phrase reason) {
     Task interrupted = task;
     task = Task.NOBODY;
     interrupted.failed(reply, reason);
@@ -242,8 +238,8 @@ final class Flight {
           STEP);
       switch (autopilot.outcome()) {
         case ARRIVED -> arrived();
-        case HELD -> gaveUp("it was held by " + obstacle() + " for a second");
-        case RESTLESS -> gaveUp("it did not come to rest");
+        case HELD -> gaveUp(Phrase.of("it was held by %s for a second", obstacle()));
+        case RESTLESS -> gaveUp(Phrase.of("it did not come to rest"));
         case RUNNING -> {}
       }
     }
@@ -262,11 +258,12 @@ final class Flight {
       return;
     }
     if (model.battery().empty()) {
-      interrupt(Reply.MOTOR_STOP, "the battery is empty");
+      Phrase reason = Phrase.of("the battery is empty");
+      interrupt(Reply.MOTOR_STOP, reason);
       motorsOff(FlightPhase.FALLING, false);
-      observer.happened(new Fell("the battery is empty"));
+      observer.happened(new Fell(reason));
     } else if (model.battery().percent() <= LOW_BATTERY && !landing()) {
-      String reason = "the battery is at " + model.battery().percent() + " %";
+      Phrase reason = Phrase.of("the battery is at %d %%", model.battery().percent());
       interrupt(Reply.AUTO_LAND, reason);
       land(Task.NOBODY);
       landingForBattery = true;
@@ -274,8 +271,7 @@ final class Flight {
     } else if (now.since(lastContact) >= SILENCE && !landing()) {
       land(Task.NOBODY);
       landingForSilence = true;
-      observer.happened(
-          new LandsByItself(String.format(Locale.ROOT, "no command came for %.0f s", SILENCE)));
+      observer.happened(new LandsByItself(Phrase.of("no command came for %.0f s", SILENCE)));
     }
   }
 
@@ -287,8 +283,8 @@ final class Flight {
     return touching.filter(collision -> collision.surface() == Surface.FLOOR).isPresent();
   }
 
-  private String obstacle() {
-    return touching.map(collision -> collision.surface().words()).orElse("something");
+  private Phrase obstacle() {
+    return touching.map(collision -> collision.surface().phrase()).orElse(Phrase.of("something"));
   }
 
   private void arrived() {
@@ -303,7 +299,7 @@ final class Flight {
     finished.done();
   }
 
-  private void gaveUp(String reason) {
+  private void gaveUp(Phrase reason) {
     Task failed = task;
     hover();
     failed.failed(Reply.ERROR, reason);
@@ -321,7 +317,7 @@ final class Flight {
 
   private void crash(Collision collision) {
     Crashed crashed = new Crashed(collision.surface(), collision.speed(), collision.position());
-    interrupt(Reply.MOTOR_STOP, "the drone " + crashed.words());
+    interrupt(Reply.MOTOR_STOP, Phrase.of("the drone %s", crashed.phrase()));
     boolean powered = model.phase() != FlightPhase.OFF;
     motorsOff(powered ? FlightPhase.CRASHED : FlightPhase.OFF, true);
     observer.happened(crashed);

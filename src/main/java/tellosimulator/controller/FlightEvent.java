@@ -1,28 +1,33 @@
 package tellosimulator.controller;
 
-import java.util.Locale;
 import tellosimulator.math.Vec3;
+import tellosimulator.words.Phrase;
 import tellosimulator.world.Surface;
 
 /** Something that happened to a drone, other than a command or a reply. */
 public sealed interface FlightEvent {
 
   /** For people: a clause about the drone, such as {@code took off}. */
-  String words();
+  Phrase phrase();
+
+  /** The same in English. */
+  default String words() {
+    return phrase().english();
+  }
 
   /** It left the ground. */
   record TookOff() implements FlightEvent {
     @Override
-    public String words() {
-      return "took off";
+    public Phrase phrase() {
+      return Phrase.of("took off");
     }
   }
 
   /** It stands on the ground with its motors off. */
   record Landed() implements FlightEvent {
     @Override
-    public String words() {
-      return "landed";
+    public Phrase phrase() {
+      return Phrase.of("landed");
     }
   }
 
@@ -31,18 +36,18 @@ public sealed interface FlightEvent {
    *
    * @param reason why, in plain words
    */
-  record LandsByItself(String reason) implements FlightEvent {
+  record LandsByItself(Phrase reason) implements FlightEvent {
     @Override
-    public String words() {
-      return "lands by itself: " + reason;
+    public Phrase phrase() {
+      return Phrase.of("lands by itself: %s", reason);
     }
   }
 
   /** A command ended a safety landing. */
   record LandingCancelled() implements FlightEvent {
     @Override
-    public String words() {
-      return "stays in the air, because a command arrived during the safety landing";
+    public Phrase phrase() {
+      return Phrase.of("stays in the air, because a command arrived during the safety landing");
     }
   }
 
@@ -51,10 +56,10 @@ public sealed interface FlightEvent {
    *
    * @param reason why, in plain words
    */
-  record Fell(String reason) implements FlightEvent {
+  record Fell(Phrase reason) implements FlightEvent {
     @Override
-    public String words() {
-      return "falls: " + reason;
+    public Phrase phrase() {
+      return Phrase.of("falls: %s", reason);
     }
   }
 
@@ -67,19 +72,17 @@ public sealed interface FlightEvent {
    */
   record Crashed(Surface surface, double speed, Vec3 position) implements FlightEvent {
     @Override
-    public String words() {
-      return String.format(
-          Locale.ROOT,
+    public Phrase phrase() {
+      return Phrase.of(
           "crashed into %s at %.1f m/s; its motors stay off until reset or power cycle",
-          surface.words(),
-          speed);
+          surface.phrase(), speed);
     }
   }
 
   /**
    * Something was set or switched.
    *
-   * @param words what, as a clause about the drone
+   * @param phrase what, as a clause about the drone
    */
-  record Note(String words) implements FlightEvent {}
+  record Note(Phrase phrase) implements FlightEvent {}
 }

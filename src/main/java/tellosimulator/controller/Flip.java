@@ -1,10 +1,10 @@
 package tellosimulator.controller;
 
-import java.util.Locale;
 import tellosimulator.math.Vec3;
 import tellosimulator.model.DroneSpec;
 import tellosimulator.model.Motion;
 import tellosimulator.physics.Setpoint;
+import tellosimulator.words.Phrase;
 
 /**
  * A somersault: jumps up, turns once about its own axis with little thrust, catches itself and
@@ -87,8 +87,8 @@ final class Flip implements Maneuver {
   }
 
   @Override
-  public String progress() {
-    return String.format(Locale.ROOT, "%.0f of 360 degrees turned", StrictMath.toDegrees(turned));
+  public Phrase progress() {
+    return Phrase.of("%.0f of %.0f degrees turned", StrictMath.toDegrees(turned), 360.0);
   }
 
   @Override

@@ -3,6 +3,7 @@ package tellosimulator.controller;
 import tellosimulator.math.Vec3;
 import tellosimulator.model.DroneSpec;
 import tellosimulator.physics.Setpoint;
+import tellosimulator.words.Phrase;
 
 /** Stays where it is, after braking if it was on its way. Has no end. */
 final class Hover implements Maneuver {
@@ -47,7 +48,7 @@ final class Hover implements Maneuver {
   }
 
   @Override
-  public String progress() {
-    return "hovering";
+  public Phrase progress() {
+    return Phrase.of("hovering");
   }
 }

@@ -3,6 +3,7 @@ package tellosimulator.controller;
 import tellosimulator.math.Vec3;
 import tellosimulator.model.DroneSpec;
 import tellosimulator.physics.Setpoint;
+import tellosimulator.words.Phrase;
 
 /** Sinks until it stands on something, stops the motors and waits a moment. */
 final class Landing implements Maneuver {
@@ -65,8 +66,8 @@ final class Landing implements Maneuver {
   }
 
   @Override
-  public String progress() {
-    return down() ? "the motors are stopping" : "on the way down";
+  public Phrase progress() {
+    return down() ? Phrase.of("the motors are stopping") : Phrase.of("on the way down");
   }
 
   @Override

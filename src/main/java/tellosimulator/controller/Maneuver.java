@@ -2,6 +2,7 @@ package tellosimulator.controller;
 
 import tellosimulator.model.Motion;
 import tellosimulator.physics.Setpoint;
+import tellosimulator.words.Phrase;
 
 /**
  * One thing that a drone does: it says, step by step, where the drone shall be. Knows nothing of
@@ -25,7 +26,7 @@ interface Maneuver {
   boolean planned();
 
   /** How far it is, in plain words: {@code 64 of 100 cm flown}. */
-  String progress();
+  Phrase progress();
 
   /** Whether nothing changes until the next command, so that no time need pass. */
   default boolean atRest() {

@@ -1,9 +1,9 @@
 package tellosimulator.controller;
 
-import java.util.Locale;
 import tellosimulator.math.Vec3;
 import tellosimulator.model.DroneSpec;
 import tellosimulator.physics.Setpoint;
+import tellosimulator.words.Phrase;
 
 /** Flies along a path with a steady heading: the six directions, {@code go} and {@code curve}. */
 final class PathFlight implements Maneuver {
@@ -55,11 +55,11 @@ final class PathFlight implements Maneuver {
   }
 
   @Override
-  public String progress() {
+  public Phrase progress() {
     if (planned()) {
-      return "it has arrived and balances out";
+      return Phrase.of("it has arrived and balances out");
     }
     double way = profile.at(time).way();
-    return String.format(Locale.ROOT, "%.0f of %.0f cm flown", way * 100, path.length() * 100);
+    return Phrase.of("%.0f of %.0f cm flown", way * 100, path.length() * 100);
   }
 }

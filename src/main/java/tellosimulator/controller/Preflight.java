@@ -4,6 +4,7 @@ import java.util.Optional;
 import tellosimulator.command.Reply;
 import tellosimulator.model.DroneModel;
 import tellosimulator.model.FlightPhase;
+import tellosimulator.words.Phrase;
 
 /** What keeps a drone from taking off. */
 final class Preflight {
@@ -16,7 +17,7 @@ final class Preflight {
    *
    * @param reason in plain words that follow "refused: "
    */
-  record Objection(Reply reply, String reason) {}
+  record Objection(Reply reply, Phrase reason) {}
 
   private Preflight() {}
 
@@ -24,28 +25,28 @@ final class Preflight {
   static Optional<Objection> check(DroneModel model) {
     int percent = model.battery().percent();
     if (model.phase().flying()) {
-      return objection(Reply.ERROR, "the drone flies already");
+      return objection(Reply.ERROR, Phrase.of("the drone flies already"));
     }
     if (model.phase() == FlightPhase.CRASHED) {
-      return objection(Reply.MOTOR_STOP, "the drone has crashed, reset it first");
+      return objection(Reply.MOTOR_STOP, Phrase.of("the drone has crashed, reset it first"));
     }
     if (model.battery().empty()) {
-      return objection(Reply.MOTOR_STOP, "the battery is empty");
+      return objection(Reply.MOTOR_STOP, Phrase.of("the battery is empty"));
     }
     if (percent <= TOO_LOW) {
       return objection(
           Reply.ERROR,
-          "the battery is at " + percent + " %, a takeoff needs more than " + TOO_LOW + " %");
+          Phrase.of("the battery is at %d %%, a takeoff needs more than %d %%", percent, TOO_LOW));
     }
     if (!model.resting()) {
-      return objection(Reply.ERROR, "the drone is still falling");
+      return objection(Reply.ERROR, Phrase.of("the drone is still falling"));
     }
     return model.upright()
         ? Optional.empty()
-        : objection(Reply.ERROR, "the drone lies on its back, reset it first");
+        : objection(Reply.ERROR, Phrase.of("the drone lies on its back, reset it first"));
   }
 
-  private static Optional<Objection> objection(Reply reply, String reason) {
+  private static Optional<Objection> objection(Reply reply, Phrase reason) {
     return Optional.of(new Objection(reply, reason));
   }
 }

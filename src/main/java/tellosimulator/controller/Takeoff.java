@@ -1,10 +1,10 @@
 package tellosimulator.controller;
 
-import java.util.Locale;
 import tellosimulator.math.Vec3;
 import tellosimulator.model.DroneSpec;
 import tellosimulator.physics.Setpoint;
 import tellosimulator.profile.Behaviour;
+import tellosimulator.words.Phrase;
 
 /** Starts the motors, climbs, and hovers for a moment. */
 final class Takeoff implements Maneuver {
@@ -68,12 +68,12 @@ final class Takeoff implements Maneuver {
   }
 
   @Override
-  public String progress() {
+  public Phrase progress() {
     if (time - DroneSpec.LIFT_OFF_DELAY > profile.duration()) {
-      return "it is up and balances out";
+      return Phrase.of("it is up and balances out");
     }
     double way = profile.at(time - DroneSpec.LIFT_OFF_DELAY).way();
-    return String.format(Locale.ROOT, "%.0f of %.0f cm climbed", way * 100, path.length() * 100);
+    return Phrase.of("%.0f of %.0f cm climbed", way * 100, path.length() * 100);
   }
 
   @Override

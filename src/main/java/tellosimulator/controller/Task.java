@@ -2,6 +2,7 @@ package tellosimulator.controller;
 
 import tellosimulator.command.Reply;
 import tellosimulator.command.Responder;
+import tellosimulator.words.Phrase;
 
 /** Who waits for the end of the present maneuver, and for which answer. */
 interface Task {
@@ -10,7 +11,7 @@ interface Task {
   void done();
 
   /** The maneuver ended otherwise. */
-  void failed(Reply reply, String reason);
+  void failed(Reply reply, Phrase reason);
 
   /** The command as it was sent; empty if nobody waits. */
   String text();
@@ -22,7 +23,7 @@ interface Task {
         public void done() {}
 
         @Override
-        public void failed(Reply reply, String reason) {}
+        public void failed(Reply reply, Phrase reason) {}
 
         @Override
         public String text() {
@@ -39,7 +40,7 @@ interface Task {
       }
 
       @Override
-      public void failed(Reply reply, String reason) {
+      public void failed(Reply reply, Phrase reason) {
         responder.fail(reply, reason);
       }
 

@@ -1,9 +1,9 @@
 package tellosimulator.controller;
 
-import java.util.Locale;
 import tellosimulator.math.Vec3;
 import tellosimulator.model.DroneSpec;
 import tellosimulator.physics.Setpoint;
+import tellosimulator.words.Phrase;
 
 /** Turns on the spot: {@code cw} and {@code ccw}. */
 final class Turn implements Maneuver {
@@ -46,12 +46,10 @@ final class Turn implements Maneuver {
   }
 
   @Override
-  public String progress() {
+  public Phrase progress() {
     double way = profile.at(time).way();
-    return String.format(
-        Locale.ROOT,
+    return Phrase.of(
         "%.0f of %.0f degrees turned",
-        StrictMath.toDegrees(way),
-        StrictMath.toDegrees(profile.length()));
+        StrictMath.toDegrees(way), StrictMath.toDegrees(profile.length()));
   }
 }

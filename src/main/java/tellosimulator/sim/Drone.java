@@ -32,6 +32,7 @@ import tellosimulator.sensor.SeededNoise;
 import tellosimulator.sensor.SeededNoise.Channel;
 import tellosimulator.time.Periodic;
 import tellosimulator.time.SimTime;
+import tellosimulator.words.Phrase;
 import tellosimulator.world.Room;
 
 /** One drone with all its parts, and its share of each part of a step. */
@@ -121,7 +122,8 @@ final class Drone {
   void handle(Peer peer, String text) {
     if (model.phase() == FlightPhase.OFF) {
       events.accept(
-          new SimEvent.CommandIgnored(now, model.drone(), peer, text, "the drone is off"));
+          new SimEvent.CommandIgnored(
+              now, model.drone(), peer, text, Phrase.of("the drone is off")));
     } else {
       handler.handle(peer, text, now);
       lineOwed = stateLines.isPresent();
@@ -140,7 +142,7 @@ final class Drone {
       handler.forgetCopies();
     } else if (control instanceof Control.SetBattery battery) {
       model.setBattery(new Battery(battery.percent() / 100));
-      note("has " + model.battery().percent() + " % of its battery now");
+      note(Phrase.of("has %d %% of its battery now", model.battery().percent()));
     } else if (control instanceof Control.SetStart start) {
       setStart(room.nearestInside(start.position().withZ(0), DroneSpec.HULL));
     }
@@ -149,7 +151,7 @@ final class Drone {
   /** The same body as another product; itself, with a note, while it is on. */
   Drone configured(Control.Configure change) {
     if (model.phase() != FlightPhase.OFF) {
-      note("was not changed, because it is on: switch it off first");
+      note(Phrase.of("was not changed, because it is on: switch it off first"));
       return this;
     }
     Profile newProfile = change.product().profile();
@@ -159,11 +161,8 @@ final class Drone {
     Drone other = new Drone(model, newConfig, replies, events);
     other.plan(now);
     other.note(
-        "is of profile "
-            + newProfile.option()
-            + " and behaviour "
-            + newBehaviour.option()
-            + " now");
+        Phrase.of(
+            "is of profile %s and behaviour %s now", newProfile.option(), newBehaviour.option()));
     return other;
   }
 
@@ -205,7 +204,7 @@ final class Drone {
     model.consume(SimTime.STEP, behaviour.filmingEndurance());
     int left = model.battery().percent();
     if (left != before && TOLD_PERCENTAGES.contains(left)) {
-      note("has " + left + " % of its battery left");
+      note(Phrase.of("has %d %% of its battery left", left));
     }
   }
 
@@ -246,8 +245,8 @@ final class Drone {
     }
   }
 
-  private void note(String words) {
-    events.accept(new SimEvent.DroneFlight(now, model.drone(), new FlightEvent.Note(words)));
+  private void note(Phrase phrase) {
+    events.accept(new SimEvent.DroneFlight(now, model.drone(), new FlightEvent.Note(phrase)));
   }
 
   private double replyDelay() {
@@ -280,7 +279,7 @@ final class Drone {
     }
 
     @Override
-    public void ignored(Peer peer, String text, String reason) {
+    public void ignored(Peer peer, String text, Phrase reason) {
       events.accept(new SimEvent.CommandIgnored(now, model.drone(), peer, text, reason));
     }
 
@@ -290,12 +289,12 @@ final class Drone {
     }
 
     @Override
-    public void failed(Peer peer, String text, Reply reply, String reason) {
+    public void failed(Peer peer, String text, Reply reply, Phrase reason) {
       events.accept(new SimEvent.CommandFailed(now, model.drone(), peer, text, reply, reason));
     }
 
     @Override
-    public void refused(Peer peer, String text, Reply reply, String reason) {
+    public void refused(Peer peer, String text, Reply reply, Phrase reason) {
       events.accept(new SimEvent.CommandRefused(now, model.drone(), peer, text, reply, reason));
     }
 

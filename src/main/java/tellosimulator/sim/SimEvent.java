@@ -7,6 +7,7 @@ import tellosimulator.command.Reply;
 import tellosimulator.command.WireText;
 import tellosimulator.controller.FlightEvent;
 import tellosimulator.time.SimTime;
+import tellosimulator.words.Phrase;
 
 /**
  * Something that happened, with its simulated time and in plain words. Immutable; for any thread.
@@ -20,7 +21,12 @@ public sealed interface SimEvent {
   int drone();
 
   /** For people, one line. */
-  String words();
+  Phrase phrase();
+
+  /** The same in English. */
+  default String words() {
+    return phrase().english();
+  }
 
   /** How much it matters to people; the same in every log. */
   default Severity severity() {
@@ -35,13 +41,13 @@ public sealed interface SimEvent {
     }
 
     @Override
-    public String words() {
-      return String.format(Locale.ROOT, "`%s` from %s", WireText.printable(text), peer);
+    public Phrase phrase() {
+      return Phrase.of("`%s` from %s", WireText.printable(text), peer);
     }
   }
 
   /** Something arrived that the drone does not react to. */
-  record CommandIgnored(SimTime time, int drone, Peer peer, String text, String reason)
+  record CommandIgnored(SimTime time, int drone, Peer peer, String text, Phrase reason)
       implements SimEvent {
     @Override
     public Severity severity() {
@@ -49,14 +55,13 @@ public sealed interface SimEvent {
     }
 
     @Override
-    public String words() {
-      return String.format(
-          Locale.ROOT, "`%s` from %s ignored: %s", WireText.printable(text), peer, reason);
+    public Phrase phrase() {
+      return Phrase.of("`%s` from %s ignored: %s", WireText.printable(text), peer, reason);
     }
   }
 
   /** A command was refused, and the drone said so. */
-  record CommandRefused(SimTime time, int drone, Peer peer, String text, Reply reply, String reason)
+  record CommandRefused(SimTime time, int drone, Peer peer, String text, Reply reply, Phrase reason)
       implements SimEvent {
     @Override
     public Severity severity() {
@@ -64,18 +69,15 @@ public sealed interface SimEvent {
     }
 
     @Override
-    public String words() {
-      return String.format(
-          Locale.ROOT,
+    public Phrase phrase() {
+      return Phrase.of(
           "`%s` refused: %s; answered `%s`",
-          WireText.printable(text),
-          reason,
-          WireText.printable(reply.text()));
+          WireText.printable(text), reason, WireText.printable(reply.text()));
     }
   }
 
   /** A command was begun, but came to another end, and the drone said so. */
-  record CommandFailed(SimTime time, int drone, Peer peer, String text, Reply reply, String reason)
+  record CommandFailed(SimTime time, int drone, Peer peer, String text, Reply reply, Phrase reason)
       implements SimEvent {
     @Override
     public Severity severity() {
@@ -83,13 +85,10 @@ public sealed interface SimEvent {
     }
 
     @Override
-    public String words() {
-      return String.format(
-          Locale.ROOT,
+    public Phrase phrase() {
+      return Phrase.of(
           "`%s` failed: %s; answered `%s`",
-          WireText.printable(text),
-          reason,
-          WireText.printable(reply.text()));
+          WireText.printable(text), reason, WireText.printable(reply.text()));
     }
   }
 
@@ -102,24 +101,19 @@ public sealed interface SimEvent {
     }
 
     @Override
-    public String words() {
-      return String.format(
-          Locale.ROOT,
+    public Phrase phrase() {
+      return Phrase.of(
           "`%s` answered `%s`",
-          WireText.printable(text),
-          WireText.printable(reply.text().stripTrailing()));
+          WireText.printable(text), WireText.printable(reply.text().stripTrailing()));
     }
   }
 
   /** State and video go to another host from now on. */
   record OperatorChanged(SimTime time, int drone, Peer peer, int statePort) implements SimEvent {
     @Override
-    public String words() {
-      return String.format(
-          Locale.ROOT,
-          "is operated by %s now, its state goes to port %d of that host",
-          peer.host(),
-          statePort);
+    public Phrase phrase() {
+      return Phrase.of(
+          "is operated by %s now, its state goes to port %d of that host", peer.host(), statePort);
     }
   }
 
@@ -136,13 +130,13 @@ public sealed interface SimEvent {
     }
 
     @Override
-    public String words() {
-      return event.words();
+    public Phrase phrase() {
+      return event.phrase();
     }
   }
 
   /** The world or its clock was changed. */
-  record WorldChanged(SimTime time, String words) implements SimEvent {
+  record WorldChanged(SimTime time, Phrase phrase) implements SimEvent {
     @Override
     public int drone() {
       return 0;

@@ -3,7 +3,6 @@ package tellosimulator.sim;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
-import java.util.Locale;
 import java.util.Queue;
 import java.util.concurrent.ArrayBlockingQueue;
 import java.util.concurrent.ConcurrentLinkedQueue;
@@ -17,6 +16,7 @@ import tellosimulator.sim.SimSnapshot.Clock;
 import tellosimulator.sim.SimSnapshot.DroneSnapshot;
 import tellosimulator.time.SimTime;
 import tellosimulator.time.TimeFactor;
+import tellosimulator.words.Phrase;
 import tellosimulator.world.Room;
 
 /**
@@ -183,19 +183,16 @@ public final class Simulation {
       room = change.room();
       drones.forEach(drone -> drone.moveInto(room));
       tell(
-          String.format(
-              Locale.ROOT,
+          Phrase.of(
               "the room is %.0f cm wide, %.0f cm deep and %.0f cm high now",
-              room.width() * 100,
-              room.depth() * 100,
-              room.height() * 100));
+              room.width() * 100, room.depth() * 100, room.height() * 100));
     } else if (control instanceof Control.Pause pause) {
       clock = new Clock(clock.factor(), pause.paused());
-      tell(pause.paused() ? "time stands still" : "time goes on");
+      tell(pause.paused() ? Phrase.of("time stands still") : Phrase.of("time goes on"));
     } else if (control instanceof Control.SetTimeFactor change) {
       TimeFactor factor = change.factor();
       clock = new Clock(factor, clock.paused());
-      tell("the time factor is " + factor + " now");
+      tell(Phrase.of("the time factor is %s now", factor));
     }
   }
 
@@ -215,8 +212,8 @@ public final class Simulation {
     snapshot = new SimSnapshot(now, clock, room, Collections.unmodifiableList(states));
   }
 
-  private void tell(String words) {
-    events.add(new SimEvent.WorldChanged(now, words));
+  private void tell(Phrase phrase) {
+    events.add(new SimEvent.WorldChanged(now, phrase));
   }
 
   private void tellEvents() {

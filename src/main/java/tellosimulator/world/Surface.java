@@ -1,22 +1,24 @@
 package tellosimulator.world;
 
+import tellosimulator.words.Phrase;
+
 /** What a drone can run into. */
 public enum Surface {
-  FLOOR("the floor"),
-  CEILING("the ceiling"),
-  FRONT_WALL("the front wall"),
-  BACK_WALL("the back wall"),
-  LEFT_WALL("the left wall"),
-  RIGHT_WALL("the right wall");
+  FLOOR(Phrase.of("the floor")),
+  CEILING(Phrase.of("the ceiling")),
+  FRONT_WALL(Phrase.of("the front wall")),
+  BACK_WALL(Phrase.of("the back wall")),
+  LEFT_WALL(Phrase.of("the left wall")),
+  RIGHT_WALL(Phrase.of("the right wall"));
 
-  private final String words;
+  private final Phrase phrase;
 
-  Surface(String words) {
-    this.words = words;
+  Surface(Phrase phrase) {
+    this.phrase = phrase;
   }
 
   /** For people. */
-  public String words() {
-    return words;
+  public Phrase phrase() {
+    return phrase;
   }
 }

@@ -11,6 +11,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import tellosimulator.profile.Behaviour;
 import tellosimulator.profile.Profile;
 import tellosimulator.time.SimTime;
+import tellosimulator.words.Phrase;
 
 /** A million texts of all kinds: each is ignored, or carried out once, or answered once. */
 class CommandFuzzTest {
@@ -42,7 +43,7 @@ class CommandFuzzTest {
 
     for (int i = 0; i < texts; i++) {
       String text = garbage.next();
-      target.running = random.nextBoolean() ? Optional.of("`up 50`") : Optional.empty();
+      target.running = random.nextBoolean() ? Optional.of(Phrase.of("`up 50`")) : Optional.empty();
       target.flying = random.nextBoolean();
       int consequences = counts.consequences() + target.carriedOut;
       int answers = counts.refused + counts.replied;
@@ -85,7 +86,7 @@ class CommandFuzzTest {
     public void received(Peer peer, String text) {}
 
     @Override
-    public void ignored(Peer peer, String text, String reason) {
+    public void ignored(Peer peer, String text, Phrase reason) {
       ignored++;
     }
 
@@ -95,14 +96,14 @@ class CommandFuzzTest {
     }
 
     @Override
-    public void failed(Peer peer, String text, Reply reply, String reason) {
+    public void failed(Peer peer, String text, Reply reply, Phrase reason) {
       throw new AssertionError("nothing was begun that could fail: " + reason);
     }
 
     @Override
-    public void refused(Peer peer, String text, Reply reply, String reason) {
+    public void refused(Peer peer, String text, Reply reply, Phrase reason) {
       refused++;
-      if (reason.isBlank()) {
+      if (reason.english().isBlank()) {
         throw new AssertionError("no reason for " + reply);
       }
     }

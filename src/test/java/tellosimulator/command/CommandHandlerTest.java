@@ -2,8 +2,7 @@ package tellosimulator.command;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.mockito.ArgumentMatchers.any;
-import static org.mockito.ArgumentMatchers.anyString;
-import static org.mockito.ArgumentMatchers.contains;
+import static org.mockito.ArgumentMatchers.argThat;
 import static org.mockito.ArgumentMatchers.eq;
 import static org.mockito.Mockito.never;
 import static org.mockito.Mockito.verify;
@@ -23,6 +22,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import tellosimulator.profile.Behaviour;
 import tellosimulator.profile.Profile;
+import tellosimulator.words.Phrase;
 
 /** What the handler does with texts that are no commands, and in which order it checks the rest. */
 class CommandHandlerTest {
@@ -50,7 +50,7 @@ class CommandHandlerTest {
 
     assertThat(drone.carriedOut()).isEmpty();
     assertThat(drone.takeReplies()).isEmpty();
-    verify(drone.observer).ignored(eq(OPERATOR), eq(text), anyString());
+    verify(drone.observer).ignored(eq(OPERATOR), eq(text), any(Phrase.class));
     verify(drone.target, never()).linkAlive();
   }
 
@@ -84,7 +84,7 @@ class CommandHandlerTest {
 
     assertThat(drone.carriedOut()).isEmpty();
     assertThat(drone.takeReplies()).isEmpty();
-    verify(drone.observer).ignored(eq(OPERATOR), eq(text), contains("binary protocol"));
+    verify(drone.observer).ignored(eq(OPERATOR), eq(text), saying("binary protocol"));
   }
 
   // --- form ---
@@ -97,7 +97,7 @@ class CommandHandlerTest {
     drone.handle("unknown command: mid:-2;x:-200;");
 
     assertThat(drone.takeReplies()).isEmpty();
-    verify(drone.observer).ignored(any(), any(), contains("own reply"));
+    verify(drone.observer).ignored(any(), any(), saying("own reply"));
   }
 
   @ParameterizedTest
@@ -118,7 +118,7 @@ class CommandHandlerTest {
 
     drone.handle(text);
 
-    verify(drone.observer).refused(any(), eq(text), any(), contains(reason));
+    verify(drone.observer).refused(any(), eq(text), any(), saying(reason));
   }
 
   @ParameterizedTest
@@ -235,7 +235,7 @@ class CommandHandlerTest {
     assertThat(drone.carriedOut()).isEmpty();
     verify(drone.observer, never()).replied(any(), any(), any());
     verify(drone.observer)
-        .refused(eq(OPERATOR), eq(echo), eq(new Reply(UNKNOWN + echo)), anyString());
+        .refused(eq(OPERATOR), eq(echo), eq(new Reply(UNKNOWN + echo)), any(Phrase.class));
   }
 
   @Test
@@ -458,7 +458,11 @@ class CommandHandlerTest {
     drone.handle("cw 90");
 
     verify(drone.observer)
-        .refused(OPERATOR, "cw 90", Reply.NOT_JOYSTICK, "`up 100` is still running");
+        .refused(
+            OPERATOR,
+            "cw 90",
+            Reply.NOT_JOYSTICK,
+            HandlerFixture.phrase("`up 100` is still running"));
   }
 
   @Test
@@ -525,5 +529,9 @@ class CommandHandlerTest {
 
     assertThat(drone.carriedOut()).containsExactly("emergency Emergency[]");
     assertThat(drone.takeReplies()).isEmpty();
+  }
+
+  private static Phrase saying(String part) {
+    return argThat(phrase -> phrase.english().contains(part));
   }
 }

@@ -1,16 +1,17 @@
 package tellosimulator.command;
 
 import java.util.Optional;
+import tellosimulator.words.Phrase;
 
 /** A target that only counts what it is to carry out; faster than a mock. */
 final class CountingTarget implements CommandTarget {
 
   int carriedOut;
   boolean flying;
-  Optional<String> running = Optional.empty();
+  Optional<Phrase> running = Optional.empty();
 
   @Override
-  public Optional<String> running() {
+  public Optional<Phrase> running() {
     return running;
   }
 

@@ -15,6 +15,7 @@ import org.mockito.invocation.Invocation;
 import tellosimulator.profile.Behaviour;
 import tellosimulator.profile.Profile;
 import tellosimulator.time.SimTime;
+import tellosimulator.words.Phrase;
 
 /** A handler in SDK mode whose target is mocked and whose replies are kept. */
 final class HandlerFixture {
@@ -66,8 +67,13 @@ final class HandlerFixture {
   }
 
   HandlerFixture busyWith(String words) {
-    when(target.running()).thenReturn(Optional.of(words));
+    when(target.running()).thenReturn(Optional.of(phrase(words)));
     return this;
+  }
+
+  /** Words that are the same in all languages. */
+  static Phrase phrase(String words) {
+    return Phrase.of("%s", words);
   }
 
   void handle(String datagram) {

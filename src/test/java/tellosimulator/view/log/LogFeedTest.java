@@ -12,6 +12,7 @@ import tellosimulator.math.Vec3;
 import tellosimulator.sim.SimEvent;
 import tellosimulator.time.SimTime;
 import tellosimulator.view.text.Language;
+import tellosimulator.words.Phrase;
 import tellosimulator.world.Surface;
 
 class LogFeedTest {
@@ -39,7 +40,7 @@ class LogFeedTest {
   @Test
   void whatFindsNoRoomIsCountedAndSaid() {
     for (int i = 0; i < LogFeed.CAPACITY + 1234; i++) {
-      feed.event(new SimEvent.WorldChanged(SimTime.ZERO, "change " + i));
+      feed.event(new SimEvent.WorldChanged(SimTime.ZERO, Phrase.of("change %d", i)));
     }
 
     List<String> words = words(feed.drain());
@@ -87,7 +88,7 @@ class LogFeedTest {
       throw new AssertionError("nobody interrupts", e);
     }
     for (int i = 0; i < lines; i++) {
-      feed.event(new SimEvent.WorldChanged(SimTime.ZERO, "change"));
+      feed.event(new SimEvent.WorldChanged(SimTime.ZERO, Phrase.of("change")));
     }
   }
 
