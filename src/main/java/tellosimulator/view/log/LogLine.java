@@ -21,7 +21,10 @@ record LogLine(SimTime time, LogLevel level, int drone, Saying saying) {
   /** What happened in the simulation. */
   static LogLine of(SimEvent event) {
     return new LogLine(
-        event.time(), LogLevel.of(event.severity()), event.drone(), language -> event.words());
+        event.time(),
+        LogLevel.of(event.severity()),
+        event.drone(),
+        language -> language.say(event.phrase()));
   }
 
   /** For people, without time, level and drone. */

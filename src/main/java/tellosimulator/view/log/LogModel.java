@@ -18,7 +18,11 @@ final class LogModel {
 
   private final int capacity;
   private final Function<LogLine, String> words;
-  private final LineRing lines = new LineRing();
+  private final Ring<LogLine> lines = new Ring<>();
+
+  /** The words of all lines while a text is searched, so that each key typed finds them made. */
+  private final Ring<String> searched = new Ring<>();
+
   private final ShownLines shown = new ShownLines();
   private final ObservableList<LogLine> readOnly = FXCollections.unmodifiableObservableList(shown);
   private LogLevel level = LogLevel.DEBUG;
@@ -53,7 +57,7 @@ final class LogModel {
     List<LogLine> kept = added.subList(Math.max(0, added.size() - capacity), added.size());
     int dropped = 0;
     while (lines.size() + kept.size() > capacity) {
-      LogLine oldest = lines.removeFirst();
+      LogLine oldest = removeFirst();
       if (dropped < shown.size() && shown.get(dropped).equals(oldest)) {
         dropped++;
       }
@@ -61,7 +65,10 @@ final class LogModel {
     List<LogLine> passing = new ArrayList<>();
     for (LogLine line : kept) {
       lines.addLast(line);
-      if (passes(line)) {
+      if (!text.isEmpty()) {
+        searched.addLast(words.apply(line));
+      }
+      if (passes(lines.size() - 1)) {
         passing.add(line);
       }
     }
@@ -71,7 +78,8 @@ final class LogModel {
 
   void clear() {
     lines.clear();
-    shown.replace(new LineRing());
+    searched.clear();
+    shown.replace(new Ring<>());
   }
 
   /** Shows lines of this level and of those that matter more. */
@@ -100,23 +108,41 @@ final class LogModel {
   /** The same lines have other words now. */
   void wordsChanged() {
     if (!text.isEmpty()) {
+      searched.clear();
       filter();
     }
   }
 
+  private LogLine removeFirst() {
+    if (searched.size() > 0) {
+      searched.removeFirst();
+    }
+    return lines.removeFirst();
+  }
+
   private void filter() {
-    LineRing passing = new LineRing();
+    prepareSearch();
+    Ring<LogLine> passing = new Ring<>();
     for (int i = 0; i < lines.size(); i++) {
-      LogLine line = lines.get(i);
-      if (passes(line)) {
-        passing.addLast(line);
+      if (passes(i)) {
+        passing.addLast(lines.get(i));
       }
     }
     shown.replace(passing);
   }
 
-  private boolean passes(LogLine line) {
-    return line.level().reaches(level)
-        && (text.isEmpty() || pattern.matcher(words.apply(line)).find());
+  private void prepareSearch() {
+    if (text.isEmpty()) {
+      searched.clear();
+      return;
+    }
+    for (int i = searched.size(); i < lines.size(); i++) {
+      searched.addLast(words.apply(lines.get(i)));
+    }
+  }
+
+  private boolean passes(int index) {
+    return lines.get(index).level().reaches(level)
+        && (text.isEmpty() || pattern.matcher(searched.get(index)).find());
   }
 }

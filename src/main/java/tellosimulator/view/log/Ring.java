@@ -1,14 +1,15 @@
 package tellosimulator.view.log;
 
-import java.util.Arrays;
 import java.util.Objects;
 
-/** Lines in order, to which new ones are added at the end and old ones taken from the beginning. */
-final class LineRing {
+/**
+ * Things in order, to which new ones are added at the end and old ones taken from the beginning.
+ */
+final class Ring<T> {
 
   private static final int FIRST_ROOM = 1024;
 
-  private LogLine[] lines = new LogLine[FIRST_ROOM];
+  private T[] items = room(FIRST_ROOM);
   private int first;
   private int size;
 
@@ -16,37 +17,43 @@ final class LineRing {
     return size;
   }
 
-  LogLine get(int index) {
+  T get(int index) {
     Objects.checkIndex(index, size);
-    return lines[(first + index) % lines.length];
+    return items[(first + index) % items.length];
   }
 
-  void addLast(LogLine line) {
-    if (size == lines.length) {
+  void addLast(T item) {
+    if (size == items.length) {
       grow();
     }
-    lines[(first + size) % lines.length] = line;
+    items[(first + size) % items.length] = item;
     size++;
   }
 
-  LogLine removeFirst() {
-    LogLine line = get(0);
-    lines[first] = null;
-    first = (first + 1) % lines.length;
+  T removeFirst() {
+    T item = get(0);
+    items[first] = null;
+    first = (first + 1) % items.length;
     size--;
-    return line;
+    return item;
   }
 
   void clear() {
-    lines = new LogLine[FIRST_ROOM];
+    items = room(FIRST_ROOM);
     first = 0;
     size = 0;
   }
 
   private void grow() {
-    LogLine[] more = Arrays.copyOfRange(lines, first, first + 2 * lines.length);
-    System.arraycopy(lines, 0, more, lines.length - first, first);
-    lines = more;
+    T[] more = room(2 * items.length);
+    System.arraycopy(items, first, more, 0, items.length - first);
+    System.arraycopy(items, 0, more, items.length - first, first);
+    items = more;
     first = 0;
+  }
+
+  @SuppressWarnings("unchecked") // nothing but T is ever put in
+  private static <T> T[] room(int size) {
+    return (T[]) new Object[size];
   }
 }

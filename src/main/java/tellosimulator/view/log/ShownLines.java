@@ -10,7 +10,7 @@ import javafx.collections.ObservableListBase;
  */
 final class ShownLines extends ObservableListBase<LogLine> {
 
-  private LineRing lines = new LineRing();
+  private Ring<LogLine> lines = new Ring<>();
 
   @Override
   public LogLine get(int index) {
@@ -41,7 +41,7 @@ final class ShownLines extends ObservableListBase<LogLine> {
   }
 
   /** Shows other lines. */
-  void replace(LineRing others) {
+  void replace(Ring<LogLine> others) {
     List<LogLine> before = List.copyOf(this);
     beginChange();
     lines = others;

@@ -1,10 +1,15 @@
 package tellosimulator.view.text;
 
+import java.util.HashMap;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import javafx.beans.property.ObjectProperty;
 import javafx.beans.property.SimpleObjectProperty;
 import tellosimulator.view.settings.Codec;
+
+import tellosimulator.words.Phrase;
+import tellosimulator.words.Translation;
 
 /** The language of the window; texts follow it at once. For the JavaFX thread. */
 public final class Language {
@@ -13,6 +18,7 @@ public final class Language {
   public static final List<Locale> OFFERED = List.of(Locale.ENGLISH, Locale.GERMAN);
 
   private final ObjectProperty<Locale> locale = new SimpleObjectProperty<>();
+  private final Map<Locale, Translation> translations = new HashMap<>();
 
   public Language(Locale locale) {
     this.locale.set(nearest(locale));
@@ -42,6 +48,11 @@ public final class Language {
   /** One of {@link #OFFERED}. */
   public Locale locale() {
     return locale.get();
+  }
+
+  /** What the simulation says about itself, in the present language. */
+  public String say(Phrase phrase) {
+    return phrase.in(translations.computeIfAbsent(locale(), Glossary::of));
   }
 
   /**

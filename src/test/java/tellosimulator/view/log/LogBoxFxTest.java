@@ -280,6 +280,7 @@ class LogBoxFxTest {
 
     assertThat(visibleWords()).hasSize(2);
     assertThat(visibleWords()).first().asString().startsWith("Willkommen.");
+    assertThat(visibleWords()).last().isEqualTo("`forward 0` von 127.0.0.1:9000");
     assertThat(robot.lookup("#log-clear").queryLabeled().getText()).isEqualTo("Leeren");
     ChoiceBox<LogLevel> levels = robot.lookup("#log-level").query();
     assertThat(levels.getConverter().toString(LogLevel.ERROR)).isEqualTo("Nur Fehler");

@@ -67,6 +67,25 @@ class LogModelTest {
   }
 
   @Test
+  void aSearchFindsTheWordsOfTheLanguageThatIsChosen() {
+    model.append(
+        List.of(
+            new LogLine(
+                SimTime.ZERO,
+                LogLevel.INFO,
+                0,
+                in -> in.locale().equals(Locale.GERMAN) ? "gelandet" : "landed")));
+    model.setText("landed");
+    assertThat(words()).containsExactly("landed");
+
+    language.localeProperty().set(Locale.GERMAN);
+    model.wordsChanged();
+    assertThat(words()).isEmpty();
+    model.setText("gelandet");
+    assertThat(words()).containsExactly("gelandet");
+  }
+
+  @Test
   void linesThatFallOutAreTakenFromTheShownOnesToo() {
     model.append(lines(0, CAPACITY));
     model.setText("5");
