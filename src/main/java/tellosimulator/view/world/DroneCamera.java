@@ -1,12 +1,9 @@
 package tellosimulator.view.world;
 
-import javafx.scene.PerspectiveCamera;
-import javafx.scene.transform.Affine;
 import tellosimulator.math.Attitude;
 import tellosimulator.math.Pose;
 import tellosimulator.math.Vec3;
 import tellosimulator.view.FxDroneModel;
-import tellosimulator.view.FxFrames;
 import tellosimulator.view.FxSimulation;
 import tellosimulator.world.Room;
 
@@ -37,27 +34,14 @@ public final class DroneCamera {
   private static final Vec3 MOUNT = new Vec3(0.035, 0, 0.0185);
 
   /** Nearer things are not in the picture [m]. Decided: beyond the drone's own nose and guards. */
-  private static final double NEAR = 0.065;
+  static final double NEAR = 0.065;
 
   private static final Attitude DOWN = new Attitude(Math.cos(TILT / 2), 0, Math.sin(TILT / 2), 0);
 
   private final FxSimulation simulation;
-  private final PerspectiveCamera camera = new PerspectiveCamera(true);
-  private final Affine transform = new Affine();
 
   DroneCamera(FxSimulation simulation) {
     this.simulation = simulation;
-    camera.setVerticalFieldOfView(false);
-    camera.setFieldOfView(FIELD_OF_VIEW_DEG);
-    camera.setNearClip(NEAR);
-    camera.getTransforms().add(transform);
-    simulation.roomProperty().subscribe(this::seeAllOf);
-    advance();
-  }
-
-  /** Goes with the drone. */
-  void advance() {
-    FxFrames.aim(transform, pose());
   }
 
   /** Where it is and how it looks, room frame; it looks along its x axis. */
@@ -72,11 +56,9 @@ public final class DroneCamera {
     return new Pose(drone.position().plus(attitude.toRoom(MOUNT)), attitude.after(DOWN));
   }
 
-  PerspectiveCamera node() {
-    return camera;
-  }
-
-  private void seeAllOf(Room room) {
-    camera.setFarClip(1 + new Vec3(room.depth(), room.width(), room.height()).norm());
+  /** Farther things are not in the picture [m]: nothing in the room is. */
+  double far() {
+    Room room = simulation.roomProperty().get();
+    return 1 + new Vec3(room.depth(), room.width(), room.height()).norm();
   }
 }

@@ -6,6 +6,7 @@ import javafx.css.PseudoClass;
 import javafx.geometry.Pos;
 import javafx.geometry.Rectangle2D;
 import javafx.scene.Node;
+import javafx.scene.PerspectiveCamera;
 import javafx.scene.SnapshotParameters;
 import javafx.scene.control.Button;
 import javafx.scene.control.Tooltip;
@@ -68,17 +69,20 @@ final class DroneCameraInset extends StackPane {
    * Takes a new picture if it is shown and it is time.
    *
    * @param nanos the time of the frame [ns]
-   * @param room what the camera looks at, without what is only for people
    */
-  void advance(long nanos, Node room, DroneCamera camera) {
-    if (!shown.get() || !budget.allows(nanos)) {
-      return;
+  void advance(long nanos, ScenePicture scene) {
+    if (shown.get() && budget.allows(nanos)) {
+      long begun = System.nanoTime();
+      scene.photograph(this::take);
+      budget.taken(nanos, System.nanoTime() - begun);
     }
-    long begun = System.nanoTime();
-    parameters.setCamera(camera.node());
+  }
+
+  private void take(Node room, PerspectiveCamera camera) {
+    parameters.setCamera(camera);
+    parameters.setDepthBuffer(true); // not before: where there is no 3D, JavaFX warns of it
     taken = room.snapshot(parameters, taken);
     picture.setImage(taken);
-    budget.taken(nanos, System.nanoTime() - begun);
   }
 
   private void initializeSelf() {
@@ -89,7 +93,6 @@ final class DroneCameraInset extends StackPane {
   }
 
   private void initializeParts() {
-    parameters.setDepthBuffer(true);
     parameters.setFill(Color.BLACK);
     parameters.setViewport(new Rectangle2D(0, 0, TAKEN_WIDTH, TAKEN_HEIGHT));
     picture.setId("inset-picture");

@@ -1,5 +1,6 @@
 package tellosimulator.view.world;
 
+import java.util.Optional;
 import javafx.application.ConditionalFeature;
 import javafx.application.Platform;
 import javafx.beans.property.BooleanProperty;
@@ -8,13 +9,9 @@ import javafx.beans.property.SimpleBooleanProperty;
 import javafx.beans.property.SimpleObjectProperty;
 import javafx.geometry.HPos;
 import javafx.geometry.VPos;
-import javafx.scene.Group;
-import javafx.scene.SceneAntialiasing;
 import javafx.scene.SubScene;
 import javafx.scene.control.Label;
 import javafx.scene.layout.Region;
-import tellosimulator.math.Pose;
-import tellosimulator.view.FxSimulation;
 import tellosimulator.view.ViewContext;
 import tellosimulator.view.text.Messages;
 
@@ -24,28 +21,26 @@ import tellosimulator.view.text.Messages;
  */
 public final class Simulator3DScene extends Region {
 
-  private final FxSimulation simulation;
   private final Messages messages;
-  private final boolean supported = Platform.isSupported(ConditionalFeature.SCENE3D);
   private final ObjectProperty<ViewCamera> viewCamera =
       new SimpleObjectProperty<>(this, "viewCamera", ViewCamera.SIMULATOR);
   private final BooleanProperty trailVisible =
       new SimpleBooleanProperty(this, "trailVisible", true);
   private final BooleanProperty antialiasing = new SimpleBooleanProperty(this, "antialiasing");
-  private final World world;
   private final SimulatorCamera camera;
   private final DroneCamera droneCamera;
+  private final Optional<ScenePicture> picture;
   private final DroneCameraInset inset;
-  private final Group content = new Group();
   private final Label noThreeD = new Label();
-  private SubScene subScene = new SubScene(new Group(), 0, 0);
 
   public Simulator3DScene(ViewContext context) {
-    simulation = context.simulation();
     messages = context.language().messages(Simulator3DScene.class);
-    world = new World(simulation);
-    camera = new SimulatorCamera(simulation);
-    droneCamera = new DroneCamera(simulation);
+    camera = new SimulatorCamera(context.simulation());
+    droneCamera = new DroneCamera(context.simulation());
+    picture =
+        Platform.isSupported(ConditionalFeature.SCENE3D)
+            ? Optional.of(new ScenePicture(context.simulation(), camera, droneCamera))
+            : Optional.empty();
     inset = new DroneCameraInset(messages);
     initializeSelf();
     initializeParts();
@@ -87,7 +82,7 @@ public final class Simulator3DScene extends Region {
 
   /** Forgets the flown paths. */
   public void clearTrails() {
-    world.clearTrails();
+    picture.ifPresent(shown -> shown.world().clearTrails());
   }
 
   private void initializeSelf() {
@@ -99,17 +94,20 @@ public final class Simulator3DScene extends Region {
   }
 
   private void initializeParts() {
-    world.getChildren().addAll(camera.node(), droneCamera.node());
-    content.getChildren().addAll(world.lights(), world);
     noThreeD.setId("no-3d");
     noThreeD.setWrapText(true);
-    noThreeD.setVisible(!supported);
-    inset.setVisible(supported);
+    noThreeD.setVisible(picture.isEmpty());
+    inset.setVisible(picture.isPresent());
   }
 
   private void layoutParts() {
-    // snapshots are lit by the lights of the window's scene, not by those of the SubScene
-    getChildren().addAll(subScene, noThreeD, inset, world.lights());
+    getChildren().addAll(noThreeD, inset);
+    picture.ifPresent(
+        shown -> {
+          getChildren().add(0, shown.node());
+          // snapshots are lit by the lights of the window's scene, not by those of the SubScene
+          getChildren().add(shown.world().lights());
+        });
   }
 
   private void setupEventHandlers() {
@@ -118,54 +116,37 @@ public final class Simulator3DScene extends Region {
 
   private void setupBindings() {
     noThreeD.textProperty().bind(messages.text("no-3d"));
-    world.trails().visibleProperty().bind(trailVisible);
-    antialiasing.subscribe(this::buildSubScene);
-    viewCamera.subscribe(this::lookThrough);
+    picture.ifPresent(this::bind);
   }
 
-  /** A SubScene cannot change how it smooths edges, so there is a new one. */
-  private void buildSubScene(boolean smooth) {
-    subScene.setRoot(new Group());
-    SceneAntialiasing edges = smooth ? SceneAntialiasing.BALANCED : SceneAntialiasing.DISABLED;
-    subScene = new SubScene(supported ? content : new Group(), 0, 0, true, edges);
-    subScene.setId("sub-scene");
-    subScene.setManaged(false);
-    subScene.setMouseTransparent(true);
-    getChildren().set(0, subScene);
-    lookThrough(viewCamera.get());
-  }
-
-  private void lookThrough(ViewCamera seen) {
-    boolean drones = seen == ViewCamera.DRONE;
-    subScene.setCamera(drones ? droneCamera.node() : camera.node());
-    world.aids().setVisible(!drones);
-    requestLayout();
+  private void bind(ScenePicture shown) {
+    shown.world().trails().visibleProperty().bind(trailVisible);
+    antialiasing.addListener(
+        (property, before, smooth) -> {
+          shown.build(smooth);
+          getChildren().set(0, shown.node());
+        });
+    viewCamera.addListener(
+        (property, before, seen) -> {
+          shown.lookThrough(seen);
+          requestLayout();
+        });
   }
 
   private void advance(long nanos) {
     camera.advance(nanos);
-    droneCamera.advance();
-    Pose eye = viewCamera.get() == ViewCamera.DRONE ? droneCamera.pose() : camera.pose();
-    world.advance(nanos, eye);
-    if (supported) {
-      inset.advance(nanos, world, droneCamera);
-    }
+    picture.ifPresent(
+        shown -> {
+          shown.advance(nanos);
+          inset.advance(nanos, shown);
+        });
   }
 
   @Override
   protected void layoutChildren() {
     double width = getWidth();
     double height = getHeight();
-    double shownWidth = width;
-    double shownHeight = height;
-    if (viewCamera.get() == ViewCamera.DRONE) {
-      double ratio = (double) DroneCamera.WIDTH / DroneCamera.HEIGHT;
-      shownWidth = Math.min(width, height * ratio);
-      shownHeight = shownWidth / ratio;
-    }
-    subScene.setWidth(shownWidth);
-    subScene.setHeight(shownHeight);
-    subScene.relocate((width - shownWidth) / 2, (height - shownHeight) / 2);
+    picture.ifPresent(this::layOut);
     double margin = 12;
     layoutInArea(
         noThreeD,
@@ -178,5 +159,17 @@ public final class Simulator3DScene extends Region {
         VPos.CENTER);
     layoutInArea(
         inset, margin, margin, width - 2 * margin, height - 2 * margin, 0, HPos.RIGHT, VPos.TOP);
+  }
+
+  /** The picture of the drone's camera keeps its form; the other fills everything. */
+  private void layOut(ScenePicture shown) {
+    double ratio = (double) DroneCamera.WIDTH / DroneCamera.HEIGHT;
+    boolean drones = viewCamera.get() == ViewCamera.DRONE;
+    double width = drones ? Math.min(getWidth(), getHeight() * ratio) : getWidth();
+    double height = drones ? width / ratio : getHeight();
+    SubScene node = shown.node();
+    node.setWidth(width);
+    node.setHeight(height);
+    node.relocate((getWidth() - width) / 2, (getHeight() - height) / 2);
   }
 }

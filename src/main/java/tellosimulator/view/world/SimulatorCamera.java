@@ -1,17 +1,15 @@
 package tellosimulator.view.world;
 
-import javafx.scene.PerspectiveCamera;
-import javafx.scene.transform.Affine;
 import tellosimulator.math.Attitude;
 import tellosimulator.math.Pose;
 import tellosimulator.math.Vec3;
 import tellosimulator.view.FxDroneModel;
-import tellosimulator.view.FxFrames;
 import tellosimulator.view.FxSimulation;
 import tellosimulator.world.Room;
 
 /**
- * The camera that orbits the selected drone and follows it. For the JavaFX thread.
+ * The camera that orbits the selected drone and follows it; what it sees shows with the next beat.
+ * For the JavaFX thread.
  *
  * <p>Methods that a person's hand moves take pixels; angles and distances come from constants here.
  */
@@ -42,8 +40,6 @@ public final class SimulatorCamera {
   private static final double LAG = 0.25;
 
   private final FxSimulation simulation;
-  private final PerspectiveCamera camera = new PerspectiveCamera(true);
-  private final Affine transform = new Affine();
   private final Follow follow;
   private Orbit orbit = start();
   private boolean chasing;
@@ -53,9 +49,6 @@ public final class SimulatorCamera {
     this.simulation = simulation;
     Pose pose = simulation.selected().poseProperty().get();
     follow = new Follow(pose.position().plus(MIDDLE), pose.attitude().heading());
-    camera.setFieldOfView(FIELD_OF_VIEW_DEG);
-    camera.getTransforms().add(transform);
-    aim();
   }
 
   /** Looks at the nose. */
@@ -82,19 +75,16 @@ public final class SimulatorCamera {
   public void reset() {
     chasing = false;
     orbit = start();
-    aim();
   }
 
   /** Turns around the drone as if a hand pulled the scene by some pixels, right and down. */
   public void turn(double rightPixels, double downPixels) {
     orbit = orbit.turned(-rightPixels * TURN_PER_PIXEL, downPixels * TURN_PER_PIXEL);
-    aim();
   }
 
   /** Turns the scene about the vertical axis, clockwise seen from above. */
   public void rotate(double degrees) {
     orbit = orbit.turned(Math.toRadians(degrees), 0);
-    aim();
   }
 
   /**
@@ -110,7 +100,6 @@ public final class SimulatorCamera {
             / Math.max(1, pictureHeight);
     orbit =
         orbit.shifted(-rightPixels * metresPerPixel, downPixels * metresPerPixel, farthestShift());
-    aim();
   }
 
   /** Comes nearer by some pixels of scrolling; negative goes away. */
@@ -125,7 +114,6 @@ public final class SimulatorCamera {
    */
   public void zoomBy(double factor) {
     orbit = orbit.zoomed(1 / factor, farthest());
-    aim();
   }
 
   /** Where it is and how it looks, room frame; it looks along its x axis. */
@@ -139,8 +127,14 @@ public final class SimulatorCamera {
     return orbit.distance();
   }
 
-  PerspectiveCamera node() {
-    return camera;
+  /** Nearer things are not in the picture [m]. */
+  double near() {
+    return Math.max(0.02, orbit.distance() * 0.05);
+  }
+
+  /** Farther things are not in the picture [m]. */
+  double far() {
+    return orbit.distance() + 3 * diagonal();
   }
 
   /**
@@ -154,7 +148,6 @@ public final class SimulatorCamera {
     FxDroneModel drone = simulation.selected();
     Vec3 target = drone.poseProperty().get().position().plus(MIDDLE);
     follow.advance(target, droneHeading(), seconds, LAG * orbit.distance());
-    aim();
   }
 
   /** The heading of the drone's nose; a tilt of more than a quarter turn does not turn it. */
@@ -167,18 +160,10 @@ public final class SimulatorCamera {
     chasing = withDrone;
     double own = withDrone ? 0 : heading;
     orbit = new Orbit(own, elevation, Math.min(orbit.distance(), START_DISTANCE), Vec3.ZERO);
-    aim();
   }
 
   private static Orbit start() {
     return new Orbit(START_HEADING, START_ELEVATION, START_DISTANCE, Vec3.ZERO);
-  }
-
-  private void aim() {
-    Pose pose = pose();
-    FxFrames.aim(transform, pose);
-    camera.setNearClip(Math.max(0.02, orbit.distance() * 0.05));
-    camera.setFarClip(orbit.distance() + 3 * diagonal());
   }
 
   private double farthest() {

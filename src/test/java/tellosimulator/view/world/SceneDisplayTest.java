@@ -1,0 +1,184 @@
+package tellosimulator.view.world;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static tellosimulator.view.world.SceneFixture.HEIGHT;
+import static tellosimulator.view.world.SceneFixture.WIDTH;
+import static tellosimulator.view.world.SceneFixture.brightness;
+import static tellosimulator.view.world.SceneFixture.find;
+
+import javafx.scene.image.Image;
+import javafx.scene.image.ImageView;
+import javafx.scene.paint.Color;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.extension.RegisterExtension;
+import tellosimulator.math.Attitude;
+import tellosimulator.math.Pose;
+import tellosimulator.math.Vec3;
+import tellosimulator.model.FlightPhase;
+import tellosimulator.view.testing.NeedsDisplay;
+import tellosimulator.view.world.SceneFixture.Spot;
+
+/** What one sees in the 3D scene. */
+@NeedsDisplay
+class SceneDisplayTest {
+
+  @RegisterExtension final SceneFixture fixture = new SceneFixture();
+
+  @Test
+  void theDroneIsInTheMiddleOfThePicture() {
+    fly(new Vec3(0, 0, 1));
+    Spot dark = find(fixture.settledPicture(), SceneDisplayTest::isDark);
+
+    assertThat(dark.count()).isGreaterThan(200);
+    assertThat(dark.x()).isBetween(WIDTH * 0.45, WIDTH * 0.55);
+    assertThat(dark.y()).isBetween(HEIGHT * 0.4, HEIGHT * 0.6);
+  }
+
+  @Test
+  void seenFromBehindItMovesToTheRightWhenItFliesToItsRight() {
+    fly(new Vec3(0, 0, 1));
+    fixture.change(fixture.scene().camera()::chase);
+    Spot before = find(fixture.settledPicture(), SceneDisplayTest::isDark);
+
+    fly(new Vec3(0, -0.2, 1));
+    fixture.pass(0.03);
+    Spot after = find(fixture.picture(), SceneDisplayTest::isDark);
+
+    assertThat(after.x()).isGreaterThan(before.x() + 20);
+    assertThat(find(fixture.settledPicture(), SceneDisplayTest::isDark).x())
+        .as("then the camera has followed")
+        .isBetween(before.x() - 2, before.x() + 2);
+  }
+
+  @Test
+  void itCastsAShadowOnTheFloorBelow() {
+    fixture.change(() -> fixture.solid("plumb-line-1").getParent().setVisible(false));
+    fixture.change(() -> fixture.simulation().gridCmProperty().set(200));
+    fly(new Vec3(0.7, 0.6, 0.8));
+    fixture.change(fixture.scene().camera()::top);
+    fixture.settledPicture();
+    fixture.change(() -> fixture.solid("drone-1").setVisible(false));
+    Image with = fixture.picture();
+    fixture.change(() -> fixture.solid("shadow-1").setVisible(false));
+    Image without = fixture.picture();
+
+    assertThat(brightness(with, WIDTH / 2, HEIGHT / 2, 3))
+        .isLessThan(brightness(without, WIDTH / 2, HEIGHT / 2, 3) - 0.1);
+    assertThat(brightness(with, 20, 20, 3)).isEqualTo(brightness(without, 20, 20, 3));
+  }
+
+  @Test
+  void theLensIsInFront() {
+    fly(new Vec3(0, 0, 1));
+    fixture.change(() -> fixture.scene().camera().zoomBy(4));
+    fixture.change(fixture.scene().camera()::front);
+    Spot front = find(fixture.settledPicture(), SceneDisplayTest::isLens);
+    fixture.change(fixture.scene().camera()::chase);
+    Spot back = find(fixture.settledPicture(), SceneDisplayTest::isLens);
+
+    assertThat(front.count()).isGreaterThan(20);
+    assertThat(front.x()).isBetween(WIDTH * 0.4, WIDTH * 0.6);
+    assertThat(back.count()).isLessThan(front.count() / 10);
+  }
+
+  @Test
+  void theFlownPathIsBlueAndCanBeSwitchedOff() {
+    fixture.change(() -> fixture.solid("plumb-line-1").setScaleX(0));
+    for (int i = 0; i <= 20; i++) {
+      fly(new Vec3(0, 0.05 * i, 1 + 0.02 * (i % 2)));
+      fixture.pass(0.2);
+    }
+    Spot shown = find(fixture.settledPicture(), SceneDisplayTest::isBlue);
+    fixture.change(() -> fixture.scene().trailVisibleProperty().set(false));
+    Spot hidden = find(fixture.picture(), SceneDisplayTest::isBlue);
+
+    assertThat(shown.count()).isGreaterThan(hidden.count() + 100);
+  }
+
+  @Test
+  void aWallBetweenTheCameraAndTheRoomIsNotDrawn() {
+    Vec3 nearTheBack = new Vec3(-2, 0, 1);
+    fly(nearTheBack);
+    fixture.change(fixture.scene().camera()::chase);
+    Spot near = find(fixture.settledPicture(), SceneDisplayTest::isDark);
+    fly(new Vec3(0, 0, 1));
+    Spot inTheMiddle = find(fixture.settledPicture(), SceneDisplayTest::isDark);
+
+    // the camera is 1.15 m behind the drone: outside, beyond the wall at x = -2.5 m
+    assertThat(fixture.scene().camera().distance()).isGreaterThan(1);
+    assertThat(near.count()).isGreaterThan(inTheMiddle.count() / 2);
+  }
+
+  @Test
+  void fromOutsideOneSeesThatTheRoomEnds() {
+    fixture.change(() -> fixture.scene().camera().zoomBy(0.08));
+    Image picture = fixture.settledPicture();
+
+    Color outside = picture.getPixelReader().getColor(3, HEIGHT - 4);
+    Color floor = picture.getPixelReader().getColor(WIDTH / 2 + 25, HEIGHT / 2 + 5);
+    assertThat(outside).isNotEqualTo(floor);
+  }
+
+  @Test
+  void theInsetShowsWhatTheDronesCameraSees() {
+    fly(new Vec3(0, 0, 1));
+    fixture.change(() -> fixture.scene().insetVisibleProperty().set(true));
+    fixture.settledPicture();
+    Image ahead = ((ImageView) fixture.scene().lookup("#inset-picture")).getImage();
+
+    // floor and front wall, and nothing of the drone itself
+    assertThat(ahead.getWidth()).isEqualTo(DroneCameraInset.TAKEN_WIDTH);
+    assertThat(find(ahead, SceneDisplayTest::isDark).count()).isZero();
+    assertThat(brightness(ahead, 160, 20, 5)).isGreaterThan(0.7);
+  }
+
+  @Test
+  void throughTheDronesCameraTheFloorIsBelowAndTiltsWhenTheDroneRolls() {
+    fixture.change(() -> fixture.scene().viewCameraProperty().set(ViewCamera.DRONE));
+    double half = Math.toRadians(20) / 2;
+    Attitude rightDown = new Attitude(Math.cos(half), Math.sin(half), 0, 0);
+    fixture.put(new Pose(new Vec3(0, 0, 1), rightDown), FlightPhase.FLYING);
+    Image picture = fixture.settledPicture();
+
+    Spot left = skirting(picture, 40);
+    Spot right = skirting(picture, WIDTH - 40);
+    assertThat(left.count()).isPositive();
+    assertThat(right.count()).isPositive();
+    assertThat(right.y())
+        .as("the right side is down, so the world's right is up")
+        .isLessThan(left.y() - 40);
+  }
+
+  private void fly(Vec3 position) {
+    fixture.put(new Pose(position, Attitude.LEVEL), FlightPhase.FLYING);
+  }
+
+  /** The skirting board in a column of the picture. */
+  private static Spot skirting(Image picture, int column) {
+    int count = 0;
+    double y = 0;
+    for (int j = 0; j < HEIGHT; j++) {
+      Color color = picture.getPixelReader().getColor(column, j);
+      if (color.getBrightness() < 0.6 && color.getBrightness() > 0.5) {
+        count++;
+        y += j;
+      }
+    }
+    return new Spot(count, column, y / count);
+  }
+
+  /** As only a drone is. */
+  private static boolean isDark(Color color) {
+    return color.getBrightness() < 0.25;
+  }
+
+  /** As only the glass of the lens is. */
+  private static boolean isLens(Color color) {
+    return color.getBlue() > 1.5 * color.getRed() && color.getBrightness() < 0.5;
+  }
+
+  /** As only what belongs to the first drone is. */
+  private static boolean isBlue(Color color) {
+    return color.getBlue() > 0.5 && color.getBlue() > 2 * color.getRed();
+  }
+}

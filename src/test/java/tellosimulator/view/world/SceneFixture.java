@@ -1,0 +1,199 @@
+package tellosimulator.view.world;
+
+import static tellosimulator.view.testing.WindowFixture.onFxThread;
+import static tellosimulator.view.testing.WindowFixture.waitUntil;
+
+import atlantafx.base.theme.PrimerLight;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.concurrent.TimeoutException;
+import java.util.function.Predicate;
+import javafx.application.Application;
+import javafx.scene.Node;
+import javafx.scene.Scene;
+import javafx.scene.SubScene;
+import javafx.scene.image.Image;
+import javafx.scene.paint.Color;
+import javafx.stage.Stage;
+import javafx.stage.StageStyle;
+import org.junit.jupiter.api.extension.AfterEachCallback;
+import org.junit.jupiter.api.extension.BeforeEachCallback;
+import org.junit.jupiter.api.extension.ExtensionContext;
+import org.testfx.api.FxToolkit;
+import org.testfx.util.WaitForAsyncUtils;
+import tellosimulator.math.Pose;
+import tellosimulator.model.DroneState;
+import tellosimulator.model.FlightPhase;
+import tellosimulator.model.Motion;
+import tellosimulator.sim.SimConfig;
+import tellosimulator.sim.SimSnapshot;
+import tellosimulator.sim.SimSnapshot.DroneSnapshot;
+import tellosimulator.sim.Simulation;
+import tellosimulator.time.SimTime;
+import tellosimulator.view.FxSimulation;
+import tellosimulator.view.Pulse;
+import tellosimulator.view.ViewContext;
+import tellosimulator.view.text.Language;
+
+/**
+ * The 3D scene on snapshots that a test makes by hand: where the drone is and how much time passes
+ * is up to the test, so that a picture is always the same.
+ */
+final class SceneFixture implements BeforeEachCallback, AfterEachCallback {
+
+  static final int WIDTH = 480;
+
+  static final int HEIGHT = 360;
+
+  private final SimConfig config;
+  private SimSnapshot snapshot;
+  private FxSimulation simulation;
+  private Language language;
+  private Pulse pulse;
+  private Simulator3DScene scene;
+  private Stage stage;
+  private long nanos;
+
+  SceneFixture() {
+    this(SimConfig.DEFAULT);
+  }
+
+  SceneFixture(SimConfig config) {
+    this.config = config;
+  }
+
+  @Override
+  public void beforeEach(ExtensionContext test) throws TimeoutException {
+    FxToolkit.registerPrimaryStage();
+    snapshot =
+        new Simulation(config, drone -> (peer, text) -> {}, report -> {}, List.of()).snapshot();
+    onFxThread(
+        () -> {
+          Application.setUserAgentStylesheet(new PrimerLight().getUserAgentStylesheet());
+          simulation = new FxSimulation(snapshot);
+          language = new Language(Locale.ENGLISH);
+          pulse = new Pulse(() -> simulation.update(snapshot));
+          scene = new Simulator3DScene(new ViewContext(simulation, null, language, pulse));
+          scene.setPrefSize(WIDTH, HEIGHT);
+          stage = new Stage(StageStyle.UNDECORATED);
+          stage.setScene(new Scene(scene, WIDTH, HEIGHT));
+          stage.setWidth(WIDTH);
+          stage.setHeight(HEIGHT);
+          stage.show();
+          return scene;
+        });
+    waitUntil(() -> scene.getWidth() == WIDTH && scene.getHeight() == HEIGHT);
+    pass(0.02);
+  }
+
+  @Override
+  public void afterEach(ExtensionContext test) {
+    onFxThread(
+        () -> {
+          stage.close();
+          return stage;
+        });
+  }
+
+  Simulator3DScene scene() {
+    return scene;
+  }
+
+  FxSimulation simulation() {
+    return simulation;
+  }
+
+  Language language() {
+    return language;
+  }
+
+  /** Something in the 3D scene. */
+  Node solid(String id) {
+    Node found = ((SubScene) scene.lookup("#sub-scene")).getRoot().lookup("#" + id);
+    if (found == null) {
+      throw new AssertionError("no node with the id " + id);
+    }
+    return found;
+  }
+
+  /** Does something with the scene on the JavaFX thread. */
+  void change(Runnable what) {
+    onFxThread(
+        () -> {
+          what.run();
+          return true;
+        });
+    WaitForAsyncUtils.waitForFxEvents();
+  }
+
+  /** Puts the first drone somewhere; the next beat shows it. */
+  void put(Pose pose, FlightPhase phase) {
+    DroneSnapshot old = snapshot.drones().get(0);
+    DroneState was = old.state();
+    DroneState now =
+        new DroneState(
+            was.drone(),
+            was.time(),
+            Motion.restingAt(pose),
+            phase,
+            was.energy(),
+            was.reference(),
+            was.pads(),
+            was.video());
+    List<DroneSnapshot> drones = new ArrayList<>(snapshot.drones());
+    drones.set(0, new DroneSnapshot(now, old.link(), old.product(), old.start()));
+    SimTime time = snapshot.time();
+    snapshot = new SimSnapshot(time, snapshot.clock(), snapshot.room(), drones);
+  }
+
+  /** Lets time pass in the window and shows what is then. */
+  void pass(double seconds) {
+    nanos += Math.round(seconds * 1e9);
+    change(() -> pulse.beat(nanos));
+  }
+
+  /** What the window shows, with all cameras at rest. */
+  Image settledPicture() {
+    for (int i = 0; i < 20; i++) {
+      pass(0.25);
+    }
+    return picture();
+  }
+
+  /** What the window shows. */
+  Image picture() {
+    return onFxThread(() -> stage.getScene().snapshot(null));
+  }
+
+  /** Mean brightness of a square of a picture around a pixel, 0 to 1. */
+  static double brightness(Image picture, int x, int y, int half) {
+    double sum = 0;
+    for (int i = -half; i <= half; i++) {
+      for (int j = -half; j <= half; j++) {
+        sum += picture.getPixelReader().getColor(x + i, y + j).getBrightness();
+      }
+    }
+    return sum / ((2 * half + 1) * (2 * half + 1));
+  }
+
+  /** Pixels of a kind: how many, and their middle. */
+  record Spot(int count, double x, double y) {}
+
+  /** The pixels that a colour is like. */
+  static Spot find(Image picture, Predicate<Color> wanted) {
+    int count = 0;
+    double x = 0;
+    double y = 0;
+    for (int i = 0; i < (int) picture.getWidth(); i++) {
+      for (int j = 0; j < (int) picture.getHeight(); j++) {
+        if (wanted.test(picture.getPixelReader().getColor(i, j))) {
+          count++;
+          x += i;
+          y += j;
+        }
+      }
+    }
+    return new Spot(count, x / count, y / count);
+  }
+}

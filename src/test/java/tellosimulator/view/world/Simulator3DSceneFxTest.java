@@ -1,0 +1,262 @@
+package tellosimulator.view.world;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.Locale;
+import javafx.event.Event;
+import javafx.event.EventType;
+import javafx.scene.control.Button;
+import javafx.scene.control.Label;
+import javafx.scene.input.MouseButton;
+import javafx.scene.input.MouseEvent;
+import javafx.scene.input.ScrollEvent;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.extension.RegisterExtension;
+import tellosimulator.math.Attitude;
+import tellosimulator.math.Pose;
+import tellosimulator.math.Vec3;
+import tellosimulator.model.FlightPhase;
+
+class Simulator3DSceneFxTest {
+
+  @RegisterExtension final SceneFixture fixture = new SceneFixture();
+
+  /** Which keys are down. */
+  private enum Keys {
+    NONE,
+    CTRL,
+    SHIFT
+  }
+
+  @Test
+  void withoutThreeDimensionsOneSentenceSaysSoInTheChosenLanguage() {
+    Label sentence = (Label) fixture.scene().lookup("#no-3d");
+    assertThat(sentence.isVisible()).isTrue();
+    assertThat(sentence.getText()).contains("cannot draw in 3D");
+
+    fixture.change(() -> fixture.language().localeProperty().set(Locale.GERMAN));
+
+    assertThat(sentence.getText()).contains("nicht in 3D");
+  }
+
+  @Test
+  void theLeftButtonTurnsAroundTheDroneAndKeepsTheDistance() {
+    Pose before = camera().pose();
+
+    drag(MouseButton.PRIMARY, Keys.NONE, 60);
+
+    Pose after = camera().pose();
+    assertThat(headingChange(before, after)).isCloseTo(Math.toRadians(-18), within(1e-9));
+    assertThat(after.position().distanceTo(drone()))
+        .isCloseTo(before.position().distanceTo(drone()), within(1e-9));
+  }
+
+  @Test
+  void ctrlMakesATurnFineAndShiftStrong() {
+    Pose first = camera().pose();
+    drag(MouseButton.PRIMARY, Keys.NONE, 10);
+    Pose plain = camera().pose();
+    drag(MouseButton.PRIMARY, Keys.CTRL, 10);
+    Pose fine = camera().pose();
+    drag(MouseButton.PRIMARY, Keys.SHIFT, 10);
+    Pose strong = camera().pose();
+
+    double turn = headingChange(first, plain);
+    assertThat(headingChange(plain, fine)).isCloseTo(0.15 * turn, within(1e-9));
+    assertThat(headingChange(fine, strong)).isCloseTo(5 * turn, within(1e-9));
+  }
+
+  @Test
+  void theRightButtonAndThePressedWheelShift() {
+    for (MouseButton button : new MouseButton[] {MouseButton.SECONDARY, MouseButton.MIDDLE}) {
+      Pose before = camera().pose();
+
+      drag(button, Keys.NONE, 40);
+
+      Pose after = camera().pose();
+      Vec3 moved = before.attitude().toBody(after.position().minus(before.position()));
+      assertThat(moved.y()).as("to the left, so that the scene follows the hand").isPositive();
+      assertThat(after.attitude()).isEqualTo(before.attitude());
+    }
+  }
+
+  @Test
+  void scrollingZoomsAndWithShiftTheSidewaysScrollCountsToo() {
+    double far = camera().distance();
+    scroll(0, 40, Keys.NONE);
+    double near = camera().distance();
+    scroll(0, 40, Keys.CTRL);
+    double fine = camera().distance();
+    scroll(40, 0, Keys.SHIFT);
+    double strong = camera().distance();
+
+    double step = Math.log(near / far);
+    assertThat(step).isCloseTo(-0.1, within(1e-9));
+    assertThat(Math.log(fine / near)).isCloseTo(0.15 * step, within(1e-9));
+    assertThat(Math.log(strong / fine)).isCloseTo(5 * step, within(1e-9));
+  }
+
+  @Test
+  void resetBringsTheFirstViewBack() {
+    Pose first = camera().pose();
+    drag(MouseButton.PRIMARY, Keys.SHIFT, 50);
+    drag(MouseButton.SECONDARY, Keys.NONE, 50);
+    scroll(0, -200, Keys.NONE);
+
+    fixture.change(camera()::reset);
+
+    assertThat(camera().pose()).isEqualTo(first);
+  }
+
+  @Test
+  void presetsLookAtTheSideThatTheyAreCalledAfter() {
+    fly(Math.toRadians(70), Vec3.ZERO);
+
+    fixture.change(camera()::front);
+    assertThat(sideSeen().x()).as("before the nose").isGreaterThan(0.9);
+    fixture.change(camera()::side);
+    assertThat(sideSeen().y()).as("at the right").isLessThan(-0.9);
+    fixture.change(camera()::top);
+    assertThat(sideSeen().z()).as("above").isGreaterThan(0.99);
+    fixture.change(camera()::chase);
+    assertThat(sideSeen().x()).as("behind").isLessThan(-0.9);
+  }
+
+  @Test
+  void theChaseCameraTurnsWithTheDroneAndTheOthersDoNot() {
+    fixture.change(camera()::chase);
+    fly(Math.toRadians(90), Vec3.ZERO);
+    assertThat(sideSeen().x()).isLessThan(-0.9);
+
+    fixture.change(camera()::front);
+    fly(Math.toRadians(180), Vec3.ZERO);
+    assertThat(sideSeen().y()).isLessThan(-0.9);
+  }
+
+  @Test
+  void thePivotFollowsTheDrone() {
+    Pose before = camera().pose();
+
+    fly(0, new Vec3(1, -1, 1));
+
+    Vec3 moved = camera().pose().position().minus(before.position());
+    assertThat(moved.distanceTo(new Vec3(1, -1, 1))).isLessThan(1e-6);
+  }
+
+  @Test
+  void theSceneIsSeenThroughEitherCamera() {
+    assertThat(fixture.scene().viewCameraProperty().get()).isEqualTo(ViewCamera.SIMULATOR);
+
+    fixture.change(() -> fixture.scene().viewCameraProperty().set(ViewCamera.DRONE));
+    fixture.pass(0.1);
+
+    assertThat(fixture.scene().viewCameraProperty().get()).isEqualTo(ViewCamera.DRONE);
+  }
+
+  @Test
+  void theInsetsButtonsShowAndEnlargeIt() {
+    Simulator3DScene scene = fixture.scene();
+    assertThat(scene.insetVisibleProperty().get()).isFalse();
+    assertThat(scene.lookup("#inset-enlarge").isVisible()).isFalse();
+
+    fixture.change(((Button) scene.lookup("#inset-toggle"))::fire);
+    fixture.change(((Button) scene.lookup("#inset-enlarge"))::fire);
+
+    assertThat(scene.insetVisibleProperty().get()).isTrue();
+    assertThat(scene.insetEnlargedProperty().get()).isTrue();
+    assertThat(scene.lookup("#inset-picture").isVisible()).isTrue();
+  }
+
+  private SimulatorCamera camera() {
+    return fixture.scene().camera();
+  }
+
+  /** Where the camera is, seen from the drone: a unit vector of the body frame. */
+  private Vec3 sideSeen() {
+    Pose drone = fixture.simulation().selected().poseProperty().get();
+    Vec3 away = camera().pose().position().minus(drone());
+    return drone.attitude().toBody(away).normalized();
+  }
+
+  /** The middle of the drone. */
+  private Vec3 drone() {
+    Pose pose = fixture.simulation().selected().poseProperty().get();
+    return pose.position().plus(new Vec3(0, 0, 0.02));
+  }
+
+  /** Lets the drone be somewhere else, and the camera come to rest. */
+  private void fly(double heading, Vec3 position) {
+    fixture.put(new Pose(position, Attitude.ofHeading(heading)), FlightPhase.FLYING);
+    for (int i = 0; i < 40; i++) {
+      fixture.pass(0.25);
+    }
+  }
+
+  private static double headingChange(Pose before, Pose after) {
+    return after.attitude().heading() - before.attitude().heading();
+  }
+
+  private void drag(MouseButton button, Keys keys, double right) {
+    fixture.change(
+        () -> {
+          fire(MouseEvent.MOUSE_PRESSED, button, keys, 200);
+          fire(MouseEvent.MOUSE_DRAGGED, button, keys, 200 + right);
+          fire(MouseEvent.MOUSE_RELEASED, button, keys, 200 + right);
+        });
+  }
+
+  private void fire(EventType<MouseEvent> type, MouseButton button, Keys keys, double x) {
+    boolean down = type != MouseEvent.MOUSE_RELEASED;
+    Event.fireEvent(
+        fixture.scene(),
+        new MouseEvent(
+            type,
+            x,
+            100,
+            x,
+            100,
+            button,
+            1,
+            keys == Keys.SHIFT,
+            keys == Keys.CTRL,
+            false,
+            false,
+            down && button == MouseButton.PRIMARY,
+            down && button == MouseButton.MIDDLE,
+            down && button == MouseButton.SECONDARY,
+            false,
+            false,
+            false,
+            null));
+  }
+
+  private void scroll(double deltaX, double deltaY, Keys keys) {
+    fixture.change(
+        () ->
+            Event.fireEvent(
+                fixture.scene(),
+                new ScrollEvent(
+                    ScrollEvent.SCROLL,
+                    100,
+                    100,
+                    100,
+                    100,
+                    keys == Keys.SHIFT,
+                    keys == Keys.CTRL,
+                    false,
+                    false,
+                    false,
+                    false,
+                    deltaX,
+                    deltaY,
+                    deltaX,
+                    deltaY,
+                    ScrollEvent.HorizontalTextScrollUnits.NONE,
+                    0,
+                    ScrollEvent.VerticalTextScrollUnits.NONE,
+                    0,
+                    0,
+                    null)));
+  }
+}
