@@ -7,7 +7,6 @@ import java.util.Map;
 import javafx.beans.property.ObjectProperty;
 import javafx.beans.property.SimpleObjectProperty;
 import tellosimulator.view.settings.Codec;
-
 import tellosimulator.words.Phrase;
 import tellosimulator.words.Translation;
 
