@@ -23,7 +23,7 @@ final class ChartDeck extends Region {
   private static final double GAP = 8;
 
   /** Height of charts beside each other [px]. */
-  private static final double LEAST_ROW = 54;
+  private static final double LEAST_ROW = 46;
 
   private static final double ROW = 66;
 

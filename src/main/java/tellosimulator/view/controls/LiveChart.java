@@ -49,7 +49,7 @@ final class LiveChart extends Region {
 
   private void initializeSelf() {
     getStyleClass().add("live-chart");
-    setMinSize(60, 50);
+    setMinSize(60, 44);
     setPrefSize(76, 66);
   }
 
