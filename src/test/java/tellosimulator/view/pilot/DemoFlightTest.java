@@ -157,7 +157,7 @@ class DemoFlightTest {
   @Test
   void saysThatTheDroneCameDown() {
     demo.switchOnAndStart();
-    window.beatUntil(() -> demo.commandProperty().get().equals("flip f"));
+    window.beatUntil(() -> window.commands().contains("flip f"));
 
     window.carryOut(new Control.Reset(1));
 
