@@ -75,7 +75,7 @@ public final class Main {
       StrayOutput.intoTheLog();
       Settings settings = Settings.load(Settings.file());
       WindowState state = WindowState.remembered(settings);
-      state.uiScaleProperty().get().apply();
+      state.applyUiScale();
       Optional<String> obstacle = Toolkit.start();
       if (obstacle.isEmpty()) {
         return simulateInWindow(options, settings, state, out);

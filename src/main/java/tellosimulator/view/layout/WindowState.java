@@ -69,6 +69,11 @@ public final class WindowState {
     return theme;
   }
 
+  /** Lets JavaFX start with the chosen scale; to be called before it starts. */
+  public void applyUiScale() {
+    uiScale.get().apply();
+  }
+
   /** How large everything is drawn, from the next start on. */
   public ObjectProperty<UiScale> uiScaleProperty() {
     return uiScale;
