@@ -24,8 +24,9 @@ import tellosimulator.view.pilot.DemoFlight.Stage;
 import tellosimulator.view.text.Messages;
 
 /**
- * The buttons that fly the selected drone without an operator program. For the JavaFX thread; to be
- * closed with the window.
+ * The buttons that fly the selected drone without an operator program. What comes and goes is above
+ * them, and the width is fixed: at the lower edge of the scene no button ever moves away under the
+ * mouse. For the JavaFX thread; to be closed with the window.
  */
 public final class PilotControls extends VBox implements AutoCloseable {
 
@@ -116,7 +117,7 @@ public final class PilotControls extends VBox implements AutoCloseable {
     shownOnlyWhenVisible(tour);
     shownOnlyWhenVisible(problem);
     shownOnlyWhenVisible(keyHint);
-    getChildren().addAll(modes, commands, tour, problem, keyHint);
+    getChildren().addAll(keyHint, problem, tour, modes, commands);
   }
 
   private static void growing(Node button) {

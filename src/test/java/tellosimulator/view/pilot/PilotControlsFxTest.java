@@ -10,12 +10,15 @@ import java.util.concurrent.Callable;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
 import javafx.application.Application;
+import javafx.geometry.Bounds;
 import javafx.scene.Scene;
 import javafx.scene.control.Button;
 import javafx.scene.control.Label;
 import javafx.scene.control.TextField;
 import javafx.scene.control.ToggleButton;
 import javafx.scene.input.KeyCode;
+import javafx.scene.layout.Priority;
+import javafx.scene.layout.Region;
 import javafx.scene.layout.VBox;
 import javafx.stage.Stage;
 import org.junit.jupiter.api.AfterEach;
@@ -44,7 +47,9 @@ class PilotControlsFxTest {
     controls = new PilotControls(window.context());
     TextField field = new TextField();
     field.setId("field");
-    Scene scene = new Scene(new VBox(controls, field), 300, 400);
+    Region above = new Region();
+    VBox.setVgrow(above, Priority.ALWAYS);
+    Scene scene = new Scene(new VBox(field, above, controls), 300, 400);
     controls.install(scene);
     stage.setScene(scene);
     stage.show();
@@ -196,6 +201,22 @@ class PilotControlsFxTest {
     assertThat(robot.lookup("#field").queryAs(TextField.class).getText()).isEqualTo("wfx");
     assertThat(window.commands().subList(before, window.commands().size()))
         .allMatch("rc 0 0 0 0"::equals);
+  }
+
+  @Test
+  void noButtonMovesWhenSomethingAppearsAboveIt(FxRobot robot) {
+    Bounds before = onScreen(robot);
+
+    robot.clickOn("#keyboard-flight");
+
+    assertThat(robot.lookup("#key-hint").query().isVisible()).isTrue();
+    assertThat(onScreen(robot)).isEqualTo(before);
+  }
+
+  private static Bounds onScreen(FxRobot robot) {
+    waitForFxEvents();
+    Button emergency = button(robot, "#pilot-emergency");
+    return emergency.localToScreen(emergency.getBoundsInLocal());
   }
 
   @Test
