@@ -31,6 +31,9 @@ final class MetreMarks {
   /** Height of a number, as a part of the distance from mark to mark. Decided: by eye. */
   private static final double NUMBER_HEIGHT = 0.19;
 
+  /** The same, as a part of the room's shorter edge. Decided: by eye. */
+  private static final double LARGEST_NUMBER = 0.07;
+
   private static final Color INK = Color.web("#6f675b");
 
   private final double step;
@@ -40,7 +43,8 @@ final class MetreMarks {
   private MetreMarks(Room room) {
     double longest = Math.max(room.depth(), room.width());
     step = step(longest);
-    size = NUMBER_HEIGHT * step;
+    double shortest = Math.min(room.depth(), room.width());
+    size = Math.min(NUMBER_HEIGHT * step, LARGEST_NUMBER * shortest);
     for (int side : new int[] {1, -1}) {
       addEdge(new Vec3(side * room.depth() / 2, 0, 0), room.width() / 2);
       addEdge(new Vec3(0, side * room.width() / 2, 0), room.depth() / 2);

@@ -53,6 +53,7 @@ final class ScenePicture {
   /** A SubScene cannot change how it smooths edges, so there is a new one. */
   void build(boolean smooth) {
     subScene.setRoot(new Group());
+    subScene.setCamera(null); // a camera is only for one SubScene
     SceneAntialiasing edges = smooth ? SceneAntialiasing.BALANCED : SceneAntialiasing.DISABLED;
     subScene = new SubScene(content, 0, 0, true, edges);
     subScene.setId("sub-scene");

@@ -125,6 +125,7 @@ public final class Simulator3DScene extends Region {
         (property, before, smooth) -> {
           shown.build(smooth);
           getChildren().set(0, shown.node());
+          requestLayout(); // nobody asks for it when a child comes that is not managed
         });
     viewCamera.addListener(
         (property, before, seen) -> {

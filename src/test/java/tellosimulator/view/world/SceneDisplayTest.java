@@ -35,6 +35,19 @@ class SceneDisplayTest {
   }
 
   @Test
+  void smoothEdgesCanBeSwitchedOnAndOff() {
+    fly(new Vec3(0, 0, 1));
+    int plain = find(fixture.settledPicture(), SceneDisplayTest::isDark).count();
+    fixture.change(() -> fixture.scene().antialiasingProperty().set(true));
+    int smooth = find(fixture.settledPicture(), SceneDisplayTest::isDark).count();
+    fixture.change(() -> fixture.scene().antialiasingProperty().set(false));
+    int plainAgain = find(fixture.settledPicture(), SceneDisplayTest::isDark).count();
+
+    assertThat(smooth).isBetween(plain / 2, plain - 1);
+    assertThat(plainAgain).isBetween(plain - 5, plain + 5);
+  }
+
+  @Test
   void seenFromBehindItMovesToTheRightWhenItFliesToItsRight() {
     fly(new Vec3(0, 0, 1));
     fixture.change(fixture.scene().camera()::chase);
