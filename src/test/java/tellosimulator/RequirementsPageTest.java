@@ -1,0 +1,63 @@
+package tellosimulator;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import java.util.regex.MatchResult;
+import java.util.regex.Pattern;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+
+/** What docs/requirements.md points at is there. */
+class RequirementsPageTest {
+
+  private static final Path PAGE = Path.of("docs", "requirements.md");
+  private static final Pattern NAMED_TEST = Pattern.compile("`(\\w+Test)(?:\\.(\\w+))?`");
+  private static final Pattern PICTURE = Pattern.compile("\\((images/[^)]+)\\)");
+
+  @Test
+  void eachNamedTestExists() throws IOException {
+    Map<String, String> sources = sources();
+    List<MatchResult> named = NAMED_TEST.matcher(Files.readString(PAGE)).results().toList();
+
+    assertThat(named).isNotEmpty();
+    for (MatchResult test : named) {
+      assertThat(sources).containsKey(test.group(1));
+      if (test.group(2) != null) {
+        assertThat(sources.get(test.group(1))).contains("void " + test.group(2) + "(");
+      }
+    }
+  }
+
+  @Test
+  void eachPictureExists() throws IOException {
+    List<String> pictures =
+        PICTURE.matcher(Files.readString(PAGE)).results().map(found -> found.group(1)).toList();
+
+    assertThat(pictures).isNotEmpty().allMatch(picture -> Files.exists(Path.of("docs", picture)));
+  }
+
+  private static Map<String, String> sources() throws IOException {
+    try (Stream<Path> files = Files.walk(Path.of("src", "test", "java"))) {
+      return files
+          .filter(file -> file.toString().endsWith("Test.java"))
+          .collect(
+              Collectors.toMap(
+                  file -> file.getFileName().toString().replace(".java", ""),
+                  RequirementsPageTest::text));
+    }
+  }
+
+  private static String text(Path file) {
+    try {
+      return Files.readString(file);
+    } catch (IOException e) {
+      throw new java.io.UncheckedIOException(e);
+    }
+  }
+}
