@@ -32,9 +32,9 @@ public final class SimulatorCamera {
   /** From behind and above, a little from the right. Decided: one sees nose, floor and shadow. */
   private static final double START_HEADING = Math.toRadians(24);
 
-  private static final double START_ELEVATION = Math.toRadians(24);
+  private static final double START_ELEVATION = Math.toRadians(22);
 
-  private static final double START_DISTANCE = 1.15;
+  private static final double START_DISTANCE = 1.35;
 
   /** How far behind the drone it follows may be, as a part of its distance. Decided. */
   private static final double LAG = 0.25;

@@ -117,7 +117,7 @@ class SceneDisplayTest {
     fly(new Vec3(0, 0, 1));
     Spot inTheMiddle = find(fixture.settledPicture(), SceneDisplayTest::isDark);
 
-    // the camera is 1.15 m behind the drone: outside, beyond the wall at x = -2.5 m
+    // the camera is 1.35 m behind the drone: outside, beyond the wall at x = -2.5 m
     assertThat(fixture.scene().camera().distance()).isGreaterThan(1);
     assertThat(near.count()).isGreaterThan(inTheMiddle.count() / 2);
   }
