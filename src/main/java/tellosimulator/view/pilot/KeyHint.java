@@ -12,11 +12,10 @@ import javafx.scene.control.Tooltip;
 import javafx.scene.layout.ColumnConstraints;
 import javafx.scene.layout.GridPane;
 import javafx.scene.layout.HBox;
-import javafx.scene.layout.VBox;
 import tellosimulator.view.text.Messages;
 
 /** The keys that fly, as they lie on a keyboard; those that are held down are lit. */
-final class KeyHint extends VBox {
+final class KeyHint extends HBox {
 
   private static final PseudoClass PRESSED = PseudoClass.getPseudoClass("lit");
 
@@ -37,9 +36,9 @@ final class KeyHint extends VBox {
   private static final List<Place> ACTIONS =
       List.of(
           new Place(SteeringKey.TAKE_OFF_OR_LAND, 0, 0),
-          new Place(SteeringKey.FASTER, 0, 1),
-          new Place(SteeringKey.EMERGENCY, 0, 2),
-          new Place(SteeringKey.FLIP, 1, 1));
+          new Place(SteeringKey.EMERGENCY, 0, 1),
+          new Place(SteeringKey.FLIP, 1, 0),
+          new Place(SteeringKey.FASTER, 1, 1));
 
   private final Messages messages;
   private final ObservableSet<SteeringKey> pressed;
@@ -78,7 +77,7 @@ final class KeyHint extends VBox {
     for (Place place : PLACES) {
       sticks.add(caps.get(place.key()), place.column(), place.row());
     }
-    ColumnConstraints gap = new ColumnConstraints(24);
+    ColumnConstraints gap = new ColumnConstraints(14);
     sticks
         .getColumnConstraints()
         .addAll(new ColumnConstraints(), new ColumnConstraints(), new ColumnConstraints(), gap);
@@ -88,10 +87,10 @@ final class KeyHint extends VBox {
       Label what = new Label();
       what.textProperty().bind(messages.text("short-" + place.key().textKey()));
       what.getStyleClass().add("key-text");
+      what.setMinWidth(USE_PREF_SIZE);
       HBox pair = new HBox(caps.get(place.key()), what);
       pair.getStyleClass().add("key-pair");
-      int columns = place.row() == 1 ? 1 : 2;
-      actions.add(pair, place.column(), place.row(), columns, 1);
+      actions.add(pair, place.column(), place.row());
     }
     actions.getStyleClass().add("actions");
     getChildren().addAll(sticks, actions);
@@ -101,6 +100,7 @@ final class KeyHint extends VBox {
     Label legend = new Label();
     legend.textProperty().bind(messages.text(textKey));
     legend.getStyleClass().add("key-text");
+    legend.setMinWidth(USE_PREF_SIZE);
     GridPane.setHalignment(legend, HPos.CENTER);
     sticks.add(legend, column, 2, 3, 1);
   }

@@ -1,6 +1,7 @@
 package tellosimulator.view.pilot;
 
 import atlantafx.base.theme.Styles;
+import java.util.List;
 import javafx.beans.binding.Bindings;
 import javafx.beans.binding.BooleanBinding;
 import javafx.beans.binding.StringBinding;
@@ -14,6 +15,7 @@ import javafx.scene.control.ProgressBar;
 import javafx.scene.control.ToggleButton;
 import javafx.scene.layout.HBox;
 import javafx.scene.layout.Priority;
+import javafx.scene.layout.Region;
 import javafx.scene.layout.VBox;
 import org.kordamp.ikonli.feather.Feather;
 import org.kordamp.ikonli.javafx.FontIcon;
@@ -104,11 +106,13 @@ public final class PilotControls extends VBox implements AutoCloseable {
   }
 
   private void layoutParts() {
-    HBox modes = new HBox(demoFlight, keyboardFlight);
-    HBox commands = new HBox(takeOff, land, emergency);
-    for (HBox row : new HBox[] {modes, commands}) {
-      row.getStyleClass().add("buttons");
-      row.getChildren().forEach(PilotControls::growing);
+    Region gap = new Region();
+    gap.getStyleClass().add("gap");
+    HBox buttons = new HBox(demoFlight, keyboardFlight, gap, takeOff, land, emergency);
+    buttons.getStyleClass().add("buttons");
+    for (ButtonBase button : List.of(demoFlight, keyboardFlight, takeOff, land, emergency)) {
+      button.setMaxWidth(Double.MAX_VALUE);
+      HBox.setHgrow(button, Priority.ALWAYS);
     }
     VBox tour = new VBox(command, progress);
     tour.getStyleClass().add("tour");
@@ -117,12 +121,7 @@ public final class PilotControls extends VBox implements AutoCloseable {
     shownOnlyWhenVisible(tour);
     shownOnlyWhenVisible(problem);
     shownOnlyWhenVisible(keyHint);
-    getChildren().addAll(keyHint, problem, tour, modes, commands);
-  }
-
-  private static void growing(Node button) {
-    ((ButtonBase) button).setMaxWidth(Double.MAX_VALUE);
-    HBox.setHgrow(button, Priority.ALWAYS);
+    getChildren().addAll(keyHint, problem, tour, buttons);
   }
 
   private static void shownOnlyWhenVisible(Node node) {

@@ -49,7 +49,7 @@ class PilotControlsFxTest {
     field.setId("field");
     Region above = new Region();
     VBox.setVgrow(above, Priority.ALWAYS);
-    Scene scene = new Scene(new VBox(field, above, controls), 300, 400);
+    Scene scene = new Scene(new VBox(field, above, controls), 540, 400);
     controls.install(scene);
     stage.setScene(scene);
     stage.show();
