@@ -128,7 +128,8 @@ public final class Simulation {
   public void drain() {
     boolean changed = false;
     for (Control control = controls.poll(); control != null; control = controls.poll()) {
-      apply(control);
+      Control taken = control;
+      guarded("A control could not be carried out", () -> apply(taken));
       changed = true;
     }
     for (int i = 0; i < MOST_AT_ONCE; i++) {

@@ -48,8 +48,11 @@ public final class SimulationLoop implements AutoCloseable {
 
   private void turn() {
     List<CountDownLatch> served = takeWaiting();
-    simulation.drain();
-    served.forEach(CountDownLatch::countDown);
+    try {
+      simulation.drain();
+    } finally {
+      served.forEach(CountDownLatch::countDown);
+    }
     adopt(simulation.clock());
     if (pacer.stepDue(simulation::busy)) {
       simulation.step();

@@ -107,6 +107,18 @@ class SimulationLoopTest {
     }
   }
 
+  @Test
+  void aControlThatCannotBeCarriedOutKeepsNobodyWaiting() {
+    Simulation simulation = simulation(TimeFactor.REAL_TIME);
+    try (SimulationLoop loop = new SimulationLoop(simulation)) {
+      loop.carryOut(new Control.SetStart(1, null));
+      loop.carryOut(new Control.SetBattery(1, 42));
+    }
+
+    assertThat(simulation.snapshot().drones().get(0).state().energy().battery().percent())
+        .isEqualTo(42);
+  }
+
   /** A program that waits for the state after {@code mon} must not wait for ever. */
   @Test
   void asFastAsPossibleAStateLineFollowsEachCommand() throws InterruptedException {
