@@ -12,6 +12,7 @@ import javafx.scene.Scene;
 import javafx.scene.control.TextInputControl;
 import javafx.scene.input.KeyEvent;
 import javafx.stage.Window;
+import tellosimulator.view.FxDroneModel;
 import tellosimulator.view.ViewContext;
 import tellosimulator.view.pilot.SteeringKey.Push;
 
@@ -37,6 +38,8 @@ public final class KeyboardSteering {
   /** After which {@code rc} is repeated [s, simulated]. Documented: safety landing after 15 s. */
   private static final double REPETITION = 2;
 
+  private static final String CENTRED = rc(Push.NONE, 0);
+
   private final ViewContext context;
   private final RemoteControl remote;
   private final BooleanProperty active = new SimpleBooleanProperty();
@@ -45,7 +48,7 @@ public final class KeyboardSteering {
   private final ObservableSet<SteeringKey> readOnlyPressed =
       FXCollections.unmodifiableObservableSet(pressed);
   private Optional<Scene> scene = Optional.empty();
-  private String sent = rc(Push.NONE, 0);
+  private String sent = CENTRED;
   private long sentNanos;
   private double sentSeconds;
 
@@ -54,7 +57,7 @@ public final class KeyboardSteering {
     this.remote = remote;
     active.addListener(changed -> release());
     context.pulse().onBeat(this::beat);
-    context.simulation().selectedProperty().addListener(changed -> active.set(false));
+    context.simulation().selectedProperty().addListener((observed, before, now) -> letGo(before));
   }
 
   /** Listens to the keys of a window from now on; to be called once. */
@@ -126,6 +129,15 @@ public final class KeyboardSteering {
 
   private void release() {
     pressed.clear();
+  }
+
+  /** The keys fly a drone only while it is selected; it must not fly on with pushed sticks. */
+  private void letGo(FxDroneModel before) {
+    active.set(false);
+    if (!sent.equals(CENTRED) && before.onProperty().get()) {
+      remote.tell(before, CENTRED);
+    }
+    sent = CENTRED;
   }
 
   private void beat(long nanos) {

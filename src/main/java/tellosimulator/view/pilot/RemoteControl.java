@@ -52,12 +52,17 @@ public final class RemoteControl implements AutoCloseable {
   public void ask(String command) {
     asked = command;
     problem.set(Sentence.NONE);
-    send(command);
+    send(drone(), command);
   }
 
   /** Sends a command that has no answer, such as {@code rc}. */
   public void tell(String command) {
-    send(command);
+    send(drone(), command);
+  }
+
+  /** The same to a drone that need not be the selected one. */
+  void tell(FxDroneModel drone, String command) {
+    send(drone, command);
   }
 
   /** What the selected drone is doing. */
@@ -80,10 +85,10 @@ public final class RemoteControl implements AutoCloseable {
     return context.simulation().selected();
   }
 
-  private void send(String command) {
+  private void send(FxDroneModel drone, String command) {
     try {
-      OperatorSocket operator = socket();
-      if (drone().operatorProperty().get().isEmpty()) {
+      OperatorSocket operator = socket(drone);
+      if (drone.operatorProperty().get().isEmpty()) {
         operator.send("command");
       }
       operator.send(command);
@@ -92,8 +97,8 @@ public final class RemoteControl implements AutoCloseable {
     }
   }
 
-  private OperatorSocket socket() throws IOException {
-    InetSocketAddress address = context.actions().addresses(drone().number()).get(0);
+  private OperatorSocket socket(FxDroneModel drone) throws IOException {
+    InetSocketAddress address = context.actions().addresses(drone.number()).get(0);
     if (socket.isEmpty() || !socket.get().drone().equals(address)) {
       close();
       socket = Optional.of(OperatorSocket.open(address));

@@ -45,7 +45,8 @@ public final class FlownWindow implements AutoCloseable {
     simulation =
         new OnlineSimulation(
             config.withOutlets(new Outlets(DISCARD, DISCARD)),
-            AddressPlan.of(List.of(address("127.0.0.1", 0).getAddress()), 0),
+            AddressPlan.portPerDrone(
+                config.starts().size(), List.of(address("127.0.0.1", 0).getAddress()), 0),
             OptionalInt.empty(),
             List.of(listener));
     context = ViewContext.of(simulation, new Language(Locale.ENGLISH));
@@ -90,10 +91,10 @@ public final class FlownWindow implements AutoCloseable {
     return List.copyOf(events);
   }
 
-  /** The commands that the drone received so far, in order. */
+  /** The commands that drone 1 received so far, in order. */
   List<String> commands() {
     return events.stream()
-        .filter(SimEvent.CommandReceived.class::isInstance)
+        .filter(event -> event instanceof SimEvent.CommandReceived && event.drone() == 1)
         .map(event -> ((SimEvent.CommandReceived) event).text())
         .toList();
   }

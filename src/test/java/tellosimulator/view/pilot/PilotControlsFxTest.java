@@ -27,10 +27,14 @@ import org.junit.jupiter.api.extension.ExtendWith;
 import org.testfx.api.FxRobot;
 import org.testfx.framework.junit5.ApplicationExtension;
 import org.testfx.framework.junit5.Start;
+import tellosimulator.math.Vec3;
 import tellosimulator.model.FlightPhase;
 import tellosimulator.sim.Control;
 import tellosimulator.sim.SimConfig;
+import tellosimulator.sim.Swarm;
 import tellosimulator.time.TimeFactor;
+import tellosimulator.view.FxSimulation;
+import tellosimulator.world.Room;
 
 @ExtendWith(ApplicationExtension.class)
 class PilotControlsFxTest {
@@ -43,7 +47,11 @@ class PilotControlsFxTest {
   void start(Stage newStage) {
     stage = newStage;
     Application.setUserAgentStylesheet(new PrimerLight().getUserAgentStylesheet());
-    window = new FlownWindow(SimConfig.DEFAULT.withTimeFactor(new TimeFactor(10)));
+    window =
+        new FlownWindow(
+            SimConfig.DEFAULT
+                .withRoom(Room.DEFAULT, Swarm.row(2, Vec3.ZERO, Room.DEFAULT))
+                .withTimeFactor(new TimeFactor(10)));
     controls = new PilotControls(window.context());
     TextField field = new TextField();
     field.setId("field");
@@ -186,6 +194,20 @@ class PilotControlsFxTest {
     robot.interact(() -> controls.keyboard().activeProperty().set(false));
 
     await(() -> lastCommand().equals("rc 0 0 0 0"));
+    robot.release(KeyCode.D);
+  }
+
+  @Test
+  void choosingAnotherDroneCentresTheSticksOfTheOneThatFlew(FxRobot robot) throws TimeoutException {
+    flyByKeyboard(robot);
+    robot.press(KeyCode.D);
+    await(() -> lastCommand().equals("rc 60 0 0 0"));
+    FxSimulation simulation = window.context().simulation();
+
+    robot.interact(() -> simulation.selectedProperty().set(simulation.drones().get(1)));
+
+    await(() -> lastCommand().equals("rc 0 0 0 0"));
+    assertThat(controls.keyboard().activeProperty().get()).isFalse();
     robot.release(KeyCode.D);
   }
 
