@@ -136,6 +136,10 @@ public final class DroneNetwork implements AutoCloseable {
   }
 
   private DroneSockets sockets(int drone) {
+    if (drone < 1 || drone > drones.size()) {
+      throw new IllegalArgumentException(
+          "there is no drone " + drone + ", the drones are 1 to " + drones.size());
+    }
     return drones.get(drone - 1);
   }
 }

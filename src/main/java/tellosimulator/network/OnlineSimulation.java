@@ -42,7 +42,7 @@ public final class OnlineSimulation implements AutoCloseable {
    *
    * @throws PortTakenException if an address or port cannot be had
    */
-  public void switchAllOn() throws PortTakenException {
+  public synchronized void switchAllOn() throws PortTakenException {
     int drones = snapshot().drones().size();
     try {
       for (int drone = 1; drone <= drones; drone++) {
@@ -66,9 +66,16 @@ public final class OnlineSimulation implements AutoCloseable {
    *     ports cannot be had
    */
   public void carryOut(Control control) throws PortTakenException {
-    if (!(control instanceof Control.Power power)) {
+    if (control instanceof Control.Power power) {
+      switchPower(power);
+    } else {
       loop.carryOut(control);
-    } else if (power.on()) {
+    }
+  }
+
+  /** One at a time, so that whoever is last decides on drone and sockets. */
+  private synchronized void switchPower(Control.Power power) throws PortTakenException {
+    if (power.on()) {
       network.open(power.drone());
       loop.carryOut(power);
     } else {

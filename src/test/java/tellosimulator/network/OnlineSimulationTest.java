@@ -79,6 +79,13 @@ class OnlineSimulationTest {
   }
 
   @Test
+  void aDroneThatIsNotThereCannotBeSwitchedOn() {
+    assertThatThrownBy(() -> simulation.carryOut(new Control.Power(2, true)))
+        .isInstanceOf(IllegalArgumentException.class)
+        .hasMessage("there is no drone 2, the drones are 1 to 1");
+  }
+
+  @Test
   void trafficIsCounted() throws IOException {
     simulation.carryOut(new Control.Power(1, true));
     InetSocketAddress drone = simulation.addresses(1).get(0);
