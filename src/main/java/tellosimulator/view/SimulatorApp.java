@@ -52,7 +52,15 @@ public final class SimulatorApp implements AutoCloseable {
    * @param state what the window is switched to
    */
   public void run(Settings settings, WindowState state) throws InterruptedException {
-    Platform.runLater(() -> open(settings, state));
+    Platform.runLater(
+        () -> {
+          try {
+            open(settings, state);
+          } catch (RuntimeException e) {
+            closed.countDown(); // or the program would go on, with nothing to be seen of it
+            throw e;
+          }
+        });
     closed.await();
     Platform.exit();
   }
