@@ -17,6 +17,7 @@ import javafx.scene.layout.HBox;
 import javafx.scene.layout.Region;
 import javafx.scene.layout.VBox;
 import tellosimulator.view.ViewContext;
+import tellosimulator.view.controls.NetworkControls;
 import tellosimulator.view.pilot.SteeringKey;
 import tellosimulator.view.text.Messages;
 
@@ -31,6 +32,7 @@ public final class HelpPage extends VBox {
   private final ViewContext context;
   private final Messages messages;
   private final Messages steering;
+  private final Messages panels;
   private final StringProperty address = new SimpleStringProperty("");
   private final Label title = new Label();
   private final Button close = new Button();
@@ -40,6 +42,7 @@ public final class HelpPage extends VBox {
     this.context = context;
     messages = context.language().messages(HelpPage.class);
     steering = context.language().messages(SteeringKey.class);
+    panels = context.language().messages(NetworkControls.class);
     initializeSelf();
     initializeParts();
     layoutParts();
@@ -152,10 +155,18 @@ public final class HelpPage extends VBox {
     return heading;
   }
 
+  /** A text that names the address and buttons, as they are called on the buttons. */
   private Label wrapped(String key) {
     Label text = new Label();
     text.setId("help-" + key);
-    text.textProperty().bind(messages.text(key, address));
+    text.textProperty()
+        .bind(
+            messages.text(
+                key,
+                address,
+                panels.text("power.start"),
+                steering.text("demo-IDLE"),
+                steering.text("keyboard-flight")));
     text.setWrapText(true);
     text.setMinHeight(Region.USE_PREF_SIZE);
     return text;

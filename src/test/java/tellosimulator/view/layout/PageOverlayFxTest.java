@@ -104,6 +104,17 @@ class PageOverlayFxTest {
   }
 
   @Test
+  void theFirstStepsCallButtonsAsTheyAreCalled(FxRobot robot) {
+    robot.type(KeyCode.F1);
+
+    assertThat(label(robot, "#help-step-1").getText()).startsWith("1  Press Start Drone:");
+    robot.interact(() -> window.context().language().localeProperty().set(Locale.GERMAN));
+    assertThat(label(robot, "#help-step-1").getText()).startsWith("1  Auf „Drohne einschalten“");
+    assertThat(label(robot, "#help-step-4").getText()).contains("„Demoflug“", "„Tastatur“");
+    assertThat(label(robot, "#help-steering-note").getText()).contains("„Tastatur“");
+  }
+
+  @Test
   void theHelpIsClosedByEscButtonAndF1(FxRobot robot) {
     robot.type(KeyCode.F1, KeyCode.ESCAPE);
     assertThat(overlay.isVisible()).isFalse();
