@@ -8,6 +8,7 @@ import tellosimulator.view.text.Messages;
 final class Sentence extends Label {
 
   private final Messages messages;
+  private Optional<Complaint> said = Optional.empty();
 
   /**
    * @param styleClass {@code danger} or {@code warning}
@@ -25,6 +26,10 @@ final class Sentence extends Label {
 
   /** Says it, or nothing. */
   void say(Optional<Complaint> complaint) {
+    if (complaint.equals(said)) {
+      return;
+    }
+    said = complaint;
     textProperty().unbind();
     complaint.ifPresentOrElse(
         what -> textProperty().bind(what.sentence(messages)), () -> setText(""));
