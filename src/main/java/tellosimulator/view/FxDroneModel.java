@@ -33,7 +33,6 @@ public final class FxDroneModel {
   private final ReadOnlyObjectWrapper<Optional<Peer>> operator =
       new ReadOnlyObjectWrapper<>(Optional.empty());
   private final ReadOnlyBooleanWrapper on = new ReadOnlyBooleanWrapper();
-  private final ReadOnlyBooleanWrapper filming = new ReadOnlyBooleanWrapper();
   private final ReadOnlyDoubleWrapper xCm = new ReadOnlyDoubleWrapper();
   private final ReadOnlyDoubleWrapper yCm = new ReadOnlyDoubleWrapper();
   private final ReadOnlyDoubleWrapper zCm = new ReadOnlyDoubleWrapper();
@@ -61,7 +60,6 @@ public final class FxDroneModel {
     phase.set(newest.state().phase());
     operator.set(newest.link().operator());
     on.set(newest.state().phase() != FlightPhase.OFF);
-    filming.set(newest.state().video().on());
     speedCm.set(Frames.centimetres(newest.state().motion().velocity().norm()));
     batteryPercent.set(newest.state().energy().battery().percent());
   }
@@ -109,11 +107,6 @@ public final class FxDroneModel {
   /** Whether it has power. */
   public ReadOnlyBooleanProperty onProperty() {
     return on.getReadOnlyProperty();
-  }
-
-  /** Whether {@code streamon} was asked. */
-  public ReadOnlyBooleanProperty filmingProperty() {
-    return filming.getReadOnlyProperty();
   }
 
   public ReadOnlyDoubleProperty xCmProperty() {

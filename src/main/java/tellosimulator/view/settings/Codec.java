@@ -38,26 +38,6 @@ public record Codec<T>(
         value -> Double.toString(value.doubleValue()));
   }
 
-  /** A whole number within limits, for properties of type int. */
-  public static Codec<Number> whole(int least, int most) {
-    return new Codec<>(
-        "from " + least + " to " + most,
-        text ->
-            number(text)
-                .filter(value -> value >= least && value <= most && value == Math.rint(value))
-                .map(Double::intValue),
-        value -> Integer.toString(value.intValue()));
-  }
-
-  /** One of a few words. */
-  public static Codec<String> word(String... words) {
-    List<String> offered = List.of(words);
-    return new Codec<>(
-        "one of " + String.join(", ", offered),
-        text -> Optional.of(text).filter(offered::contains),
-        Function.identity());
-  }
-
   /** A constant of an enum, in small letters. */
   public static <E extends Enum<E>> Codec<E> constant(Class<E> type) {
     List<E> constants = Arrays.asList(type.getEnumConstants());

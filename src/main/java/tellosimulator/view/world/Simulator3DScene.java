@@ -80,11 +80,6 @@ public final class Simulator3DScene extends Region {
     return antialiasing;
   }
 
-  /** Forgets the flown paths. */
-  public void clearTrails() {
-    picture.ifPresent(shown -> shown.world().clearTrails());
-  }
-
   private void initializeSelf() {
     setId("scene-3d");
     getStyleClass().add("scene-3d");

@@ -67,10 +67,6 @@ final class World extends Group {
     }
   }
 
-  void clearTrails() {
-    drones.forEach(drone -> drone.trail.clear());
-  }
-
   /** The flown paths. */
   Node trails() {
     return trails;
