@@ -26,6 +26,11 @@ public final class FxSimulation {
   /** Distance between the lines of the floor's grid [cm]. Decided: as the predecessor's. */
   public static final double DEFAULT_GRID_CM = 40;
 
+  /** Limits of that distance [cm]. Decided: a drone's size, and a line each two metres. */
+  public static final double SMALLEST_GRID_CM = 10;
+
+  public static final double LARGEST_GRID_CM = 200;
+
   private final ObservableList<FxDroneModel> drones = FXCollections.observableArrayList();
   private final ObservableList<FxDroneModel> readOnlyDrones =
       FXCollections.unmodifiableObservableList(drones);

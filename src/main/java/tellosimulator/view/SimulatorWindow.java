@@ -28,11 +28,6 @@ import tellosimulator.view.world.ViewCamera;
 /** The window: its parts, put together. For the JavaFX thread. */
 public final class SimulatorWindow implements AutoCloseable {
 
-  /** Limits of the remembered grid [cm]. Decided: those of its slider. */
-  private static final double SMALLEST_GRID_CM = 10;
-
-  private static final double LARGEST_GRID_CM = 200;
-
   private final Stage stage;
   private final ViewContext context;
   private final WindowState state;
@@ -140,7 +135,7 @@ public final class SimulatorWindow implements AutoCloseable {
     settings.bind(
         "grid-cm",
         context.simulation().gridCmProperty(),
-        Codec.decimal(SMALLEST_GRID_CM, LARGEST_GRID_CM));
+        Codec.decimal(FxSimulation.SMALLEST_GRID_CM, FxSimulation.LARGEST_GRID_CM));
     context.pulse().onBeat(settings::beat);
   }
 

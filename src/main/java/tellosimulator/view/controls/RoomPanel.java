@@ -28,8 +28,9 @@ final class RoomPanel extends VBox {
       new NumberRange(
           Frames.centimetres(Room.SHORTEST), Frames.centimetres(Room.LONGEST), SLIDER.step());
 
-  /** Distance between the grid's lines [cm]. Decided: tells a drone's size from a room's. */
-  private static final NumberRange GRID = new NumberRange(10, 200, 5);
+  /** Distance between the grid's lines [cm]. */
+  private static final NumberRange GRID =
+      new NumberRange(FxSimulation.SMALLEST_GRID_CM, FxSimulation.LARGEST_GRID_CM, 5);
 
   /** By how much an arrow key moves the start [cm]. */
   private static final double START_STEP = 10;
