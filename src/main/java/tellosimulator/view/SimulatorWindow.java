@@ -90,7 +90,8 @@ public final class SimulatorWindow implements AutoCloseable {
         .on(WindowKey.TOP_VIEW, () -> look(() -> world.camera().top()))
         .on(WindowKey.CHASE_VIEW, () -> look(() -> world.camera().chase()))
         .on(WindowKey.RESET_VIEW, () -> look(() -> world.camera().reset()))
-        .on(WindowKey.DRONE_CAMERA, () -> world.viewCameraProperty().set(ViewCamera.DRONE))
+        .on(WindowKey.DRONE_CAMERA, this::switchCamera)
+        .on(WindowKey.SEARCH_LOG, this::searchLog)
         .on(WindowKey.QUIT, stage::hide)
         .install(scene);
   }
@@ -101,6 +102,16 @@ public final class SimulatorWindow implements AutoCloseable {
 
   private void togglePause() {
     context.actions().carryOut(new Control.Pause(!context.simulation().pausedProperty().get()));
+  }
+
+  private void switchCamera() {
+    boolean drones = world.viewCameraProperty().get() == ViewCamera.DRONE;
+    world.viewCameraProperty().set(drones ? ViewCamera.SIMULATOR : ViewCamera.DRONE);
+  }
+
+  private void searchLog() {
+    state.logShownProperty().set(true);
+    log.startSearch();
   }
 
   private void look(Runnable from) {

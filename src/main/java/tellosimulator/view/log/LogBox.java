@@ -34,9 +34,6 @@ public final class LogBox extends VBox {
   /** Height of a line in sizes of its font. */
   private static final double LINE_HEIGHT = 1.65;
 
-  private static final KeyCombination SEARCH =
-      new KeyCodeCombination(KeyCode.F, KeyCombination.SHORTCUT_DOWN);
-
   private static final KeyCombination COPY =
       new KeyCodeCombination(KeyCode.C, KeyCombination.SHORTCUT_DOWN);
 
@@ -80,6 +77,11 @@ public final class LogBox extends VBox {
     return toolbar.timeStampsProperty();
   }
 
+  /** Lets one type what to search. */
+  public void startSearch() {
+    toolbar.startSearch();
+  }
+
   private void initializeSelf() {
     setId("log");
     getStyleClass().add("log-box");
@@ -112,16 +114,6 @@ public final class LogBox extends VBox {
             event.consume();
           }
         });
-    sceneProperty()
-        .subscribe(
-            (before, now) -> {
-              if (before != null) {
-                before.getAccelerators().remove(SEARCH);
-              }
-              if (now != null) {
-                now.getAccelerators().put(SEARCH, toolbar::startSearch);
-              }
-            });
   }
 
   private void setupBindings() {

@@ -188,8 +188,8 @@ class LogBoxFxTest {
   @Test
   void aSearchFiltersAndCountsAndCanBeCleared() {
     commands(20);
-    robot.push(KeyCode.SHORTCUT, KeyCode.F);
-    assertThat(search().isFocused()).as("Ctrl+F").isTrue();
+    robot.interact(box::startSearch);
+    assertThat(search().isFocused()).isTrue();
 
     robot.write("Forward 1");
     assertThat(shown()).hasSize(11).allMatch(words -> words.contains("forward 1"));
