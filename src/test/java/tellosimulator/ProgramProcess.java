@@ -56,6 +56,7 @@ final class ProgramProcess implements AutoCloseable {
             .redirectError(errors.toFile());
     builder.command().addAll(List.of(options.split(" ", -1)));
     builder.environment().remove(hidden);
+    builder.environment().put("XDG_CONFIG_HOME", errors.resolveSibling("no-settings").toString());
     return new ProgramProcess(builder.start(), errors);
   }
 

@@ -28,6 +28,14 @@ import tellosimulator.view.world.ViewCamera;
 /** The window: its parts, put together. For the JavaFX thread. */
 public final class SimulatorWindow implements AutoCloseable {
 
+  /**
+   * Size of the scene before the window has its own [px]. Measured: without one, the toolkit styles
+   * everything once more to find it, which takes a tenth of the start.
+   */
+  private static final double FIRST_WIDTH = 1280;
+
+  private static final double FIRST_HEIGHT = 800;
+
   private final Stage stage;
   private final ViewContext context;
   private final WindowState state;
@@ -53,7 +61,7 @@ public final class SimulatorWindow implements AutoCloseable {
     simulatorControls = new SimulatorControls(context);
     log = new LogBox(context, feed);
     pages = new PageOverlay(context);
-    scene = new Scene(new StackPane(pane(), pages));
+    scene = new Scene(new StackPane(pane(), pages), FIRST_WIDTH, FIRST_HEIGHT);
     setupKeys();
     setupBindings();
     context.actions().onRefused((refusal, drone) -> feed.cannotSwitchOn(drone, refusal));
@@ -155,7 +163,7 @@ public final class SimulatorWindow implements AutoCloseable {
     context.pulse().start();
     stage.show();
     OpeningSize.hold(stage);
-    FirstFrame.report();
+    FrameLog.begin();
   }
 
   /** Ends what it does beside showing. */

@@ -14,7 +14,7 @@ public final class Benchmarks {
 
   private Benchmarks() {}
 
-  /** Runs everything; takes the time of the long flight and two minutes. */
+  /** Runs everything; takes the time of the two long flights and five minutes. */
   public static void main(String[] args) throws IOException {
     double minutes = Double.parseDouble(System.getProperty("benchmark.minutes", DEFAULT_MINUTES));
     List<Row> rows = new ArrayList<>();
@@ -23,6 +23,7 @@ public final class Benchmarks {
     rows.addAll(WireBenchmark.stateLines());
     rows.addAll(WireBenchmark.start());
     rows.addAll(WireBenchmark.memoryAfter(minutes));
+    rows.addAll(WindowBenchmark.all(minutes));
     System.out.printf(
         "Java %s, %s, %d processors%n%n",
         System.getProperty("java.version"),

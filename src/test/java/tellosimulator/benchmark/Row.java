@@ -1,5 +1,7 @@
 package tellosimulator.benchmark;
 
+import java.util.Locale;
+
 /**
  * A line of the benchmark table.
  *
@@ -9,6 +11,15 @@ package tellosimulator.benchmark;
  * @param reached whether that is enough
  */
 record Row(String what, String target, String measured, boolean reached) {
+
+  /** A time that shall not be longer. */
+  static Row atMost(String what, double targetMs, double measuredMs) {
+    return new Row(
+        what,
+        String.format(Locale.ROOT, "at most %s ms", Double.toString(targetMs).replace(".0", "")),
+        String.format(Locale.ROOT, "%.3f ms", measuredMs),
+        measuredMs <= targetMs);
+  }
 
   String markdown() {
     return "| %s | %s | %s | %s |".formatted(what, target, measured, reached ? "yes" : "**no**");

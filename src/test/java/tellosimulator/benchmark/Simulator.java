@@ -2,12 +2,17 @@ package tellosimulator.benchmark;
 
 import java.io.BufferedReader;
 import java.io.IOException;
+import java.io.InputStream;
 import java.io.InputStreamReader;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.function.Consumer;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
@@ -15,23 +20,38 @@ import java.util.regex.Pattern;
 final class Simulator implements AutoCloseable {
 
   private static final Pattern PORT = Pattern.compile("drone \\d+ at [0-9.]+:(\\d+)");
+  private static final Pattern FRAMES = Pattern.compile("([0-9.]+) frames a second");
+  private static final Pattern USED = Pattern.compile("used (\\d+)K");
+  private static final String USABLE = "The window can be used";
 
   private final Process process;
+  private final long start;
   private final double startSeconds;
   private final List<Integer> ports = new ArrayList<>();
+  private final List<Double> frameRates = new CopyOnWriteArrayList<>();
+  private final CompletableFuture<Double> usableSeconds = new CompletableFuture<>();
 
-  /** Starts it and waits until it is ready. */
+  /** Starts it without a window, and waits until it is ready. */
   Simulator(String... options) throws IOException {
+    this("--headless", List.of(options));
+  }
+
+  private Simulator(String way, List<String> options) throws IOException {
     List<String> command = new ArrayList<>();
-    command.add(Path.of(System.getProperty("java.home"), "bin", "java").toString());
-    command.addAll(List.of("-jar", System.getProperty("simulator.jar"), "--headless"));
-    command.addAll(List.of(options));
-    long start = System.nanoTime();
-    process = new ProcessBuilder(command).redirectError(ProcessBuilder.Redirect.DISCARD).start();
+    command.add(tool("java"));
+    command.addAll(List.of("-jar", System.getProperty("simulator.jar"), way));
+    command.addAll(options);
+    ProcessBuilder builder = new ProcessBuilder(command);
+    builder.environment().put("XDG_CONFIG_HOME", Files.createTempDirectory("fresh").toString());
+    start = System.nanoTime();
+    process = builder.start();
+    Thread errors = new Thread(this::readErrors, "errors");
+    errors.setDaemon(true);
+    errors.start();
     BufferedReader output =
         new BufferedReader(new InputStreamReader(process.getInputStream(), StandardCharsets.UTF_8));
     String ready = output.readLine();
-    startSeconds = (System.nanoTime() - start) * 1e-9;
+    startSeconds = secondsSinceStart();
     if (ready == null || !ready.startsWith("ready")) {
       throw new IOException("the simulator did not start: " + ready);
     }
@@ -41,9 +61,50 @@ final class Simulator implements AutoCloseable {
     }
   }
 
+  /** Starts it with a window as a first user sees it, and waits until that can be used. */
+  static Simulator inWindow(String... options) throws IOException {
+    List<String> all = new ArrayList<>(List.of("--log-level", "debug"));
+    all.addAll(List.of(options));
+    Simulator simulator = new Simulator("--on", all);
+    simulator.usableSeconds();
+    return simulator;
+  }
+
+  private void readErrors() {
+    try {
+      lines(process.getErrorStream(), this::note);
+    } catch (UncheckedIOException e) {
+      usableSeconds.completeExceptionally(e); // the process has ended
+    }
+  }
+
+  private void note(String line) {
+    if (line.contains(USABLE)) {
+      usableSeconds.complete(secondsSinceStart());
+    }
+    Matcher matcher = FRAMES.matcher(line);
+    if (matcher.find()) {
+      frameRates.add(Double.parseDouble(matcher.group(1)));
+    }
+  }
+
+  private double secondsSinceStart() {
+    return (System.nanoTime() - start) * 1e-9;
+  }
+
   /** From the start of the process to its first line [s]. */
   double startSeconds() {
     return startSeconds;
+  }
+
+  /** From the start of the process to a window that can be used [s]. */
+  double usableSeconds() {
+    return usableSeconds.join();
+  }
+
+  /** What the window has shown in each ten seconds until now [frames/s]. */
+  List<Double> frameRates() {
+    return List.copyOf(frameRates);
   }
 
   /** The port of a drone at 127.0.0.1. */
@@ -53,14 +114,44 @@ final class Simulator implements AutoCloseable {
 
   /** Resident memory [MB]. */
   double residentMegabytes() {
-    try {
-      Process ps = new ProcessBuilder("ps", "-o", "rss=", "-p", "" + process.pid()).start();
-      try (BufferedReader lines =
-          new BufferedReader(new InputStreamReader(ps.getInputStream(), StandardCharsets.UTF_8))) {
-        return Long.parseLong(lines.readLine().strip()) / 1024.0;
+    List<String> lines = new ArrayList<>();
+    run(lines::add, "ps", "-o", "rss=", "-p", "" + process.pid());
+    return Long.parseLong(lines.get(0).strip()) / 1024.0;
+  }
+
+  /** Used heap after a full collection [MB]. */
+  double heapMegabytes() {
+    run(line -> {}, tool("jcmd"), "" + process.pid(), "GC.run");
+    List<String> lines = new ArrayList<>();
+    run(lines::add, tool("jcmd"), "" + process.pid(), "GC.heap_info");
+    double kilobytes = 0;
+    for (String line : lines) {
+      Matcher matcher = USED.matcher(line);
+      if (!line.contains("Metaspace") && !line.contains("class space") && matcher.find()) {
+        kilobytes += Double.parseDouble(matcher.group(1));
       }
+    }
+    return kilobytes / 1024;
+  }
+
+  private static String tool(String name) {
+    return Path.of(System.getProperty("java.home"), "bin", name).toString();
+  }
+
+  private static void run(Consumer<String> taker, String... command) {
+    try {
+      lines(new ProcessBuilder(command).redirectErrorStream(true).start().getInputStream(), taker);
     } catch (IOException e) {
-      throw new UncheckedIOException("ps cannot be run", e);
+      throw new UncheckedIOException(command[0] + " cannot be run", e);
+    }
+  }
+
+  private static void lines(InputStream stream, Consumer<String> taker) {
+    try (BufferedReader lines =
+        new BufferedReader(new InputStreamReader(stream, StandardCharsets.UTF_8))) {
+      lines.lines().forEach(taker);
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
     }
   }
 

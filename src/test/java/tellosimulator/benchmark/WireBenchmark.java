@@ -59,8 +59,9 @@ final class WireBenchmark {
       }
       Statistics statistics = new Statistics(times);
       return List.of(
-          atMost("Query round trip beside 10 drones on `rc`, median", 0.15, statistics.median()),
-          atMost("… 99th percentile", 1, statistics.quantile(0.99)));
+          Row.atMost(
+              "Query round trip beside 10 drones on `rc`, median", 0.15, statistics.median()),
+          Row.atMost("… 99th percentile", 1, statistics.quantile(0.99)));
     }
   }
 
@@ -95,7 +96,7 @@ final class WireBenchmark {
               "100 ms ± 0.5",
               milliseconds(mean),
               Math.abs(mean - 100) <= 0.5),
-          atMost("… standard deviation", 1, statistics.deviation()));
+          Row.atMost("… standard deviation", 1, statistics.deviation()));
     }
   }
 
@@ -127,26 +128,13 @@ final class WireBenchmark {
       operator.expect("command", "ok");
       long end = System.nanoTime() + (long) (minutes * 60e9);
       while (System.nanoTime() < end) {
-        operator.expect("takeoff", "ok");
-        for (String command : List.of("forward 50", "cw 180", "forward 50", "cw 180")) {
-          operator.expect(command, "ok");
-          operator.ask("battery?");
-        }
-        operator.expect("land", "ok");
+        Tour.fly(operator);
       }
       return List.of(
           memory(
               String.format(Locale.ROOT, "Resident memory after %.0f minutes of flight", minutes),
               simulator.residentMegabytes()));
     }
-  }
-
-  private static Row atMost(String what, double target, double measured) {
-    return new Row(
-        what,
-        String.format(Locale.ROOT, "at most %s ms", Double.toString(target).replace(".0", "")),
-        milliseconds(measured),
-        measured <= target);
   }
 
   private static Row memory(String what, double megabytes) {

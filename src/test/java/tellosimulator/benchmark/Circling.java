@@ -1,0 +1,38 @@
+package tellosimulator.benchmark;
+
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.util.concurrent.Executors;
+import java.util.concurrent.ScheduledExecutorService;
+import java.util.concurrent.TimeUnit;
+
+/** Lets a drone that is in the air fly small circles by {@code rc}, twenty times a second. */
+final class Circling implements AutoCloseable {
+
+  private static final int PERIOD_MS = 50;
+
+  private final Operator operator;
+  private final ScheduledExecutorService timer = Executors.newSingleThreadScheduledExecutor();
+
+  Circling(int port) throws IOException {
+    operator = new Operator(port);
+  }
+
+  void start() {
+    var unused = timer.scheduleAtFixedRate(this::steer, 0, PERIOD_MS, TimeUnit.MILLISECONDS);
+  }
+
+  private void steer() {
+    try {
+      operator.send("rc 0 20 0 40");
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+  }
+
+  @Override
+  public void close() {
+    timer.shutdownNow();
+    operator.close();
+  }
+}

@@ -1,0 +1,131 @@
+package tellosimulator.benchmark;
+
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+
+/** What somebody sees who has the window open, and what an operator program sees then. */
+final class WindowBenchmark {
+
+  private static final String[] NOT_ON_THE_USUAL_PORTS = {
+    "--bind", "127.0.0.1", "--command-port", "0", "--state-port", "9"
+  };
+
+  private static final int STARTS = 5;
+  private static final int FLIGHT_SECONDS = 45;
+
+  /** The first ten seconds are for warming up. */
+  private static final int WARM_UP_PERIODS = 1;
+
+  private static final int WARM_UP_QUERIES = 5_000;
+  private static final int QUERIES = 10_000;
+  private static final double LEAST_FRAMES = 20;
+
+  private WindowBenchmark() {}
+
+  /** Everything, or why nothing of it can be measured here. */
+  static List<Row> all(double minutes) throws IOException {
+    if (System.getenv("DISPLAY") == null) {
+      return List.of(new Row("The window", "see above", "not measured: no display", false));
+    }
+    List<Row> rows = new ArrayList<>();
+    rows.add(start());
+    rows.add(frames());
+    rows.addAll(queries());
+    rows.add(heapAfter(minutes));
+    return rows;
+  }
+
+  /** From the start of the process to a window that can be used. */
+  private static Row start() throws IOException {
+    List<Double> seconds = new ArrayList<>();
+    for (int i = 0; i < STARTS; i++) {
+      try (Simulator simulator = Simulator.inWindow(NOT_ON_THE_USUAL_PORTS)) {
+        seconds.add(simulator.usableSeconds());
+      }
+    }
+    double median = new Statistics(seconds).median();
+    return new Row(
+        "From the start of the JVM to a window that can be used, median of " + STARTS,
+        "at most 3 s",
+        String.format(Locale.ROOT, "%.2f s", median),
+        median <= 3);
+  }
+
+  /** One drone that flies by {@code rc}, and refused commands that let the log scroll. */
+  private static Row frames() throws IOException {
+    try (Simulator simulator = Simulator.inWindow(NOT_ON_THE_USUAL_PORTS);
+        Operator operator = new Operator(simulator.port(1));
+        Circling circling = new Circling(simulator.port(1))) {
+      operator.expect("command", "ok");
+      operator.expect("takeoff", "ok");
+      circling.start();
+      long end = System.nanoTime() + FLIGHT_SECONDS * 1_000_000_000L;
+      while (System.nanoTime() < end) {
+        operator.expect("forward 5", "out of range");
+        pause();
+      }
+      List<Double> rates = simulator.frameRates();
+      double median = new Statistics(rates.subList(WARM_UP_PERIODS, rates.size())).median();
+      return new Row(
+          "Window of 1280 × 800 with one drone flying and the log scrolling",
+          "at least 20 frames/s",
+          String.format(Locale.ROOT, "%.1f frames/s", median),
+          median >= LEAST_FRAMES);
+    }
+  }
+
+  /** Queries while the window shows a drone that flies. */
+  private static List<Row> queries() throws IOException {
+    try (Simulator simulator = Simulator.inWindow(NOT_ON_THE_USUAL_PORTS);
+        Operator operator = new Operator(simulator.port(1));
+        Circling circling = new Circling(simulator.port(1))) {
+      operator.expect("command", "ok");
+      operator.expect("takeoff", "ok");
+      circling.start();
+      for (int i = 0; i < WARM_UP_QUERIES; i++) {
+        operator.ask("battery?");
+      }
+      List<Double> times = new ArrayList<>();
+      for (int i = 0; i < QUERIES; i++) {
+        long start = System.nanoTime();
+        operator.ask("battery?");
+        times.add((System.nanoTime() - start) * 1e-6);
+      }
+      Statistics statistics = new Statistics(times);
+      return List.of(
+          Row.atMost("Query round trip with the window open, median", 0.3, statistics.median()),
+          Row.atMost("… 99th percentile", 5, statistics.quantile(0.99)));
+    }
+  }
+
+  /** Growth of the used heap over a long flight with state and log. */
+  private static Row heapAfter(double minutes) throws IOException {
+    try (Simulator simulator = Simulator.inWindow(NOT_ON_THE_USUAL_PORTS);
+        Operator operator = new Operator(simulator.port(1))) {
+      operator.expect("command", "ok");
+      Tour.fly(operator);
+      double before = simulator.heapMegabytes();
+      long end = System.nanoTime() + (long) (minutes * 60e9);
+      while (System.nanoTime() < end) {
+        Tour.fly(operator);
+      }
+      double growth = simulator.heapMegabytes() - before;
+      return new Row(
+          String.format(
+              Locale.ROOT, "Growth of the used heap in %.0f minutes in the window", minutes),
+          "at most 10 MB",
+          String.format(Locale.ROOT, "%.1f MB, from %.0f MB", growth, before),
+          growth <= 10);
+    }
+  }
+
+  private static void pause() {
+    try {
+      Thread.sleep(100);
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+    }
+  }
+}
