@@ -95,8 +95,7 @@ public final class Main {
         app.switchAllOn();
         out.println(app.ready());
       }
-      app.run(settings, state);
-      return 0;
+      return app.run(settings, state) ? 0 : FAILED;
     }
   }
 

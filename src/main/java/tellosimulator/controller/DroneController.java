@@ -10,6 +10,7 @@ import tellosimulator.command.Responder;
 import tellosimulator.controller.FlightEvent.Fell;
 import tellosimulator.controller.FlightEvent.Note;
 import tellosimulator.math.Vec3;
+import tellosimulator.model.Battery;
 import tellosimulator.model.DroneModel;
 import tellosimulator.model.DroneSpec;
 import tellosimulator.model.FlightPhase;
@@ -24,9 +25,6 @@ import tellosimulator.world.Collision;
  * simulation thread.
  */
 public final class DroneController implements CommandTarget {
-
-  /** Battery percentage that a flip needs. Measured: DJITelloPy issue 224. */
-  private static final int ENOUGH_FOR_FLIP = 50;
 
   private final Wiring wiring;
   private final DroneModel model;
@@ -250,11 +248,12 @@ public final class DroneController implements CommandTarget {
     if (refusedForBattery(responder)) {
       return;
     }
-    if (percent < ENOUGH_FOR_FLIP) {
+    if (percent < Battery.LEAST_FOR_FLIP) {
       responder.refuse(
           Reply.ERROR,
           Phrase.of(
-              "the battery is at %d %%, a flip needs at least %d %%", percent, ENOUGH_FOR_FLIP));
+              "the battery is at %d %%, a flip needs at least %d %%",
+              percent, Battery.LEAST_FOR_FLIP));
       return;
     }
     flight.fly(

@@ -11,6 +11,7 @@ import tellosimulator.controller.FlightEvent.LandingCancelled;
 import tellosimulator.controller.FlightEvent.LandsByItself;
 import tellosimulator.controller.FlightEvent.TookOff;
 import tellosimulator.math.Vec3;
+import tellosimulator.model.Battery;
 import tellosimulator.model.DroneModel;
 import tellosimulator.model.DroneSpec;
 import tellosimulator.model.FlightPhase;
@@ -26,9 +27,6 @@ import tellosimulator.world.Surface;
  * landing, crash, and the landings that nobody commanded. For the simulation thread.
  */
 final class Flight {
-
-  /** Battery percentage at which it lands by itself. Assumed. */
-  private static final int LOW_BATTERY = 5;
 
   /** Silence after which it lands by itself [s]. Documented: SDK 2.0 User Guide. */
   private static final double SILENCE = 15;
@@ -262,7 +260,7 @@ final class Flight {
       interrupt(Reply.MOTOR_STOP, reason);
       motorsOff(FlightPhase.FALLING, false);
       observer.happened(new Fell(reason));
-    } else if (model.battery().percent() <= LOW_BATTERY && !landing()) {
+    } else if (model.battery().percent() <= Battery.LANDS_BY_ITSELF && !landing()) {
       Phrase reason = Phrase.of("the battery is at %d %%", model.battery().percent());
       interrupt(Reply.AUTO_LAND, reason);
       land(Task.NOBODY);

@@ -2,15 +2,13 @@ package tellosimulator.controller;
 
 import java.util.Optional;
 import tellosimulator.command.Reply;
+import tellosimulator.model.Battery;
 import tellosimulator.model.DroneModel;
 import tellosimulator.model.FlightPhase;
 import tellosimulator.words.Phrase;
 
 /** What keeps a drone from taking off. */
 final class Preflight {
-
-  /** Battery percentage at which a takeoff is refused. Assumed. */
-  private static final int TOO_LOW = 10;
 
   /**
    * Why not.
@@ -33,10 +31,12 @@ final class Preflight {
     if (model.battery().empty()) {
       return objection(Reply.MOTOR_STOP, Phrase.of("the battery is empty"));
     }
-    if (percent <= TOO_LOW) {
+    if (percent <= Battery.TOO_LOW_FOR_TAKEOFF) {
       return objection(
           Reply.ERROR,
-          Phrase.of("the battery is at %d %%, a takeoff needs more than %d %%", percent, TOO_LOW));
+          Phrase.of(
+              "the battery is at %d %%, a takeoff needs more than %d %%",
+              percent, Battery.TOO_LOW_FOR_TAKEOFF));
     }
     if (!model.resting()) {
       return objection(Reply.ERROR, Phrase.of("the drone is still falling"));

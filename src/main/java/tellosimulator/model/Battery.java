@@ -7,6 +7,15 @@ package tellosimulator.model;
  */
 public record Battery(double level) {
 
+  /** A flip needs at least this much [%]. Measured: DJITelloPy issue 224. */
+  public static final int LEAST_FOR_FLIP = 50;
+
+  /** A takeoff needs more than this [%]. Assumed. */
+  public static final int TOO_LOW_FOR_TAKEOFF = 10;
+
+  /** In flight it lands by itself at this, and below [%]. Assumed. */
+  public static final int LANDS_BY_ITSELF = 5;
+
   public static final Battery FULL = new Battery(1);
 
   public Battery {

@@ -48,8 +48,13 @@ final class Drone {
   /** Period of state lines [s]. Report. */
   private static final double PERIOD = 0.1;
 
-  /** Battery percentages worth a line: no flip, soon no takeoff, lands by itself. */
-  private static final Set<Integer> TOLD_PERCENTAGES = Set.of(49, 20, 10, 5);
+  /** Battery percentages worth a line: no flip, soon no takeoff, no takeoff, lands by itself. */
+  private static final Set<Integer> TOLD_PERCENTAGES =
+      Set.of(
+          Battery.LEAST_FOR_FLIP - 1,
+          2 * Battery.TOO_LOW_FOR_TAKEOFF,
+          Battery.TOO_LOW_FOR_TAKEOFF,
+          Battery.LANDS_BY_ITSELF);
 
   private final SimConfig config;
   private final ReplyPort replies;
@@ -160,9 +165,17 @@ final class Drone {
         config.withProduct(newProfile, newBehaviour).withOutlets(change.outlets());
     Drone other = new Drone(model, newConfig, replies, events);
     other.plan(now);
-    other.note(
-        Phrase.of(
-            "is of profile %s and behaviour %s now", newProfile.option(), newBehaviour.option()));
+    if (!change.product().equals(config.product())) {
+      other.note(
+          Phrase.of(
+              "is of profile %s and behaviour %s now", newProfile.option(), newBehaviour.option()));
+    }
+    if (!change.outlets().equals(config.outlets())) {
+      other.note(
+          Phrase.of(
+              "sends its state to port %d and its video to port %d from now on",
+              change.outlets().statePort(), change.outlets().videoPort()));
+    }
     return other;
   }
 

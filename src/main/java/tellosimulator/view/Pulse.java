@@ -1,9 +1,13 @@
 package tellosimulator.view;
 
 import java.util.ArrayList;
+import java.util.HashSet;
 import java.util.List;
+import java.util.Set;
 import java.util.function.LongConsumer;
 import javafx.animation.AnimationTimer;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
 
 /**
  * The beat of the window: once a frame the mirror takes over the newest snapshot, then those that
@@ -11,6 +15,9 @@ import javafx.animation.AnimationTimer;
  */
 public final class Pulse {
 
+  private static final Logger LOG = LoggerFactory.getLogger(Pulse.class);
+
+  private final Set<Object> failed = new HashSet<>();
   private final Runnable mirror;
   private final List<LongConsumer> listeners = new ArrayList<>();
   private final AnimationTimer timer =
@@ -44,8 +51,21 @@ public final class Pulse {
    * @param nanos the frame's time, of which only differences mean something [ns]
    */
   public void beat(long nanos) {
-    mirror.run();
-    listeners.forEach(listener -> listener.accept(nanos));
+    guarded(mirror, mirror);
+    for (LongConsumer listener : listeners) {
+      guarded(listener, () -> listener.accept(nanos));
+    }
+  }
+
+  /** One that fails does not hold up the others, and complains once rather than at each frame. */
+  private void guarded(Object who, Runnable work) {
+    try {
+      work.run();
+    } catch (RuntimeException e) {
+      if (failed.add(who)) {
+        LOG.error("A part of the window failed; please report this: {}", e.toString(), e);
+      }
+    }
   }
 
   /**

@@ -21,6 +21,7 @@ public final class SimulatorApp implements AutoCloseable {
   private final LogFeed feed = new LogFeed();
   private final OnlineSimulation simulation;
   private final CountDownLatch closed = new CountDownLatch(1);
+  private volatile boolean failed;
 
   /**
    * Starts the simulation; all drones are off.
@@ -50,19 +51,22 @@ public final class SimulatorApp implements AutoCloseable {
    *
    * @param settings what was remembered, and what is to be remembered
    * @param state what the window is switched to
+   * @return whether there was a window; if not, the log says why
    */
-  public void run(Settings settings, WindowState state) throws InterruptedException {
+  public boolean run(Settings settings, WindowState state) throws InterruptedException {
     Platform.runLater(
         () -> {
           try {
             open(settings, state);
           } catch (RuntimeException e) {
+            failed = true;
             closed.countDown(); // or the program would go on, with nothing to be seen of it
             throw e;
           }
         });
     closed.await();
     Platform.exit();
+    return !failed;
   }
 
   private void open(Settings settings, WindowState state) {

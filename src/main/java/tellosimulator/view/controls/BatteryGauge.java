@@ -7,6 +7,7 @@ import javafx.scene.AccessibleAttribute;
 import javafx.scene.layout.Region;
 import javafx.scene.shape.Rectangle;
 import javafx.scene.text.Text;
+import tellosimulator.model.Battery;
 import tellosimulator.view.text.Messages;
 
 /** The battery's charge as a filled battery and a number. For the JavaFX thread. */
@@ -14,13 +15,13 @@ final class BatteryGauge extends Region {
 
   /** What the charge means for flying, by the drone's own limits. */
   enum Charge {
-    /** Flips are possible. Report: from 50 %. */
-    GOOD(50),
+    /** Flips are possible. */
+    GOOD(Battery.LEAST_FOR_FLIP),
     /** No flips. */
-    FAIR(20),
+    FAIR(2 * Battery.TOO_LOW_FOR_TAKEOFF),
     /** Soon no takeoff any more. */
-    LOW(10),
-    /** Lands by itself before long. */
+    LOW(Battery.TOO_LOW_FOR_TAKEOFF + 1),
+    /** No takeoff, and before long it lands by itself. */
     CRITICAL(0);
 
     private final int least;

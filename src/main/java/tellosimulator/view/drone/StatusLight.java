@@ -1,6 +1,7 @@
 package tellosimulator.view.drone;
 
 import javafx.scene.paint.Color;
+import tellosimulator.model.Battery;
 import tellosimulator.model.FlightPhase;
 
 /**
@@ -22,12 +23,6 @@ enum StatusLight {
   CRITICAL_BATTERY(Color.web("#ff2b20"), new double[] {0.3, 0, 0.15}),
   FAILED(Color.web("#ff2b20"), new double[] {1, 0});
 
-  /** At and below this a takeoff is refused [percent]. Decided: fact sheet. */
-  private static final double LOW_PERCENT = 10;
-
-  /** At and below this a drone lands by itself [percent]. Decided: fact sheet. */
-  private static final double CRITICAL_PERCENT = 5;
-
   private final Color color;
   private final double[] pattern;
 
@@ -47,10 +42,10 @@ enum StatusLight {
     if (phase == FlightPhase.CRASHED) {
       return FAILED;
     }
-    if (batteryPercent <= CRITICAL_PERCENT) {
+    if (batteryPercent <= Battery.LANDS_BY_ITSELF) {
       return CRITICAL_BATTERY;
     }
-    if (batteryPercent <= LOW_PERCENT) {
+    if (batteryPercent <= Battery.TOO_LOW_FOR_TAKEOFF) {
       return LOW_BATTERY;
     }
     return commanded ? READY : WAITING;

@@ -100,7 +100,7 @@ class InstrumentsFxTest {
     robot.interact(() -> battery.percentProperty().set(50));
     assertThat(battery.getPseudoClassStates()).isEmpty();
     Map<Integer, String> steps =
-        Map.of(49, "fair", 20, "fair", 19, "low", 10, "low", 9, "critical");
+        Map.of(49, "fair", 20, "fair", 19, "low", 11, "low", 10, "critical");
     steps.forEach(
         (percent, look) -> {
           robot.interact(() -> battery.percentProperty().set(percent));

@@ -1,0 +1,37 @@
+package tellosimulator.view;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+
+class PulseTest {
+
+  private final List<String> done = new ArrayList<>();
+  private final Pulse pulse = new Pulse(() -> done.add("mirror"));
+
+  @Test
+  void theMirrorComesFirstThenTheListenersInTheirOrder() {
+    pulse.onBeat(nanos -> done.add("first at " + nanos));
+    pulse.onBeat(nanos -> done.add("second"));
+
+    pulse.beat(7);
+
+    assertThat(done).containsExactly("mirror", "first at 7", "second");
+  }
+
+  @Test
+  void oneThatFailsDoesNotHoldUpTheOthers() {
+    pulse.onBeat(
+        nanos -> {
+          throw new IllegalStateException("broken on purpose");
+        });
+    pulse.onBeat(nanos -> done.add("second"));
+
+    pulse.beat(1);
+    pulse.beat(2);
+
+    assertThat(done).containsExactly("mirror", "second", "mirror", "second");
+  }
+}
