@@ -29,12 +29,18 @@ public final class SimulatorCamera {
   /** Height of a drone's middle above its feet [m]. Documented: half of 41 mm. */
   private static final Vec3 MIDDLE = new Vec3(0, 0, 0.02);
 
-  /** From behind and above, a little from the right. Decided: one sees nose, floor and shadow. */
+  /**
+   * From behind and above, a little from the right. Decided: one sees nose, shadow, floor and two
+   * walls, so that one knows where in the room the drone is.
+   */
   private static final double START_HEADING = Math.toRadians(24);
 
-  private static final double START_ELEVATION = Math.toRadians(22);
+  private static final double START_ELEVATION = Math.toRadians(17);
 
-  private static final double START_DISTANCE = 1.35;
+  private static final double START_DISTANCE = 1.9;
+
+  /** From where one looks at the drone's sides, or from nearer [m]. Decided: by eye. */
+  private static final double LOOK_DISTANCE = 1.35;
 
   /** How far behind the drone it follows may be, as a part of its distance. Decided. */
   private static final double LAG = 0.25;
@@ -159,7 +165,7 @@ public final class SimulatorCamera {
   private void look(double heading, double elevation, boolean withDrone) {
     chasing = withDrone;
     double own = withDrone ? 0 : heading;
-    orbit = new Orbit(own, elevation, Math.min(orbit.distance(), START_DISTANCE), Vec3.ZERO);
+    orbit = new Orbit(own, elevation, Math.min(orbit.distance(), LOOK_DISTANCE), Vec3.ZERO);
   }
 
   private static Orbit start() {
