@@ -162,6 +162,7 @@ public final class SimulatorWindow implements AutoCloseable {
   public void show() {
     context.pulse().start();
     stage.show();
+    world.requestFocus(); // or the first button would have it, and Space would press that
     OpeningSize.hold(stage);
     FrameLog.begin();
   }

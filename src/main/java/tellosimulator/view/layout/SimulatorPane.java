@@ -15,7 +15,7 @@ import javafx.scene.layout.VBox;
 /**
  * The frame of the window: simulator controls at the left, network controls at the right, log
  * below, the 3D scene in the middle. In full-screen the scene fills everything and the other parts
- * lie over it.
+ * lie over it, those at the sides no higher than they need.
  */
 public final class SimulatorPane extends BorderPane {
 
@@ -70,6 +70,7 @@ public final class SimulatorPane extends BorderPane {
     bottom.getStyleClass().add("panel");
     for (Node side : new Node[] {parts.simulatorControls(), parts.networkControls()}) {
       side.getStyleClass().add("panel");
+      BorderPane.setAlignment(side, Pos.TOP_CENTER);
     }
     StackPane free = new StackPane(parts.middle().pilot());
     free.setAlignment(Pos.BOTTOM_CENTER);
@@ -115,12 +116,15 @@ public final class SimulatorPane extends BorderPane {
   }
 
   private void arrange(boolean over) {
+    double sideHeight = over ? USE_PREF_SIZE : Double.MAX_VALUE;
     BorderPane emptied = over ? this : overlay;
     emptied.setTop(null);
     emptied.setLeft(null);
     emptied.setRight(null);
     emptied.setBottom(null);
     BorderPane filled = over ? overlay : this;
+    parts.simulatorControls().setMaxHeight(sideHeight);
+    parts.networkControls().setMaxHeight(sideHeight);
     filled.setTop(parts.bar());
     filled.setLeft(parts.simulatorControls());
     filled.setRight(parts.networkControls());

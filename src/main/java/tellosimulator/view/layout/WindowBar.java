@@ -2,6 +2,7 @@ package tellosimulator.view.layout;
 
 import atlantafx.base.theme.Styles;
 import javafx.beans.property.Property;
+import javafx.geometry.Orientation;
 import javafx.geometry.Pos;
 import javafx.scene.Node;
 import javafx.scene.control.Button;
@@ -42,7 +43,7 @@ public final class WindowBar extends ToolBar {
     getItems()
         .setAll(
             toggle("show-controls", Feather.SLIDERS, state.simulatorControlsShownProperty()),
-            new Separator(),
+            new Separator(Orientation.VERTICAL),
             views(),
             droneCamera(),
             toggle("show-inset", Feather.IMAGE, scene.insetVisibleProperty()),
@@ -52,7 +53,7 @@ public final class WindowBar extends ToolBar {
             new SettingsMenu(context.language(), state, pages),
             button("help", Feather.HELP_CIRCLE, pages::toggleHelp),
             toggle("full-screen", Feather.MAXIMIZE, state.fullScreenProperty()),
-            new Separator(),
+            new Separator(Orientation.VERTICAL),
             toggle("show-log", Feather.TERMINAL, state.logShownProperty()),
             toggle("show-network", Feather.WIFI, state.networkControlsShownProperty()));
   }

@@ -15,8 +15,8 @@ import tellosimulator.view.settings.Settings;
  */
 public final class WindowState {
 
-  /** Height of the log at first [px]. Decided: half a dozen lines. */
-  static final double LOG_HEIGHT = 172;
+  /** Height of the log at first [px]. Decided: six lines. */
+  static final double LOG_HEIGHT = 163;
 
   /** Limits of the height of the log [px]. Decided: a line, and any screen. */
   static final double LEAST_LOG_HEIGHT = 90;
