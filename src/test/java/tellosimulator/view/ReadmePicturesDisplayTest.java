@@ -203,7 +203,7 @@ class ReadmePicturesDisplayTest {
     for (int y = 0; y < height; y++) {
       for (int x = 0; x < width; x++) {
         int color = picture.getPixelReader().getArgb(x, y) & 0xfefefe;
-        image.setRGB(x, y, color | color >> 7 & 0x010101);
+        image.setRGB(x, y, color | ((color >> 7) & 0x010101));
       }
     }
     return image;
