@@ -149,6 +149,8 @@ public final class SimulatorWindow implements AutoCloseable {
     WindowPlacement.remember(stage, settings);
     settings.bind("show.trail", world.trailVisibleProperty(), Codec.flag());
     settings.bind("show.inset", world.insetVisibleProperty(), Codec.flag());
+    settings.bind("show.inset-enlarged", world.insetEnlargedProperty(), Codec.flag());
+    settings.bind("show.smooth-edges", world.antialiasingProperty(), Codec.flag());
     settings.bind("log.level", log.levelProperty(), Codec.constant(LogLevel.class));
     settings.bind("log.time-stamps", log.timeStampsProperty(), Codec.flag());
     settings.bind(

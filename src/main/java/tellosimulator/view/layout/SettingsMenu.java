@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Locale;
 import javafx.beans.property.Property;
 import javafx.beans.value.ObservableValue;
+import javafx.scene.control.CheckMenuItem;
 import javafx.scene.control.Menu;
 import javafx.scene.control.MenuButton;
 import javafx.scene.control.MenuItem;
@@ -21,7 +22,7 @@ final class SettingsMenu extends MenuButton {
 
   private final Messages messages;
 
-  SettingsMenu(Language language, WindowState state, PageOverlay pages) {
+  SettingsMenu(Language language, WindowState state, Property<Boolean> smooth, PageOverlay pages) {
     super("", new FontIcon(Feather.SETTINGS));
     messages = language.messages(SettingsMenu.class);
     setId("settings");
@@ -32,11 +33,16 @@ final class SettingsMenu extends MenuButton {
     about.setId("about");
     about.textProperty().bind(messages.text("about"));
     about.setOnAction(event -> pages.showAbout());
+    CheckMenuItem smoothEdges = new CheckMenuItem();
+    smoothEdges.setId("smooth-edges");
+    smoothEdges.textProperty().bind(messages.text("smooth-edges"));
+    smoothEdges.selectedProperty().bindBidirectional(smooth);
     getItems()
         .setAll(
             choice("language", Language.OFFERED, language.localeProperty()),
             choice("theme", List.of(Theme.values()), state.themeProperty()),
             choice("scale", List.of(UiScale.values()), state.uiScaleProperty()),
+            smoothEdges,
             about);
   }
 

@@ -50,7 +50,7 @@ public final class WindowBar extends ToolBar {
             toggle("show-trail", Feather.ACTIVITY, scene.trailVisibleProperty()),
             space(),
             theme(),
-            new SettingsMenu(context.language(), state, pages),
+            new SettingsMenu(context.language(), state, scene.antialiasingProperty(), pages),
             button("help", Feather.HELP_CIRCLE, pages::toggleHelp),
             toggle("full-screen", Feather.MAXIMIZE, state.fullScreenProperty()),
             new Separator(Orientation.VERTICAL),
