@@ -56,7 +56,9 @@ final class ProgramProcess implements AutoCloseable {
             .redirectError(errors.toFile());
     builder.command().addAll(List.of(options.split(" ", -1)));
     builder.environment().remove(hidden);
-    builder.environment().put("XDG_CONFIG_HOME", errors.resolveSibling("no-settings").toString());
+    builder
+        .environment()
+        .put("XDG_CONFIG_HOME", Path.of("target", "no-settings").toAbsolutePath().toString());
     return new ProgramProcess(builder.start(), errors);
   }
 
