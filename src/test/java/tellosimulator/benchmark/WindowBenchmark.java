@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import tellosimulator.time.Threads;
 
 /** What somebody sees who has the window open, and what an operator program sees then. */
 final class WindowBenchmark {
@@ -64,7 +65,7 @@ final class WindowBenchmark {
       long end = System.nanoTime() + FLIGHT_SECONDS * 1_000_000_000L;
       while (System.nanoTime() < end) {
         operator.expect("forward 5", "out of range");
-        pause();
+        Threads.backOff();
       }
       List<Double> rates = simulator.frameRates();
       double median = new Statistics(rates.subList(WARM_UP_PERIODS, rates.size())).median();
@@ -118,14 +119,6 @@ final class WindowBenchmark {
           "at most 10 MB",
           String.format(Locale.ROOT, "%.1f MB, from %.0f MB", growth, before),
           growth <= 10);
-    }
-  }
-
-  private static void pause() {
-    try {
-      Thread.sleep(100);
-    } catch (InterruptedException e) {
-      Thread.currentThread().interrupt();
     }
   }
 }

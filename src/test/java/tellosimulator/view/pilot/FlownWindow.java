@@ -7,7 +7,6 @@ import java.util.List;
 import java.util.Locale;
 import java.util.OptionalInt;
 import java.util.concurrent.CopyOnWriteArrayList;
-import java.util.concurrent.locks.LockSupport;
 import java.util.function.BooleanSupplier;
 import tellosimulator.model.FlightPhase;
 import tellosimulator.network.AddressPlan;
@@ -74,7 +73,7 @@ public final class FlownWindow implements AutoCloseable {
     while (!reached.getAsBoolean()) {
       assertThat(System.nanoTime()).as("reached before the end of patience").isLessThan(end);
       beat();
-      LockSupport.parkNanos(500_000);
+      Thread.yield();
     }
   }
 
