@@ -22,10 +22,10 @@ final class ChartDeck extends Region {
 
   private static final double GAP = 8;
 
-  /** Height of charts beside each other [px]. */
+  /** Height of charts beside each other, at least and where there is room [px]. */
   private static final double LEAST_ROW = 46;
 
-  private static final double ROW = 66;
+  private static final double ROW = 110;
 
   /** A chart that stands on its own is this high at least, and at the most [px]. */
   private static final double LEAST_ALONE = 64;
