@@ -148,6 +148,7 @@ class ReadmePicturesDisplayTest {
     window = UPDATE ? WholeWindow.open(fast, settings, PORT) : WholeWindow.open(fast, settings);
     window.switchOn();
     waitUntil(() -> window.stage().getWidth() == WIDTH && window.stage().getHeight() == HEIGHT);
+    new FxRobot().moveTo("#scene-3d"); // where the pointer lights up no button
   }
 
   private void all(String first, String second, String third) {
