@@ -64,6 +64,11 @@ public final class SimulatorActions {
     return simulation.addresses(drone);
   }
 
+  /** Whether time stands still, even if no frame has shown it yet. */
+  public boolean paused() {
+    return simulation.snapshot().clock().paused();
+  }
+
   /** What a drone received and sent. */
   public Traffic traffic(int drone) {
     return simulation.traffic(drone);

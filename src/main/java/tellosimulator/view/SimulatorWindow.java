@@ -17,7 +17,6 @@ import tellosimulator.view.layout.WindowKeys;
 import tellosimulator.view.layout.WindowState;
 import tellosimulator.view.log.LogBox;
 import tellosimulator.view.log.LogFeed;
-import tellosimulator.view.log.LogLevel;
 import tellosimulator.view.pilot.PilotControls;
 import tellosimulator.view.settings.Codec;
 import tellosimulator.view.settings.Settings;
@@ -109,7 +108,7 @@ public final class SimulatorWindow implements AutoCloseable {
   }
 
   private void togglePause() {
-    context.actions().carryOut(new Control.Pause(!context.simulation().pausedProperty().get()));
+    context.actions().carryOut(new Control.Pause(!context.actions().paused()));
   }
 
   private void switchCamera() {
@@ -151,7 +150,6 @@ public final class SimulatorWindow implements AutoCloseable {
     settings.bind("show.inset", world.insetVisibleProperty(), Codec.flag());
     settings.bind("show.inset-enlarged", world.insetEnlargedProperty(), Codec.flag());
     settings.bind("show.smooth-edges", world.antialiasingProperty(), Codec.flag());
-    settings.bind("log.level", log.levelProperty(), Codec.constant(LogLevel.class));
     settings.bind("log.time-stamps", log.timeStampsProperty(), Codec.flag());
     settings.bind(
         "grid-cm",

@@ -79,8 +79,8 @@ final class LinkPanel extends VBox {
   /** Counts anew. */
   void refresh() {
     Traffic traffic = actions.traffic(simulation.selected().number());
-    received.set(Long.toString(traffic.received()));
-    sent.set(Long.toString(traffic.sent()));
+    received.set(NumberText.count(traffic.received()));
+    sent.set(NumberText.count(traffic.sent()));
   }
 
   private static boolean linked(DroneSnapshot drone) {

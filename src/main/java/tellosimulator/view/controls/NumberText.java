@@ -56,4 +56,9 @@ final class NumberText {
     return String.format(
         Locale.ROOT, "%d:%02d:%02d.%d", minutes / 60, minutes % 60, tenths / 10 % 60, tenths % 10);
   }
+
+  /** A count that grows without end: in whole thousands from ten thousand on. */
+  static String count(long value) {
+    return value < 10_000 ? Long.toString(value) : value / 1000 + " k";
+  }
 }

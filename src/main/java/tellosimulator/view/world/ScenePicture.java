@@ -64,9 +64,8 @@ final class ScenePicture {
 
   void lookThrough(ViewCamera newSeen) {
     seen = newSeen;
-    boolean drones = seen == ViewCamera.DRONE;
-    subScene.setCamera(drones ? onDrone : orbiting);
-    world.aids().setVisible(!drones);
+    subScene.setCamera(seen == ViewCamera.DRONE ? onDrone : orbiting);
+    world.showFor(seen);
   }
 
   /**
@@ -81,6 +80,7 @@ final class ScenePicture {
     Pose onNose = droneCamera.pose();
     FxFrames.aim(onDronePlace, onNose);
     onDrone.setFarClip(droneCamera.far());
+    world.showFor(seen); // another drone may be selected
     world.advance(nanos, seen == ViewCamera.DRONE ? onNose : camera.pose());
   }
 
@@ -91,10 +91,9 @@ final class ScenePicture {
    * @param photographer takes it of a node and with a camera
    */
   void photograph(Photographer photographer) {
-    boolean before = world.aids().isVisible();
-    world.aids().setVisible(false);
+    world.showFor(ViewCamera.DRONE);
     photographer.photograph(world, onDrone);
-    world.aids().setVisible(before);
+    world.showFor(seen);
   }
 
   /** Takes a picture. */

@@ -72,9 +72,17 @@ final class World extends Group {
     return trails;
   }
 
-  /** What helps to see where drones are, but is not in the room. */
-  Node aids() {
-    return aids;
+  /**
+   * Shows what is in the room, and what helps people to see where drones are; or only what the
+   * selected drone's camera sees, in which it is not itself.
+   */
+  void showFor(ViewCamera camera) {
+    boolean people = camera == ViewCamera.SIMULATOR;
+    aids.setVisible(people);
+    for (int i = 0; i < drones.size(); i++) {
+      boolean itself = simulation.drones().get(i) == simulation.selected();
+      drones.get(i).view.setVisible(people || !itself);
+    }
   }
 
   private void initializeSelf() {

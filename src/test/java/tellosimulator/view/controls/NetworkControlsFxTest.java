@@ -229,12 +229,12 @@ class NetworkControlsFxTest {
     assertThat(window.snapshot().clock().factor()).isEqualTo(new TimeFactor(5));
 
     window.context().actions().carryOut(new Control.SetTimeFactor(TimeFactor.MAX));
-    window.until(() -> factor.getButtonCell().getText().equals("max"));
+    window.until(() -> "max".equals(factor.getButtonCell().getText()));
     window.speak(Locale.GERMAN);
     assertThat(factor.getButtonCell().getText()).isEqualTo("maximal");
 
     window.context().actions().carryOut(new Control.SetTimeFactor(new TimeFactor(0.3)));
-    window.until(() -> factor.getButtonCell().getText().equals("0,3 ×"));
+    window.until(() -> "0,3 ×".equals(factor.getButtonCell().getText()));
     window.settle();
     assertThat(window.snapshot().clock().factor()).isEqualTo(new TimeFactor(0.3));
   }

@@ -80,4 +80,10 @@ class NumberTextTest {
     assertThat(NumberText.factor(0.25, Locale.ENGLISH)).isEqualTo("0.25 ×");
     assertThat(NumberText.factor(20, Locale.GERMAN)).isEqualTo("20 ×");
   }
+
+  @ParameterizedTest
+  @CsvSource({"0,0", "9999,9999", "10000,10 k", "42902,42 k", "1234567,1234 k"})
+  void aLargeCountIsInThousands(long count, String text) {
+    assertThat(NumberText.count(count)).isEqualTo(text);
+  }
 }

@@ -17,6 +17,7 @@ import tellosimulator.sim.SimConfig;
 import tellosimulator.sim.SimConfig.Outlets;
 import tellosimulator.sim.SimEvent;
 import tellosimulator.sim.SimListener;
+import tellosimulator.time.Threads;
 import tellosimulator.view.ViewContext;
 import tellosimulator.view.text.Language;
 
@@ -73,7 +74,7 @@ public final class FlownWindow implements AutoCloseable {
     while (!reached.getAsBoolean()) {
       assertThat(System.nanoTime()).as("reached before the end of patience").isLessThan(end);
       beat();
-      Thread.yield();
+      Threads.backOff();
     }
   }
 
