@@ -38,6 +38,9 @@ final class WindowBenchmark {
     return rows;
   }
 
+  /** Pauses of 10 ms between two refused commands, so that the log takes ten a second. */
+  private static final int PAUSES = 10;
+
   /** From the start of the process to a window that can be used. */
   private static Row start() throws IOException {
     List<Double> seconds = new ArrayList<>();
@@ -65,7 +68,9 @@ final class WindowBenchmark {
       long end = System.nanoTime() + FLIGHT_SECONDS * 1_000_000_000L;
       while (System.nanoTime() < end) {
         operator.expect("forward 5", "out of range");
-        Threads.backOff();
+        for (int i = 0; i < PAUSES; i++) {
+          Threads.backOff();
+        }
       }
       List<Double> rates = simulator.frameRates();
       double median = new Statistics(rates.subList(WARM_UP_PERIODS, rates.size())).median();
