@@ -55,6 +55,10 @@ public final class SimulatorWindow implements AutoCloseable {
     this.stage = stage;
     this.context = context;
     this.state = state;
+    // First: the first control would load the toolkit's own looks, if there were no others.
+    state
+        .themeProperty()
+        .subscribe(theme -> Application.setUserAgentStylesheet(theme.stylesheet()));
     world = new Simulator3DScene(context);
     pilot = new PilotControls(context);
     simulatorControls = new SimulatorControls(context);
@@ -127,9 +131,6 @@ public final class SimulatorWindow implements AutoCloseable {
   }
 
   private void setupBindings() {
-    state
-        .themeProperty()
-        .subscribe(theme -> Application.setUserAgentStylesheet(theme.stylesheet()));
     state.fullScreenProperty().subscribe(stage::setFullScreen);
     stage.fullScreenProperty().subscribe(full -> state.fullScreenProperty().set(full));
     simulatorControls

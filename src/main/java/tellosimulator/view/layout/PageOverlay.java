@@ -3,6 +3,7 @@ package tellosimulator.view.layout;
 import atlantafx.base.controls.ModalPane;
 import java.util.Optional;
 import javafx.scene.Node;
+import javafx.scene.control.Button;
 import javafx.scene.layout.StackPane;
 import tellosimulator.view.ViewContext;
 
@@ -14,13 +15,11 @@ import tellosimulator.view.ViewContext;
 public final class PageOverlay extends StackPane {
 
   private final ModalPane pane = new ModalPane();
-  private final HelpPage help;
-  private final AboutPage about;
+  private final ViewContext context;
   private Optional<Node> focusedBefore = Optional.empty();
 
   public PageOverlay(ViewContext context) {
-    help = new HelpPage(context);
-    about = new AboutPage(context);
+    this.context = context;
     initializeSelf();
     initializeParts();
     layoutParts();
@@ -30,24 +29,27 @@ public final class PageOverlay extends StackPane {
 
   /** Opens the help, or closes it if it is open. */
   public void toggleHelp() {
-    if (pane.isDisplay() && pane.getContent() == help) {
+    if (pane.isDisplay() && pane.getContent() instanceof HelpPage) {
       pane.hide(true);
     } else {
+      HelpPage help = new HelpPage(context); // made only now, because the window shall open fast
       help.refresh();
       show(help, help.closeButton());
     }
   }
 
   public void showAbout() {
+    AboutPage about = new AboutPage(context);
     show(about, about.closeButton());
   }
 
-  private void show(Node page, Node focused) {
+  private void show(Node page, Button close) {
+    close.setOnAction(pressed -> pane.hide(true));
     if (!pane.isDisplay()) {
       focusedBefore = Optional.ofNullable(getScene().getFocusOwner());
     }
     pane.show(page);
-    focused.requestFocus();
+    close.requestFocus();
   }
 
   private void initializeSelf() {
@@ -66,8 +68,6 @@ public final class PageOverlay extends StackPane {
   }
 
   private void setupEventHandlers() {
-    help.closeButton().setOnAction(pressed -> pane.hide(true));
-    about.closeButton().setOnAction(pressed -> pane.hide(true));
     pane.displayProperty()
         .addListener(
             (observed, before, shown) -> {
