@@ -1,0 +1,16 @@
+package tellosimulator.video.camera;
+
+import tellosimulator.sim.SimSnapshot;
+import tellosimulator.video.picture.Picture;
+
+/** Where the pictures of a drone's camera come from. Each video thread has its own. */
+public interface FrameSource {
+
+  /**
+   * Fills a picture with what the camera sees. Returns when it is filled.
+   *
+   * @param snapshot the moment
+   * @param picture gets the picture; its size is that of the picture
+   */
+  void film(SimSnapshot snapshot, Shot shot, Picture picture);
+}
