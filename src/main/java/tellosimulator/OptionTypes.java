@@ -47,6 +47,20 @@ final class OptionTypes {
     }
   }
 
+  /** One port for all drones, or one for each. */
+  record PortList(List<Integer> ports) {}
+
+  static final class PortsOfDrones implements ITypeConverter<PortList> {
+    @Override
+    public PortList convert(String words) {
+      List<Integer> ports = new ArrayList<>();
+      for (String word : words.split(",", -1)) {
+        ports.add(wholeNumber(word, 1, HIGHEST_PORT, "a port from 1 to 65535"));
+      }
+      return new PortList(List.copyOf(ports));
+    }
+  }
+
   static final class PortOrFree implements ITypeConverter<Integer> {
     @Override
     public Integer convert(String word) {

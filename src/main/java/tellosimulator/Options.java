@@ -59,11 +59,13 @@ final class Options {
 
   @Option(
       names = "--video-port",
-      paramLabel = "PORT",
+      paramLabel = "PORT,...",
       defaultValue = "11111",
-      converter = OptionTypes.Port.class,
-      description = "Where your program takes the drone's video. Default: 11111.")
-  private int videoPort;
+      converter = OptionTypes.PortsOfDrones.class,
+      description =
+          "Where your program takes the drone's video: one port for all drones, or one for each."
+              + " Default: 11111.")
+  private OptionTypes.PortList videoPorts;
 
   @Option(
       names = "--reply-port",
@@ -201,7 +203,20 @@ final class Options {
         Swarm.row(droneCount(), start.inMetres(), room),
         timeFactor,
         seed,
-        new Outlets(statePort, videoPort));
+        outlets());
+  }
+
+  private List<Outlets> outlets() {
+    List<Integer> ports = videoPorts.ports();
+    if (ports.size() != 1 && ports.size() != droneCount()) {
+      throw new IllegalArgumentException(
+          String.format(
+              Locale.ROOT,
+              "--video-port has %d ports for %d drones, but must have one for each, or one for all",
+              ports.size(),
+              droneCount()));
+    }
+    return ports.stream().map(port -> new Outlets(statePort, port)).toList();
   }
 
   /**

@@ -50,10 +50,27 @@ class OptionsTest {
     assertThat(config.starts().get(0).position()).isEqualTo(new Vec3(1, -0.5, 0));
     assertThat(config.timeFactor()).isEqualTo(new TimeFactor(2.5));
     assertThat(config.seed()).isEqualTo(-7);
-    assertThat(config.outlets()).isEqualTo(new Outlets(9001, 9002));
+    assertThat(config.outlets(1)).isEqualTo(new Outlets(9001, 9002));
     assertThat(options.replyPort()).isEqualTo(OptionalInt.of(8889));
     assertThat(options.logLevel()).isEqualTo("debug");
     assertThat(options.headless()).isTrue();
+  }
+
+  @Test
+  void eachDroneMaySendItsVideoToAPortOfItsOwn() {
+    SimConfig config = options("--drones 2 --video-port 11111,11112").simConfig();
+
+    assertThat(config.outlets(1)).isEqualTo(new Outlets(8890, 11111));
+    assertThat(config.outlets(2)).isEqualTo(new Outlets(8890, 11112));
+  }
+
+  @Test
+  void videoPortsMustFitTheDrones() {
+    Options options = options("--drones 3 --video-port 11111,11112");
+
+    assertThatThrownBy(options::simConfig)
+        .hasMessage(
+            "--video-port has 2 ports for 3 drones, but must have one for each, or one for all");
   }
 
   @ParameterizedTest

@@ -30,6 +30,7 @@ import tellosimulator.profile.Profile;
 import tellosimulator.sensor.Instruments;
 import tellosimulator.sensor.SeededNoise;
 import tellosimulator.sensor.SeededNoise.Channel;
+import tellosimulator.sim.SimConfig.Outlets;
 import tellosimulator.time.Periodic;
 import tellosimulator.time.SimTime;
 import tellosimulator.words.Phrase;
@@ -98,7 +99,8 @@ final class Drone {
     this.noise = new SeededNoise(config.seed(), number);
     this.instruments = new Instruments(behaviour, noise);
     this.state = model.snapshot(now);
-    this.session = new OperatorSession(config.outlets().statePort(), config.outlets().videoPort());
+    Outlets outlets = config.outlets(number);
+    this.session = new OperatorSession(outlets.statePort(), outlets.videoPort());
     this.outbox = new Outbox(replies, this::replyDelay);
     Observer observer = new Observer();
     this.controller =
@@ -170,7 +172,7 @@ final class Drone {
           Phrase.of(
               "is of profile %s and behaviour %s now", newProfile.option(), newBehaviour.option()));
     }
-    if (!change.outlets().equals(config.outlets())) {
+    if (!change.outlets().equals(config.outlets(model.drone()))) {
       other.note(
           Phrase.of(
               "sends its state to port %d and its video to port %d from now on",

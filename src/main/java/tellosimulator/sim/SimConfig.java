@@ -16,7 +16,7 @@ import tellosimulator.world.Room;
  * @param starts where the drones stand, in the order of their numbers
  * @param timeFactor how fast simulated time passes
  * @param seed of everything random
- * @param outlets ports on the operator's host
+ * @param outlets ports on the operator's host: for each drone, or once for all
  */
 public record SimConfig(
     Product product,
@@ -24,7 +24,7 @@ public record SimConfig(
     List<Pose> starts,
     TimeFactor timeFactor,
     long seed,
-    Outlets outlets) {
+    List<Outlets> outlets) {
 
   /** Which drone is simulated, after which account of it. */
   public record Product(Profile profile, Behaviour behaviour) {}
@@ -44,10 +44,24 @@ public record SimConfig(
           Swarm.row(1, Vec3.ZERO, Room.DEFAULT),
           TimeFactor.REAL_TIME,
           1,
-          Outlets.DEFAULT);
+          List.of(Outlets.DEFAULT));
 
   public SimConfig {
     starts = List.copyOf(starts);
+    outlets = List.copyOf(outlets);
+    if (outlets.size() != 1 && outlets.size() != starts.size()) {
+      throw new IllegalArgumentException(
+          "outlets are for "
+              + outlets.size()
+              + " drones, but must be for "
+              + starts.size()
+              + ", or once for all");
+    }
+  }
+
+  /** The ports on the operator's host of the drone of a number, from 1. */
+  public Outlets outlets(int drone) {
+    return outlets.get(outlets.size() == 1 ? 0 : drone - 1);
   }
 
   public SimConfig withProduct(Profile profile, Behaviour behaviour) {
@@ -67,6 +81,6 @@ public record SimConfig(
   }
 
   public SimConfig withOutlets(Outlets newOutlets) {
-    return new SimConfig(product, room, starts, timeFactor, seed, newOutlets);
+    return new SimConfig(product, room, starts, timeFactor, seed, List.of(newOutlets));
   }
 }
