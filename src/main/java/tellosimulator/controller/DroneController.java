@@ -43,7 +43,7 @@ public final class DroneController implements CommandTarget {
     this.session = wiring.session();
     this.observer = wiring.observer();
     this.flight = new Flight(model, wiring.behaviour(), observer);
-    this.equipment = new Equipment(model, wiring.profile(), observer);
+    this.equipment = new Equipment(model, wiring.profile(), wiring.session(), observer);
   }
 
   // --- what the simulation calls in a step ---

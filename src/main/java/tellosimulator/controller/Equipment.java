@@ -1,6 +1,7 @@
 package tellosimulator.controller;
 
 import tellosimulator.command.Command;
+import tellosimulator.command.OperatorSession;
 import tellosimulator.command.Reply;
 import tellosimulator.command.Responder;
 import tellosimulator.model.DroneModel;
@@ -15,11 +16,13 @@ final class Equipment {
 
   private final DroneModel model;
   private final Profile profile;
+  private final OperatorSession session;
   private final FlightObserver observer;
 
-  Equipment(DroneModel model, Profile profile, FlightObserver observer) {
+  Equipment(DroneModel model, Profile profile, OperatorSession session, FlightObserver observer) {
     this.model = model;
     this.profile = profile;
+    this.session = session;
     this.observer = observer;
   }
 
@@ -41,11 +44,12 @@ final class Equipment {
   }
 
   void stream(Command.Stream command, Responder responder) {
-    model.setVideo(model.video().withOn(command.on()));
+    VideoSettings video = model.video();
+    model.setVideo(command.on() ? video.started() : video.stopped());
     observer.happened(
         new FlightEvent.Note(
             command.on()
-                ? Phrase.of("films, but sends no pictures yet")
+                ? Phrase.of("films for port %d of its operator", session.link().videoPort())
                 : Phrase.of("films no more")));
     responder.reply(Reply.OK);
   }

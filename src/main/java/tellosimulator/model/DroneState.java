@@ -24,6 +24,11 @@ public record DroneState(
     PadMode pads,
     VideoSettings video) {
 
+  /** The same drone, moving otherwise. */
+  public DroneState withMotion(Motion newMotion) {
+    return new DroneState(drone, time, newMotion, phase, energy, reference, pads, video);
+  }
+
   /**
    * What flying uses up.
    *

@@ -84,6 +84,11 @@ public final class OnlineSimulation implements AutoCloseable {
     }
   }
 
+  /** Tells one more listener what happens, on the simulation thread. */
+  public void listen(SimListener listener) {
+    simulation.listen(listener);
+  }
+
   /** The latest completed step. */
   public SimSnapshot snapshot() {
     return simulation.snapshot();

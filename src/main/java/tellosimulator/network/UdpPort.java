@@ -34,7 +34,7 @@ public final class UdpPort implements DatagramPort {
    *
    * @throws IOException if the address is not of this machine or the port is taken
    */
-  static UdpPort open(InetSocketAddress address) throws IOException {
+  public static UdpPort open(InetSocketAddress address) throws IOException {
     DatagramChannel channel = DatagramChannel.open(java.net.StandardProtocolFamily.INET);
     try {
       channel.setOption(StandardSocketOptions.SO_RCVBUF, SOCKET_BUFFER);

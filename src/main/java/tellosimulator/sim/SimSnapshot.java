@@ -19,6 +19,11 @@ import tellosimulator.world.Room;
  */
 public record SimSnapshot(SimTime time, Clock clock, Room room, List<DroneSnapshot> drones) {
 
+  /** The same moment with other drones. */
+  public SimSnapshot withDrones(List<DroneSnapshot> newDrones) {
+    return new SimSnapshot(time, clock, room, newDrones);
+  }
+
   /** How simulated time relates to the wall clock. */
   public record Clock(TimeFactor factor, boolean paused) {}
 
@@ -29,5 +34,11 @@ public record SimSnapshot(SimTime time, Clock clock, Room room, List<DroneSnapsh
    * @param product what it is
    * @param start where a reset puts it
    */
-  public record DroneSnapshot(DroneState state, Link link, Product product, Pose start) {}
+  public record DroneSnapshot(DroneState state, Link link, Product product, Pose start) {
+
+    /** The same drone in another state. */
+    public DroneSnapshot withState(DroneState newState) {
+      return new DroneSnapshot(newState, link, product, start);
+    }
+  }
 }

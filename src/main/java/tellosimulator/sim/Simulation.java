@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Queue;
 import java.util.concurrent.ArrayBlockingQueue;
 import java.util.concurrent.ConcurrentLinkedQueue;
+import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.function.IntFunction;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -61,7 +62,7 @@ public final class Simulation {
     this.room = config.room();
     this.clock = new Clock(config.timeFactor(), false);
     this.states = states;
-    this.listeners = List.copyOf(listeners);
+    this.listeners = new CopyOnWriteArrayList<>(listeners);
     for (int number = 1; number <= config.starts().size(); number++) {
       drones.add(new Drone(number, config, replies.apply(number), events::add));
     }
@@ -93,6 +94,11 @@ public final class Simulation {
     }
     controls.add(control);
     wake.run();
+  }
+
+  /** Tells one more listener what happens, after all others. For any thread. */
+  public void listen(SimListener listener) {
+    listeners.add(listener);
   }
 
   /** The latest completed step. For any thread. */

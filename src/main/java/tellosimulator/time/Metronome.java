@@ -1,0 +1,83 @@
+package tellosimulator.time;
+
+import java.util.concurrent.locks.LockSupport;
+
+/**
+ * Lets a thread work at a steady pace by the wall clock. A tick that is missed is left out and
+ * never made up for.
+ *
+ * <p>For one thread, but for {@link #wake} and {@link #nanos}, which are for any.
+ */
+public final class Metronome {
+
+  private volatile Thread owner = Thread.currentThread();
+  private volatile boolean woken;
+  private long due = System.nanoTime();
+
+  /** The wall clock [ns]; only differences mean something. */
+  public long nanos() {
+    return System.nanoTime();
+  }
+
+  /** Lets the next tick come at once. */
+  public void restart() {
+    due = System.nanoTime();
+  }
+
+  /**
+   * Waits for the next tick.
+   *
+   * @param period from this tick to the one after it [ns]
+   * @return whether it came; false if somebody woke the thread before
+   */
+  public boolean awaitTick(long period) {
+    own();
+    due = Math.max(due, System.nanoTime() - period);
+    while (!woken) {
+      long wait = due - System.nanoTime();
+      if (wait <= 0) {
+        due += period;
+        return true;
+      }
+      LockSupport.parkNanos(this, wait);
+    }
+    woken = false;
+    return false;
+  }
+
+  /** When the next tick is due [ns on {@link #nanos}]. */
+  public long due() {
+    return due;
+  }
+
+  /** Waits until a moment [ns on {@link #nanos}], whoever wakes the thread. */
+  public void pauseUntil(long moment) {
+    for (long wait = moment - System.nanoTime(); wait > 0; wait = moment - System.nanoTime()) {
+      LockSupport.parkNanos(this, wait);
+      if (Thread.currentThread().isInterrupted()) {
+        return;
+      }
+    }
+  }
+
+  /**
+   * Waits until somebody wakes the thread; not at all if that has happened since it last waited.
+   */
+  public void rest() {
+    own();
+    while (!woken && !Thread.currentThread().isInterrupted()) {
+      LockSupport.park(this);
+    }
+    woken = false;
+  }
+
+  /** Ends {@link #rest} or {@link #awaitTick}, now or the next time. */
+  public void wake() {
+    woken = true;
+    LockSupport.unpark(owner);
+  }
+
+  private void own() {
+    owner = Thread.currentThread();
+  }
+}

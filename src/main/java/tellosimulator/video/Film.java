@@ -1,0 +1,74 @@
+package tellosimulator.video;
+
+import java.util.Optional;
+import tellosimulator.sim.SimSnapshot;
+import tellosimulator.video.camera.FrameSource;
+import tellosimulator.video.camera.Shot;
+import tellosimulator.video.codec.EncodedPicture;
+import tellosimulator.video.codec.Encoders;
+import tellosimulator.video.codec.VideoEncoder;
+import tellosimulator.video.picture.Picture;
+
+/**
+ * Takes the pictures of one drone and encodes them, in whatever format is asked for. For one
+ * thread; it reads no clock.
+ */
+final class Film {
+
+  private final int drone;
+  private final FrameSource source;
+  private final Encoders encoders;
+  private Optional<Reel> reel = Optional.empty();
+  private int sinceKey;
+
+  /** What hangs on the size of the pictures. */
+  private record Reel(VideoFormat format, Picture picture, VideoEncoder encoder) {}
+
+  /**
+   * @param drone its number, from 1
+   * @param source where its pictures come from
+   */
+  Film(int drone, FrameSource source, Encoders encoders) {
+    this.drone = drone;
+    this.source = source;
+    this.encoders = encoders;
+  }
+
+  /** Takes the next picture; it is valid until the next call. */
+  Picture shoot(SimSnapshot snapshot, VideoFormat format) {
+    adopt(format);
+    Picture picture = reel.orElseThrow().picture;
+    source.film(snapshot, new Shot(drone, format.downward()), picture);
+    return picture;
+  }
+
+  /**
+   * Encodes the picture that was taken last; it is valid until the next call. Once a second
+   * decoding can begin.
+   *
+   * @param fromHere whether decoding shall be able to begin with this picture
+   */
+  EncodedPicture encode(boolean fromHere) {
+    Reel current = reel.orElseThrow();
+    boolean key = fromHere || sinceKey + 1 >= current.format.framesPerSecond();
+    EncodedPicture encoded = current.encoder.encode(current.picture, key);
+    sinceKey = encoded.key() ? 0 : sinceKey + 1;
+    return encoded;
+  }
+
+  private void adopt(VideoFormat format) {
+    Optional<Reel> before = reel;
+    if (before.isPresent() && before.get().format.equals(format)) {
+      return;
+    }
+    if (before.isPresent() && before.get().format.sameSizeAs(format)) {
+      reel = Optional.of(new Reel(format, before.get().picture, before.get().encoder));
+    } else {
+      Picture picture = new Picture(format.width(), format.height());
+      VideoEncoder encoder = encoders.encoder(format.width(), format.height());
+      reel = Optional.of(new Reel(format, picture, encoder));
+    }
+    reel.orElseThrow().encoder.setRate(format.framesPerSecond(), format.bitsPerSecond());
+    sinceKey = format.framesPerSecond(); // what comes may look different
+  }
+}

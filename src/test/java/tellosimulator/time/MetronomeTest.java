@@ -1,0 +1,66 @@
+package tellosimulator.time;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.concurrent.TimeUnit;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+
+@Timeout(value = 20, unit = TimeUnit.SECONDS, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
+class MetronomeTest {
+
+  private static final long PERIOD = 2_000_000;
+
+  private final Metronome metronome = new Metronome();
+
+  @Test
+  void ticksNeverComeEarly() {
+    metronome.restart();
+    long begun = metronome.nanos();
+    for (int i = 0; i < 20; i++) {
+      assertThat(metronome.awaitTick(PERIOD)).isTrue();
+    }
+
+    assertThat(metronome.nanos() - begun).isGreaterThanOrEqualTo(19 * PERIOD - PERIOD / 100);
+  }
+
+  @Test
+  void missedTicksAreLeftOut() {
+    metronome.restart();
+    metronome.awaitTick(PERIOD);
+    metronome.pauseUntil(metronome.nanos() + 20 * PERIOD);
+    long late = metronome.nanos();
+    for (int i = 0; i < 5; i++) {
+      metronome.awaitTick(PERIOD);
+    }
+
+    // two may come at once, the one that was due and the next one; the others take their time
+    assertThat(metronome.nanos() - late).isGreaterThanOrEqualTo(3 * PERIOD - PERIOD / 100);
+  }
+
+  @Test
+  void wakingEndsTheWaitForATick() {
+    metronome.awaitTick(PERIOD);
+    Threads.start("waker", metronome::wake);
+
+    assertThat(metronome.awaitTick(TimeUnit.HOURS.toNanos(1))).isFalse();
+  }
+
+  @Test
+  void wakingBeforeRestIsNotForgotten() {
+    metronome.wake();
+    metronome.rest();
+
+    metronome.restart();
+    assertThat(metronome.awaitTick(PERIOD)).isTrue();
+  }
+
+  @Test
+  void wakingDoesNotShortenAPause() {
+    long begun = metronome.nanos();
+    Threads.start("waker", metronome::wake);
+    metronome.pauseUntil(begun + 10 * PERIOD);
+
+    assertThat(metronome.nanos() - begun).isGreaterThanOrEqualTo(10 * PERIOD);
+  }
+}

@@ -1,0 +1,56 @@
+package tellosimulator.video;
+
+import java.util.ArrayList;
+import java.util.List;
+import tellosimulator.video.codec.EncodedPicture;
+
+/** An encoded picture with NAL units of given lengths, each byte its number within the unit. */
+final class FakePicture implements EncodedPicture {
+
+  private final byte[] bytes;
+  private final List<Integer> starts;
+
+  private FakePicture(byte[] bytes, List<Integer> starts) {
+    this.bytes = bytes;
+    this.starts = List.copyOf(starts);
+  }
+
+  static FakePicture of(int... lengths) {
+    List<Integer> starts = new ArrayList<>(List.of(0));
+    for (int length : lengths) {
+      starts.add(starts.get(starts.size() - 1) + length);
+    }
+    byte[] bytes = new byte[starts.get(starts.size() - 1) + 7]; // longer than what means something
+    for (int unit = 0; unit < lengths.length; unit++) {
+      for (int i = 0; i < lengths[unit]; i++) {
+        bytes[starts.get(unit) + i] = (byte) (i % 251);
+      }
+    }
+    return new FakePicture(bytes, starts);
+  }
+
+  @Override
+  public byte[] bytes() {
+    return bytes;
+  }
+
+  @Override
+  public int size() {
+    return starts.get(starts.size() - 1);
+  }
+
+  @Override
+  public int units() {
+    return starts.size() - 1;
+  }
+
+  @Override
+  public int start(int unit) {
+    return starts.get(unit);
+  }
+
+  @Override
+  public boolean key() {
+    return units() == 3;
+  }
+}

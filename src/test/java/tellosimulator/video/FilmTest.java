@@ -1,0 +1,115 @@
+package tellosimulator.video;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import tellosimulator.model.VideoSettings;
+import tellosimulator.sim.SimConfig;
+import tellosimulator.sim.SimSnapshot;
+import tellosimulator.sim.Simulation;
+import tellosimulator.video.camera.Shot;
+import tellosimulator.video.codec.EncodedPicture;
+import tellosimulator.video.codec.VideoEncoder;
+import tellosimulator.video.picture.Picture;
+
+class FilmTest {
+
+  private final List<String> asked = new ArrayList<>();
+  private final SimSnapshot snapshot =
+      new Simulation(SimConfig.DEFAULT, drone -> (peer, text) -> {}, report -> {}, List.of())
+          .snapshot();
+  private Shot taken;
+  private final Film film =
+      new Film(
+          1,
+          (moment, shot, picture) -> taken = shot,
+          (width, height) -> {
+            asked.add("encoder " + width + "x" + height);
+            return new Recorder();
+          });
+
+  /** An encoder that writes down what it is asked for. */
+  private final class Recorder implements VideoEncoder {
+    @Override
+    public void setRate(int framesPerSecond, int bitsPerSecond) {
+      asked.add(framesPerSecond + "/s " + bitsPerSecond);
+    }
+
+    @Override
+    public EncodedPicture encode(Picture picture, boolean key) {
+      asked.add(key ? "key" : "next");
+      return key ? FakePicture.of(13, 8, 100) : FakePicture.of(50);
+    }
+  }
+
+  @Test
+  void aStreamBeginsWithAKeyPictureAndHasOneEachSecond() {
+    VideoFormat format = VideoFormat.of(VideoSettings.DEFAULT.withFramesPerSecond(5));
+    for (int i = 0; i < 11; i++) {
+      film.shoot(snapshot, format);
+      film.encode(false);
+    }
+
+    assertThat(asked)
+        .containsExactly(
+            "encoder 960x720",
+            "5/s 2500000",
+            "key",
+            "next",
+            "next",
+            "next",
+            "next",
+            "key",
+            "next",
+            "next",
+            "next",
+            "next",
+            "key");
+  }
+
+  @Test
+  void aKeyPictureCanBeAskedForAtAnyTimeAndCounts() {
+    VideoFormat format = VideoFormat.of(VideoSettings.DEFAULT.withFramesPerSecond(5));
+    for (int i = 0; i < 8; i++) {
+      film.shoot(snapshot, format);
+      film.encode(i == 2);
+    }
+
+    assertThat(asked.subList(2, asked.size()))
+        .containsExactly("key", "next", "key", "next", "next", "next", "next", "key");
+  }
+
+  @Test
+  void anotherBitRateKeepsTheEncoderAndAnotherSizeMakesANewOne() {
+    film.shoot(snapshot, VideoFormat.of(VideoSettings.DEFAULT));
+    film.encode(false);
+    film.shoot(snapshot, VideoFormat.of(VideoSettings.DEFAULT.withMegabits(4)));
+    film.encode(false);
+    film.shoot(snapshot, VideoFormat.of(VideoSettings.DEFAULT.withMegabits(4).withLines(480)));
+    film.encode(false);
+
+    assertThat(asked)
+        .containsExactly(
+            "encoder 960x720",
+            "30/s 2500000",
+            "key",
+            "30/s 4000000",
+            "key",
+            "encoder 648x478",
+            "30/s 4000000",
+            "key");
+  }
+
+  @Test
+  void theCameraThatLooksDownFilmsWhenItIsAskedFor() {
+    Picture ahead = film.shoot(snapshot, VideoFormat.of(VideoSettings.DEFAULT));
+    assertThat(taken).isEqualTo(new Shot(1, false));
+    assertThat(ahead.width()).isEqualTo(960);
+
+    Picture below = film.shoot(snapshot, VideoFormat.of(VideoSettings.DEFAULT.withDownward(true)));
+    assertThat(taken).isEqualTo(new Shot(1, true));
+    assertThat(List.of(below.width(), below.height())).containsExactly(320, 720);
+  }
+}
