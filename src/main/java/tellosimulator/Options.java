@@ -15,6 +15,7 @@ import tellosimulator.sim.SimConfig.Outlets;
 import tellosimulator.sim.SimConfig.Product;
 import tellosimulator.sim.Swarm;
 import tellosimulator.time.TimeFactor;
+import tellosimulator.world.Decor;
 import tellosimulator.world.Room;
 
 /** What can be chosen on the command line, and what follows from it. */
@@ -200,6 +201,7 @@ final class Options {
     return new SimConfig(
         new Product(profile, behaviour),
         room,
+        Decor.DEFAULT,
         Swarm.row(droneCount(), start.inMetres(), room),
         timeFactor,
         seed,

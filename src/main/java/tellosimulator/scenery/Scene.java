@@ -2,7 +2,10 @@ package tellosimulator.scenery;
 
 import java.util.List;
 
-/** What can be seen at a moment. The room comes first, then decals, then what stands in it. */
+/**
+ * What can be seen at a moment, in the order of drawing: the room, decals, what stands in it, and
+ * last what is sheer.
+ */
 public record Scene(List<Placed> parts) {
 
   public Scene {

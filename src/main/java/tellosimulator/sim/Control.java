@@ -4,6 +4,7 @@ import tellosimulator.math.Vec3;
 import tellosimulator.sim.SimConfig.Outlets;
 import tellosimulator.sim.SimConfig.Product;
 import tellosimulator.time.TimeFactor;
+import tellosimulator.world.Decor;
 import tellosimulator.world.Room;
 
 /**
@@ -53,6 +54,9 @@ public sealed interface Control {
 
   /** Another room; drones and starts that would be outside move in. */
   record SetRoom(Room room) implements Control {}
+
+  /** Other looks of the room. */
+  record Decorate(Decor decor) implements Control {}
 
   /** Lets simulated time stand still, or go on. */
   record Pause(boolean paused) implements Control {}

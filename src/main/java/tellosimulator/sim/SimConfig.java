@@ -6,6 +6,7 @@ import tellosimulator.math.Vec3;
 import tellosimulator.profile.Behaviour;
 import tellosimulator.profile.Profile;
 import tellosimulator.time.TimeFactor;
+import tellosimulator.world.Decor;
 import tellosimulator.world.Room;
 
 /**
@@ -13,6 +14,7 @@ import tellosimulator.world.Room;
  *
  * @param product which drone, after which account
  * @param room in which they fly
+ * @param decor what the room looks like
  * @param starts where the drones stand, in the order of their numbers
  * @param timeFactor how fast simulated time passes
  * @param seed of everything random
@@ -21,6 +23,7 @@ import tellosimulator.world.Room;
 public record SimConfig(
     Product product,
     Room room,
+    Decor decor,
     List<Pose> starts,
     TimeFactor timeFactor,
     long seed,
@@ -41,6 +44,7 @@ public record SimConfig(
       new SimConfig(
           new Product(Profile.EDU, Behaviour.REPORT),
           Room.DEFAULT,
+          Decor.DEFAULT,
           Swarm.row(1, Vec3.ZERO, Room.DEFAULT),
           TimeFactor.REAL_TIME,
           1,
@@ -65,22 +69,27 @@ public record SimConfig(
   }
 
   public SimConfig withProduct(Profile profile, Behaviour behaviour) {
-    return new SimConfig(new Product(profile, behaviour), room, starts, timeFactor, seed, outlets);
+    return new SimConfig(
+        new Product(profile, behaviour), room, decor, starts, timeFactor, seed, outlets);
   }
 
   public SimConfig withRoom(Room newRoom, List<Pose> newStarts) {
-    return new SimConfig(product, newRoom, newStarts, timeFactor, seed, outlets);
+    return new SimConfig(product, newRoom, decor, newStarts, timeFactor, seed, outlets);
+  }
+
+  public SimConfig withDecor(Decor newDecor) {
+    return new SimConfig(product, room, newDecor, starts, timeFactor, seed, outlets);
   }
 
   public SimConfig withTimeFactor(TimeFactor newTimeFactor) {
-    return new SimConfig(product, room, starts, newTimeFactor, seed, outlets);
+    return new SimConfig(product, room, decor, starts, newTimeFactor, seed, outlets);
   }
 
   public SimConfig withSeed(long newSeed) {
-    return new SimConfig(product, room, starts, timeFactor, newSeed, outlets);
+    return new SimConfig(product, room, decor, starts, timeFactor, newSeed, outlets);
   }
 
   public SimConfig withOutlets(Outlets newOutlets) {
-    return new SimConfig(product, room, starts, timeFactor, seed, List.of(newOutlets));
+    return new SimConfig(product, room, decor, starts, timeFactor, seed, List.of(newOutlets));
   }
 }

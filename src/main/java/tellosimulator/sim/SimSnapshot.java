@@ -7,6 +7,7 @@ import tellosimulator.model.DroneState;
 import tellosimulator.sim.SimConfig.Product;
 import tellosimulator.time.SimTime;
 import tellosimulator.time.TimeFactor;
+import tellosimulator.world.Decor;
 import tellosimulator.world.Room;
 
 /**
@@ -15,13 +16,15 @@ import tellosimulator.world.Room;
  *
  * @param time the end of the step
  * @param clock how simulated time relates to the wall clock
+ * @param decor what the room looks like
  * @param drones in the order of their numbers
  */
-public record SimSnapshot(SimTime time, Clock clock, Room room, List<DroneSnapshot> drones) {
+public record SimSnapshot(
+    SimTime time, Clock clock, Room room, Decor decor, List<DroneSnapshot> drones) {
 
   /** The same moment with other drones. */
   public SimSnapshot withDrones(List<DroneSnapshot> newDrones) {
-    return new SimSnapshot(time, clock, room, newDrones);
+    return new SimSnapshot(time, clock, room, decor, newDrones);
   }
 
   /** How simulated time relates to the wall clock. */

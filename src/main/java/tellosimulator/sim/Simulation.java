@@ -18,6 +18,7 @@ import tellosimulator.sim.SimSnapshot.DroneSnapshot;
 import tellosimulator.time.SimTime;
 import tellosimulator.time.TimeFactor;
 import tellosimulator.words.Phrase;
+import tellosimulator.world.Decor;
 import tellosimulator.world.Room;
 
 /**
@@ -44,6 +45,7 @@ public final class Simulation {
   private final List<SimListener> listeners;
   private final StatePort states;
   private Room room;
+  private Decor decor;
   private Clock clock;
   private SimTime now = SimTime.ZERO;
   private volatile SimSnapshot snapshot;
@@ -60,6 +62,7 @@ public final class Simulation {
       StatePort states,
       List<SimListener> listeners) {
     this.room = config.room();
+    this.decor = config.decor();
     this.clock = new Clock(config.timeFactor(), false);
     this.states = states;
     this.listeners = new CopyOnWriteArrayList<>(listeners);
@@ -193,6 +196,8 @@ public final class Simulation {
           Phrase.of(
               "the room is %.0f cm wide, %.0f cm deep and %.0f cm high now",
               room.width() * 100, room.depth() * 100, room.height() * 100));
+    } else if (control instanceof Control.Decorate change) {
+      decor = change.decor();
     } else if (control instanceof Control.Pause pause) {
       clock = new Clock(clock.factor(), pause.paused());
       tell(pause.paused() ? Phrase.of("time stands still") : Phrase.of("time goes on"));
@@ -216,7 +221,7 @@ public final class Simulation {
     for (Drone drone : drones) {
       states.add(drone.publish());
     }
-    snapshot = new SimSnapshot(now, clock, room, Collections.unmodifiableList(states));
+    snapshot = new SimSnapshot(now, clock, room, decor, Collections.unmodifiableList(states));
   }
 
   private void tell(Phrase phrase) {

@@ -1,6 +1,5 @@
 package tellosimulator.view;
 
-import javafx.beans.property.DoubleProperty;
 import javafx.beans.property.ObjectProperty;
 import javafx.beans.property.ReadOnlyBooleanProperty;
 import javafx.beans.property.ReadOnlyBooleanWrapper;
@@ -8,35 +7,26 @@ import javafx.beans.property.ReadOnlyDoubleProperty;
 import javafx.beans.property.ReadOnlyDoubleWrapper;
 import javafx.beans.property.ReadOnlyObjectProperty;
 import javafx.beans.property.ReadOnlyObjectWrapper;
-import javafx.beans.property.SimpleDoubleProperty;
 import javafx.beans.property.SimpleObjectProperty;
 import javafx.collections.FXCollections;
 import javafx.collections.ObservableList;
 import tellosimulator.sim.SimSnapshot;
 import tellosimulator.time.TimeFactor;
+import tellosimulator.world.Decor;
 import tellosimulator.world.Room;
 
 /**
  * The simulation as properties that views bind to: a mirror of the newest snapshot, and what the
- * window alone decides about it (which drone is looked at, how wide the grid is). For the JavaFX
- * thread only.
+ * window alone decides about it (which drone is looked at). For the JavaFX thread only.
  */
 public final class FxSimulation {
-
-  /** Distance between the lines of the floor's grid [cm]. Decided: as the predecessor's. */
-  public static final double DEFAULT_GRID_CM = 40;
-
-  /** Limits of that distance [cm]. Decided: a drone's size, and a line each two metres. */
-  public static final double SMALLEST_GRID_CM = 10;
-
-  public static final double LARGEST_GRID_CM = 200;
 
   private final ObservableList<FxDroneModel> drones = FXCollections.observableArrayList();
   private final ObservableList<FxDroneModel> readOnlyDrones =
       FXCollections.unmodifiableObservableList(drones);
   private final ObjectProperty<FxDroneModel> selected = new SimpleObjectProperty<>();
-  private final DoubleProperty gridCm = new SimpleDoubleProperty(DEFAULT_GRID_CM);
   private final ReadOnlyObjectWrapper<Room> room = new ReadOnlyObjectWrapper<>();
+  private final ReadOnlyObjectWrapper<Decor> decor = new ReadOnlyObjectWrapper<>();
   private final ReadOnlyObjectWrapper<TimeFactor> timeFactor = new ReadOnlyObjectWrapper<>();
   private final ReadOnlyBooleanWrapper paused = new ReadOnlyBooleanWrapper();
   private final ReadOnlyDoubleWrapper seconds = new ReadOnlyDoubleWrapper();
@@ -51,6 +41,7 @@ public final class FxSimulation {
   /** Takes over what the newest snapshot says; called once a pulse. */
   public void update(SimSnapshot newest) {
     room.set(newest.room());
+    decor.set(newest.decor());
     timeFactor.set(newest.clock().factor());
     paused.set(newest.clock().paused());
     seconds.set(newest.time().seconds());
@@ -74,13 +65,13 @@ public final class FxSimulation {
     return selected.get();
   }
 
-  /** Distance between the lines of the floor's grid [cm]. */
-  public DoubleProperty gridCmProperty() {
-    return gridCm;
-  }
-
   public ReadOnlyObjectProperty<Room> roomProperty() {
     return room.getReadOnlyProperty();
+  }
+
+  /** What the room looks like. */
+  public ReadOnlyObjectProperty<Decor> decorProperty() {
+    return decor.getReadOnlyProperty();
   }
 
   public ReadOnlyObjectProperty<TimeFactor> timeFactorProperty() {

@@ -2,10 +2,14 @@ package tellosimulator.view;
 
 import javafx.application.Application;
 import javafx.beans.property.BooleanProperty;
+import javafx.beans.property.DoubleProperty;
+import javafx.beans.property.ReadOnlyObjectProperty;
+import javafx.beans.property.SimpleDoubleProperty;
 import javafx.scene.Scene;
 import javafx.scene.input.KeyCombination;
 import javafx.scene.layout.StackPane;
 import javafx.stage.Stage;
+import tellosimulator.math.Frames;
 import tellosimulator.sim.Control;
 import tellosimulator.view.controls.NetworkControls;
 import tellosimulator.view.controls.SimulatorControls;
@@ -23,6 +27,7 @@ import tellosimulator.view.settings.Settings;
 import tellosimulator.view.settings.WindowPlacement;
 import tellosimulator.view.world.Simulator3DScene;
 import tellosimulator.view.world.ViewCamera;
+import tellosimulator.world.Decor;
 
 /** The window: its parts, put together. For the JavaFX thread. */
 public final class SimulatorWindow implements AutoCloseable {
@@ -152,11 +157,28 @@ public final class SimulatorWindow implements AutoCloseable {
     settings.bind("show.inset-enlarged", world.insetEnlargedProperty(), Codec.flag());
     settings.bind("show.smooth-edges", world.antialiasingProperty(), Codec.flag());
     settings.bind("log.time-stamps", log.timeStampsProperty(), Codec.flag());
+    rememberGrid(settings);
+    context.pulse().onBeat(settings::beat);
+  }
+
+  private void rememberGrid(Settings settings) {
+    ReadOnlyObjectProperty<Decor> decor = context.simulation().decorProperty();
+    DoubleProperty gridCm = new SimpleDoubleProperty(gridCm(decor.get()));
     settings.bind(
         "grid-cm",
-        context.simulation().gridCmProperty(),
-        Codec.decimal(FxSimulation.SMALLEST_GRID_CM, FxSimulation.LARGEST_GRID_CM));
-    context.pulse().onBeat(settings::beat);
+        gridCm,
+        Codec.decimal(
+            Frames.centimetres(Decor.SMALLEST_GRID), Frames.centimetres(Decor.LARGEST_GRID)));
+    if (gridCm.get() != gridCm(decor.get())) {
+      Decor remembered = decor.get().withGrid(Frames.metres(gridCm.get()));
+      context.actions().carryOut(new Control.Decorate(remembered));
+    }
+    decor.addListener((property, before, now) -> gridCm.set(gridCm(now)));
+  }
+
+  /** The grid as people see it, without the last bits of the conversion. */
+  private static double gridCm(Decor decor) {
+    return Math.rint(Frames.centimetres(decor.grid()) * 1000) / 1000;
   }
 
   /** Opens it. */

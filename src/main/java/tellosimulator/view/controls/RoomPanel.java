@@ -11,6 +11,7 @@ import tellosimulator.view.FxSimulation;
 import tellosimulator.view.SimulatorActions;
 import tellosimulator.view.ViewContext;
 import tellosimulator.view.text.Messages;
+import tellosimulator.world.Decor;
 import tellosimulator.world.Room;
 
 /**
@@ -30,7 +31,8 @@ final class RoomPanel extends VBox {
 
   /** Distance between the grid's lines [cm]. */
   private static final NumberRange GRID =
-      new NumberRange(FxSimulation.SMALLEST_GRID_CM, FxSimulation.LARGEST_GRID_CM, 5);
+      new NumberRange(
+          Frames.centimetres(Decor.SMALLEST_GRID), Frames.centimetres(Decor.LARGEST_GRID), 5);
 
   /** By how much an arrow key moves the start [cm]. */
   private static final double START_STEP = 10;
@@ -102,7 +104,7 @@ final class RoomPanel extends VBox {
       showRoom();
     }
     if (changed(grid)) {
-      simulation.gridCmProperty().set(grid.value());
+      actions.carryOut(new Control.Decorate(wantedDecor()));
     } else {
       showGrid();
     }
@@ -131,7 +133,7 @@ final class RoomPanel extends VBox {
   }
 
   private void showGrid() {
-    grid.show(simulation.gridCmProperty().get());
+    grid.show(Frames.centimetres(simulation.decorProperty().get().grid()));
   }
 
   private void showStart() {
@@ -143,6 +145,10 @@ final class RoomPanel extends VBox {
   private Room wantedRoom() {
     return new Room(
         Frames.metres(width.value()), Frames.metres(depth.value()), Frames.metres(height.value()));
+  }
+
+  private Decor wantedDecor() {
+    return simulation.decorProperty().get().withGrid(Frames.metres(grid.value()));
   }
 
   private Vec3 wantedStart() {

@@ -1,25 +1,31 @@
 package tellosimulator.view.drone;
 
 import java.util.ArrayList;
-import java.util.EnumMap;
+import java.util.HashMap;
+import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
 import javafx.scene.Group;
 import javafx.scene.Node;
 import javafx.scene.paint.Color;
-import javafx.scene.paint.Material;
 import javafx.scene.paint.PhongMaterial;
-import javafx.scene.shape.CullFace;
-import javafx.scene.shape.Mesh;
 import javafx.scene.shape.MeshView;
-import javafx.scene.shape.Sphere;
+import javafx.scene.shape.TriangleMesh;
 import javafx.scene.transform.Affine;
 import javafx.scene.transform.Rotate;
 import javafx.scene.transform.Translate;
 import tellosimulator.math.Vec3;
 import tellosimulator.model.DroneState;
+import tellosimulator.scenery.Finish;
+import tellosimulator.scenery.Mesh;
+import tellosimulator.scenery.Part;
+import tellosimulator.scenery.drone.DroneParts;
+import tellosimulator.scenery.drone.PropellerSpin;
+import tellosimulator.scenery.drone.StatusLight;
 import tellosimulator.view.FxDroneModel;
 import tellosimulator.view.FxFrames;
+import tellosimulator.view.FxMeshes;
+import tellosimulator.view.FxTextures;
 
 /**
  * A Tello in the 3D scene, in real size: metres, in the room frame. It follows its model's pose;
@@ -27,27 +33,22 @@ import tellosimulator.view.FxFrames;
  */
 public final class DroneView extends Group {
 
-  /** Where the status light sits beside the lens. Assumed: by eye, from pictures. */
-  private static final Vec3 LIGHT = new Vec3(0.0488, 0.0088, 0.0205);
-
   private final FxDroneModel model;
+  private final DroneParts parts;
   private final PropellerSpin spin = new PropellerSpin();
+  private final FxTextures textures = new FxTextures();
+  private final Map<Mesh, TriangleMesh> meshes = new IdentityHashMap<>();
+  private final Map<Part, PhongMaterial> materials = new HashMap<>();
   private final Affine pose = new Affine();
   private final MeshView body = new MeshView();
-  private final Sphere light = new Sphere(0.0021, 8);
+  private final MeshView light = new MeshView();
   private final List<MeshView> propellers = new ArrayList<>();
   private final List<Rotate> turns = new ArrayList<>();
-  private final Map<StatusLight, Material> lights = new EnumMap<>(StatusLight.class);
-  private Looks looks;
-  private boolean blurred;
   private double lastSeconds = Double.NaN;
-
-  /** What the propellers are made of, slow and fast. */
-  private record Looks(
-      Material material, Mesh clockwise, Mesh counterClockwise, Material discMaterial, Mesh disc) {}
 
   public DroneView(FxDroneModel model) {
     this.model = model;
+    parts = new DroneParts(model.number());
     initializeSelf();
     initializeParts();
     layoutParts();
@@ -77,10 +78,7 @@ public final class DroneView extends Group {
             state.phase(),
             state.energy().battery().percent(),
             model.operatorProperty().get().isPresent());
-    Material material = lights.get(shown.lit(nanos / 1e9) ? shown : StatusLight.DARK);
-    if (light.getMaterial() != material) {
-      light.setMaterial(material);
-    }
+    show(light, parts.lamp(shown.lit(nanos / 1e9) ? shown : StatusLight.DARK));
   }
 
   private void initializeSelf() {
@@ -90,41 +88,21 @@ public final class DroneView extends Group {
   }
 
   private void initializeParts() {
-    PhongMaterial material = new PhongMaterial();
-    material.setDiffuseMap(Palette.picture(DroneColors.cover(model.number())));
-    material.setSpecularColor(Color.gray(0.35));
-    material.setSpecularPower(28);
-    body.setMesh(BodyMesh.create());
-    body.setMaterial(material);
-    PhongMaterial discMaterial = new PhongMaterial();
-    discMaterial.setDiffuseMap(PropellerDisc.picture());
-    looks =
-        new Looks(
-            material,
-            PropellerMesh.create(true),
-            PropellerMesh.create(false),
-            discMaterial,
-            PropellerDisc.create());
-    for (StatusLight shown : StatusLight.values()) {
-      boolean dark = shown == StatusLight.DARK;
-      lights.put(shown, new PhongMaterial(dark ? Color.gray(0.25) : shown.color()));
-    }
-    light.setMaterial(lights.get(StatusLight.DARK));
-  }
-
-  private void layoutParts() {
-    light.getTransforms().add(new Translate(LIGHT.x(), LIGHT.y(), LIGHT.z()));
-    getChildren().addAll(body, light);
-    for (Vec3 middle : BodyMesh.propellers()) {
-      Rotate turn = new Rotate(35 * (turns.size() + 1), Rotate.Z_AXIS);
+    show(body, parts.body());
+    show(light, parts.lamp(StatusLight.DARK));
+    for (Vec3 middle : parts.propellers()) {
+      Rotate turn = new Rotate(0, Rotate.Z_AXIS);
       MeshView propeller = new MeshView();
-      propeller.setCullFace(CullFace.NONE);
       propeller.getTransforms().addAll(new Translate(middle.x(), middle.y(), middle.z()), turn);
       turns.add(turn);
       propellers.add(propeller);
     }
+    turnPropellers();
+  }
+
+  private void layoutParts() {
+    getChildren().addAll(body, light);
     getChildren().addAll(propellers);
-    dressPropellers();
   }
 
   private void setupBindings() {
@@ -132,27 +110,27 @@ public final class DroneView extends Group {
   }
 
   private void turnPropellers() {
-    double degrees = Math.toDegrees(spin.angle());
     for (int i = 0; i < propellers.size(); i++) {
-      turns.get(i).setAngle(clockwise(i) ? -degrees : degrees);
-    }
-    if (blurred != spin.blurred()) {
-      blurred = spin.blurred();
-      dressPropellers();
+      show(propellers.get(i), parts.propeller(i, spin.blurred()));
+      turns.get(i).setAngle(Math.toDegrees(parts.heading(i, spin.angle())));
     }
   }
 
-  private void dressPropellers() {
-    for (int i = 0; i < propellers.size(); i++) {
-      MeshView propeller = propellers.get(i);
-      Mesh blades = clockwise(i) ? looks.clockwise : looks.counterClockwise;
-      propeller.setMesh(blurred ? looks.disc : blades);
-      propeller.setMaterial(blurred ? looks.discMaterial : looks.material);
+  private void show(MeshView view, Part part) {
+    PhongMaterial material = materials.computeIfAbsent(part, this::material);
+    if (view.getMaterial() != material) {
+      view.setMaterial(material);
+      view.setMesh(meshes.computeIfAbsent(part.mesh(), FxMeshes::of));
     }
   }
 
-  /** Front right and back left. Documented: parts list of the Tello; the others turn against it. */
-  private static boolean clockwise(int propeller) {
-    return propeller == 1 || propeller == 2;
+  private PhongMaterial material(Part part) {
+    PhongMaterial material = new PhongMaterial();
+    material.setDiffuseMap(textures.image(part.texture()));
+    if (part.finish() == Finish.LIT) {
+      material.setSpecularColor(Color.gray(0.35));
+      material.setSpecularPower(28);
+    }
+    return material;
   }
 }

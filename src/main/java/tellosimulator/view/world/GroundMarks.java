@@ -7,13 +7,12 @@ import javafx.scene.paint.PhongMaterial;
 import javafx.scene.shape.MeshView;
 import javafx.scene.transform.Affine;
 import javafx.scene.transform.Scale;
-import javafx.scene.transform.Translate;
-import tellosimulator.math.Pose;
-import tellosimulator.math.Vec3;
+import tellosimulator.scenery.Placed;
+import tellosimulator.scenery.room.GroundMark;
 import tellosimulator.view.FxDroneModel;
 import tellosimulator.view.FxFrames;
-import tellosimulator.view.drone.DroneColors;
-import tellosimulator.view.world.Quads.Quad;
+import tellosimulator.view.FxMeshes;
+import tellosimulator.view.FxTextures;
 
 /**
  * What a drone leaves on the floor: its shadow, and the mark where it starts. Drawn right after the
@@ -21,68 +20,43 @@ import tellosimulator.view.world.Quads.Quad;
  */
 final class GroundMarks extends Group {
 
-  /** Edge of the start mark [m]. Decided: the drone covers the ring only in part. */
-  private static final double START_SIZE = 0.42;
+  /** A mark in the scene. */
+  private static final class Mark extends MeshView {
 
-  private final FxDroneModel drone;
-  private final MeshView start = new MeshView();
-  private final MeshView shadow = new MeshView();
-  private final Affine startPlace = new Affine();
-  private final Translate shadowPlace = new Translate();
-  private final Scale shadowSize = new Scale();
-  private final PhongMaterial shadowMaterial = new PhongMaterial();
-  private double shownOpacity = -1;
+    private final Affine place = new Affine();
+    private final Scale size = new Scale();
+    private final PhongMaterial material = new PhongMaterial();
+    private double opacity = -1;
 
-  GroundMarks(FxDroneModel drone) {
-    this.drone = drone;
-    initializeSelf();
-    initializeParts();
-    layoutParts();
-    setupBindings();
-  }
+    private Mark(String id) {
+      setId(id);
+      setMaterial(material);
+      getTransforms().addAll(place, size);
+    }
 
-  private void initializeSelf() {
-    setDepthTest(DepthTest.DISABLE);
-  }
-
-  private void initializeParts() {
-    PhongMaterial startMaterial = new PhongMaterial();
-    startMaterial.setDiffuseMap(Pictures.startMark());
-    startMaterial.setDiffuseColor(DroneColors.of(drone.number()).deriveColor(0, 0.85, 1, 0.8));
-    start.setId("start-" + drone.number());
-    start.setMesh(new Quads().add(Quad.onFloor(START_SIZE), Quads.WHOLE).mesh());
-    start.setMaterial(startMaterial);
-    start.getTransforms().add(startPlace);
-    shadowMaterial.setDiffuseMap(Pictures.shadow());
-    shadow.setId("shadow-" + drone.number());
-    shadow.setMesh(new Quads().add(Quad.onFloor(2), Quads.WHOLE).mesh());
-    shadow.setMaterial(shadowMaterial);
-    shadow.getTransforms().addAll(shadowPlace, shadowSize);
-  }
-
-  private void layoutParts() {
-    getChildren().addAll(start, shadow);
-  }
-
-  private void setupBindings() {
-    drone.startProperty().subscribe(pose -> FxFrames.place(startPlace, onFloor(pose)));
-    drone.poseProperty().subscribe(this::castShadow);
-  }
-
-  private void castShadow(Pose pose) {
-    Vec3 position = pose.position();
-    Shadow cast = Shadow.at(position.z());
-    shadowPlace.setX(position.x());
-    shadowPlace.setY(position.y());
-    shadowSize.setX(cast.radius());
-    shadowSize.setY(cast.radius());
-    if (Math.abs(cast.opacity() - shownOpacity) > 0.004) {
-      shownOpacity = cast.opacity();
-      shadowMaterial.setDiffuseColor(Color.gray(1, shownOpacity));
+    private void show(Placed mark, FxTextures textures) {
+      if (getMesh() == null) {
+        setMesh(FxMeshes.of(mark.part().mesh()));
+        material.setDiffuseMap(textures.image(mark.part().texture()));
+      }
+      FxFrames.place(place, mark.pose());
+      size.setX(mark.scale());
+      size.setY(mark.scale());
+      if (Math.abs(mark.opacity() - opacity) > 0.004) {
+        opacity = mark.opacity();
+        material.setDiffuseColor(Color.gray(1, opacity));
+      }
     }
   }
 
-  private static Pose onFloor(Pose pose) {
-    return new Pose(pose.position().withZ(0), pose.attitude());
+  GroundMarks(FxDroneModel drone) {
+    GroundMark mark = new GroundMark(drone.number());
+    FxTextures textures = new FxTextures();
+    Mark start = new Mark("start-" + drone.number());
+    Mark shadow = new Mark("shadow-" + drone.number());
+    setDepthTest(DepthTest.DISABLE);
+    getChildren().addAll(start, shadow);
+    drone.startProperty().subscribe(pose -> start.show(mark.start(pose), textures));
+    drone.poseProperty().subscribe(pose -> shadow.show(mark.shadow(pose), textures));
   }
 }

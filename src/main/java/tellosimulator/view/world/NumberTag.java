@@ -7,10 +7,13 @@ import javafx.scene.transform.Affine;
 import javafx.scene.transform.Scale;
 import tellosimulator.math.Pose;
 import tellosimulator.math.Vec3;
+import tellosimulator.scenery.room.Quads;
+import tellosimulator.scenery.room.Quads.Patch;
+import tellosimulator.scenery.room.Quads.Quad;
 import tellosimulator.view.FxDroneModel;
 import tellosimulator.view.FxFrames;
+import tellosimulator.view.FxMeshes;
 import tellosimulator.view.drone.DroneColors;
-import tellosimulator.view.world.Quads.Quad;
 
 /** A drone's number above it, turned to the camera and equally large from near and far. */
 final class NumberTag extends MeshView {
@@ -30,7 +33,7 @@ final class NumberTag extends MeshView {
     setId("number-" + drone.number());
     // in a camera's axes: x to the right, y down
     Quad quad = new Quad(new Vec3(-0.5, 0, 0), new Vec3(1, 0, 0), new Vec3(0, -1, 0));
-    setMesh(new Quads().add(quad, Quads.WHOLE).mesh());
+    setMesh(FxMeshes.of(new Quads().add(quad, Patch.WHOLE).mesh()));
     PhongMaterial material = new PhongMaterial();
     material.setDiffuseMap(Pictures.number(drone.number(), DroneColors.of(drone.number())));
     setMaterial(material);

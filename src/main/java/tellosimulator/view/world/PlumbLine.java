@@ -6,9 +6,12 @@ import javafx.scene.shape.MeshView;
 import javafx.scene.transform.Scale;
 import javafx.scene.transform.Translate;
 import tellosimulator.math.Vec3;
+import tellosimulator.scenery.room.Quads;
+import tellosimulator.scenery.room.Quads.Patch;
+import tellosimulator.scenery.room.Quads.Quad;
 import tellosimulator.view.FxDroneModel;
+import tellosimulator.view.FxMeshes;
 import tellosimulator.view.drone.DroneColors;
-import tellosimulator.view.world.Quads.Quad;
 
 /** The line from a drone straight down to the floor. */
 final class PlumbLine extends MeshView {
@@ -27,10 +30,11 @@ final class PlumbLine extends MeshView {
     this.drone = drone;
     setId("plumb-line-" + drone.number());
     setMesh(
-        new Quads()
-            .add(new Quad(new Vec3(-0.5, 0, 0), new Vec3(1, 0, 0), Vec3.UP), Quads.WHOLE)
-            .add(new Quad(new Vec3(0, -0.5, 0), new Vec3(0, 1, 0), Vec3.UP), Quads.WHOLE)
-            .mesh());
+        FxMeshes.of(
+            new Quads()
+                .add(new Quad(new Vec3(-0.5, 0, 0), new Vec3(1, 0, 0), Vec3.UP), Patch.WHOLE)
+                .add(new Quad(new Vec3(0, -0.5, 0), new Vec3(0, 1, 0), Vec3.UP), Patch.WHOLE)
+                .mesh()));
     setMaterial(new PhongMaterial(DroneColors.of(drone.number()).deriveColor(0, 1, 1, 0.6)));
     setCullFace(CullFace.NONE);
     getTransforms().addAll(foot, size);

@@ -10,9 +10,12 @@ import javafx.scene.Node;
 import javafx.scene.paint.Color;
 import tellosimulator.math.Pose;
 import tellosimulator.math.Vec3;
+import tellosimulator.scenery.Lamps;
+import tellosimulator.scenery.Lamps.Lamp;
 import tellosimulator.view.FxDroneModel;
 import tellosimulator.view.FxFrames;
 import tellosimulator.view.FxSimulation;
+import tellosimulator.view.FxTextures;
 import tellosimulator.view.drone.DroneView;
 
 /**
@@ -20,14 +23,6 @@ import tellosimulator.view.drone.DroneView;
  * lies on the floor, drones, and last what one sees through.
  */
 final class World extends Group {
-
-  /** Light on drones from all sides, and from the lamp. Decided: by eye. */
-  private static final Color ALL_SIDES = Color.web("#86878c");
-
-  private static final Color LAMP = Color.web("#8f8b84");
-
-  /** Light from the other side, so that no side is flat. Decided: by eye. */
-  private static final Color OTHER_SIDE = Color.web("#2c3038");
 
   /** What one drone adds. */
   private record Parts(
@@ -125,20 +120,17 @@ final class World extends Group {
     AmbientLight asPainted = new AmbientLight(Color.WHITE);
     asPainted.getScope().addAll(room, marks, aids);
     drones.forEach(drone -> asPainted.getScope().add(drone.view.lamp()));
-    AmbientLight onDrones = new AmbientLight(ALL_SIDES);
+    AmbientLight onDrones = new AmbientLight(FxTextures.color(Lamps.AMBIENT));
     onDrones.getScope().add(bodies);
-    Group lights =
-        new Group(
-            asPainted,
-            onDrones,
-            directional(LAMP, new Vec3(0.45, -0.35, -0.82)),
-            directional(OTHER_SIDE, new Vec3(-0.7, 0.5, 0.1)));
+    Group lights = new Group(asPainted, onDrones);
+    Lamps.ALL.forEach(lamp -> lights.getChildren().add(directional(lamp)));
     lights.getTransforms().add(FxFrames.ofRoom());
     return lights;
   }
 
-  private DirectionalLight directional(Color color, Vec3 direction) {
-    DirectionalLight light = new DirectionalLight(color);
+  private DirectionalLight directional(Lamp lamp) {
+    DirectionalLight light = new DirectionalLight(FxTextures.color(lamp.color()));
+    Vec3 direction = lamp.direction();
     light.setDirection(new Point3D(direction.x(), direction.y(), direction.z()));
     light.getScope().add(bodies);
     return light;

@@ -20,6 +20,7 @@ import tellosimulator.math.Vec3;
 import tellosimulator.model.FlightPhase;
 import tellosimulator.sim.Control;
 import tellosimulator.time.TimeFactor;
+import tellosimulator.world.Decor;
 import tellosimulator.world.Room;
 
 @ExtendWith(ApplicationExtension.class)
@@ -192,13 +193,14 @@ class SimulatorControlsFxTest {
   }
 
   @Test
-  void gridIsTheWindowsOwn(FxRobot robot) {
+  void theGridGoesThroughTheSimulation(FxRobot robot) {
     robot.interact(() -> robot.lookup("#grid-size").query().requestFocus());
     robot.type(KeyCode.RIGHT, 2);
 
-    window.until(() -> window.context().simulation().gridCmProperty().get() == 50);
+    window.until(() -> window.context().simulation().decorProperty().get().grid() == 0.5);
 
-    robot.interact(() -> window.context().simulation().gridCmProperty().set(100));
+    robot.interact(
+        () -> window.context().actions().carryOut(new Control.Decorate(Decor.DEFAULT.withGrid(1))));
     window.until(() -> window.typed("#grid-size-value").equals("100"));
   }
 

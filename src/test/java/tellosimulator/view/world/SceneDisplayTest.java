@@ -66,7 +66,7 @@ class SceneDisplayTest {
   @Test
   void itCastsAShadowOnTheFloorBelow() {
     fixture.change(() -> fixture.solid("plumb-line-1").getParent().setVisible(false));
-    fixture.change(() -> fixture.simulation().gridCmProperty().set(200));
+    fixture.decorate(decor -> decor.withGrid(2));
     fly(new Vec3(0.7, 0.6, 0.8));
     fixture.change(fixture.scene().camera()::top);
     fixture.settledPicture();

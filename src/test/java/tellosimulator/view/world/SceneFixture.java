@@ -9,6 +9,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.concurrent.TimeoutException;
 import java.util.function.Predicate;
+import java.util.function.UnaryOperator;
 import javafx.application.Application;
 import javafx.scene.Node;
 import javafx.scene.Scene;
@@ -35,6 +36,7 @@ import tellosimulator.view.FxSimulation;
 import tellosimulator.view.Pulse;
 import tellosimulator.view.ViewContext;
 import tellosimulator.view.text.Language;
+import tellosimulator.world.Decor;
 
 /**
  * The 3D scene on snapshots that a test makes by hand: where the drone is and how much time passes
@@ -144,7 +146,18 @@ final class SceneFixture implements BeforeEachCallback, AfterEachCallback {
     List<DroneSnapshot> drones = new ArrayList<>(snapshot.drones());
     drones.set(0, new DroneSnapshot(now, old.link(), old.product(), old.start()));
     SimTime time = snapshot.time();
-    snapshot = new SimSnapshot(time, snapshot.clock(), snapshot.room(), drones);
+    snapshot = new SimSnapshot(time, snapshot.clock(), snapshot.room(), snapshot.decor(), drones);
+  }
+
+  /** Changes the looks of the room; the next beat shows it. */
+  void decorate(UnaryOperator<Decor> change) {
+    snapshot =
+        new SimSnapshot(
+            snapshot.time(),
+            snapshot.clock(),
+            snapshot.room(),
+            change.apply(snapshot.decor()),
+            snapshot.drones());
   }
 
   /** Lets time pass in the window and shows what is then. */

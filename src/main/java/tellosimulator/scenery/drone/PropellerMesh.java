@@ -1,9 +1,9 @@
-package tellosimulator.view.drone;
+package tellosimulator.scenery.drone;
 
 import java.util.ArrayList;
 import java.util.List;
-import javafx.scene.shape.TriangleMesh;
 import tellosimulator.math.Vec3;
+import tellosimulator.scenery.Mesh;
 
 /** The two blades of a propeller that turns about z, its middle at the origin [m]. */
 final class PropellerMesh {
@@ -47,7 +47,7 @@ final class PropellerMesh {
     return mesh;
   }
 
-  static TriangleMesh create(boolean clockwise) {
+  static Mesh create(boolean clockwise) {
     return shape(clockwise).build();
   }
 

@@ -1,10 +1,10 @@
-package tellosimulator.view.drone;
+package tellosimulator.scenery.drone;
 
 import java.util.ArrayList;
 import java.util.List;
-import javafx.scene.shape.TriangleMesh;
 import tellosimulator.math.Vec3;
-import tellosimulator.view.drone.Solids.Section;
+import tellosimulator.scenery.Mesh;
+import tellosimulator.scenery.drone.Solids.Section;
 
 /**
  * The shape of a Tello without its propellers: shell, nose, arms, motors, feet and guards. Body
@@ -53,7 +53,7 @@ final class BodyMesh {
     return new BodyMesh().mesh;
   }
 
-  static TriangleMesh create() {
+  static Mesh create() {
     return shape().build();
   }
 

@@ -1,8 +1,8 @@
-package tellosimulator.view.drone;
+package tellosimulator.scenery.drone;
 
-import javafx.scene.paint.Color;
 import tellosimulator.model.Battery;
 import tellosimulator.model.FlightPhase;
+import tellosimulator.scenery.Rgb;
 
 /**
  * What the status light beside the camera shows.
@@ -12,30 +12,30 @@ import tellosimulator.model.FlightPhase;
  * control; red, blinking slowly: low battery; red, blinking quickly: critically low battery; red,
  * steady: critical error. Assumed: the lengths of blinks.
  */
-enum StatusLight {
-  /** Without power. */
-  DARK(Color.BLACK, new double[] {1}),
+public enum StatusLight {
+  /** Without power: the lamp itself. */
+  DARK(Rgb.of(0x404040), new double[] {1}),
   /** Nobody has commanded yet. */
-  WAITING(Color.web("#ffc400"), new double[] {0.4, 0, 0.2}),
+  WAITING(Rgb.of(0xffc400), new double[] {0.4, 0, 0.2}),
   /** An operator program commands. */
-  READY(Color.web("#25e05a"), new double[] {1.4, 0, 0.15, 0.3, 0.45}),
-  LOW_BATTERY(Color.web("#ff2b20"), new double[] {1.2, 0, 0.6}),
-  CRITICAL_BATTERY(Color.web("#ff2b20"), new double[] {0.3, 0, 0.15}),
-  FAILED(Color.web("#ff2b20"), new double[] {1, 0});
+  READY(Rgb.of(0x25e05a), new double[] {1.4, 0, 0.15, 0.3, 0.45}),
+  LOW_BATTERY(Rgb.of(0xff2b20), new double[] {1.2, 0, 0.6}),
+  CRITICAL_BATTERY(Rgb.of(0xff2b20), new double[] {0.3, 0, 0.15}),
+  FAILED(Rgb.of(0xff2b20), new double[] {1, 0});
 
-  private final Color color;
+  private final Rgb color;
   private final double[] pattern;
 
   /**
    * @param pattern its period, then when it goes on, off, on, off … within a period [s]
    */
-  StatusLight(Color color, double[] pattern) {
+  StatusLight(Rgb color, double[] pattern) {
     this.color = color;
     this.pattern = pattern;
   }
 
   /** What the light of a drone shows. */
-  static StatusLight of(FlightPhase phase, double batteryPercent, boolean commanded) {
+  public static StatusLight of(FlightPhase phase, double batteryPercent, boolean commanded) {
     if (phase == FlightPhase.OFF) {
       return DARK;
     }
@@ -52,7 +52,7 @@ enum StatusLight {
   }
 
   /** Its colour while it is lit. */
-  Color color() {
+  public Rgb color() {
     return color;
   }
 
@@ -61,7 +61,7 @@ enum StatusLight {
    *
    * @param seconds on any clock
    */
-  boolean lit(double seconds) {
+  public boolean lit(double seconds) {
     double within = seconds - pattern[0] * Math.floor(seconds / pattern[0]);
     boolean lit = false;
     for (int i = 1; i < pattern.length && within >= pattern[i]; i++) {

@@ -1,4 +1,4 @@
-package tellosimulator.view.drone;
+package tellosimulator.scenery.drone;
 
 import tellosimulator.math.Vec3;
 import tellosimulator.model.DroneSpec;
@@ -9,7 +9,7 @@ import tellosimulator.model.Motion;
  * How a drone's propellers turn in the picture: slower than real ones, of which one would see
  * nothing but flicker. Speeds are relative to that of hovering. For one thread.
  */
-final class PropellerSpin {
+public final class PropellerSpin {
 
   /** Speed while the motors idle. Assumed: by eye. */
   static final double IDLE = 0.25;
@@ -34,8 +34,24 @@ final class PropellerSpin {
   private double speed;
   private double angle;
 
+  /** Propellers that stand still. */
+  public PropellerSpin() {}
+
+  /**
+   * Propellers that have turned like this for a long time. So a picture depends on nothing but its
+   * moment.
+   *
+   * @param seconds on any clock
+   */
+  public static PropellerSpin steady(FlightPhase phase, Motion motion, double seconds) {
+    PropellerSpin spin = new PropellerSpin();
+    spin.speed = wanted(phase, motion);
+    spin.angle = phase.motorsOn() ? SHOWN_RATE * seconds % (2 * Math.PI) : 0;
+    return spin;
+  }
+
   /** The speed that the motors of a drone strive for. */
-  static double wanted(FlightPhase phase, Motion motion) {
+  public static double wanted(FlightPhase phase, Motion motion) {
     if (!phase.motorsOn()) {
       return 0;
     }
@@ -54,7 +70,7 @@ final class PropellerSpin {
    * @param seconds since the last picture
    * @return whether something moved
    */
-  boolean advance(double wanted, double seconds) {
+  public boolean advance(double wanted, double seconds) {
     if (speed == 0 && wanted == 0) {
       return false;
     }
@@ -73,11 +89,11 @@ final class PropellerSpin {
   }
 
   /** How far the propellers have turned [rad], within a turn. */
-  double angle() {
+  public double angle() {
     return angle;
   }
 
-  boolean blurred() {
+  public boolean blurred() {
     return speed >= BLURRED;
   }
 }

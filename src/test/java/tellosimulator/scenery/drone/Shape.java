@@ -1,4 +1,4 @@
-package tellosimulator.view.drone;
+package tellosimulator.scenery.drone;
 
 import java.util.ArrayList;
 import java.util.HashMap;
@@ -8,7 +8,7 @@ import java.util.Map;
 import java.util.Set;
 import java.util.function.ToDoubleFunction;
 import tellosimulator.math.Vec3;
-import tellosimulator.view.drone.MeshBuilder.Triangle;
+import tellosimulator.scenery.drone.MeshBuilder.Triangle;
 
 /** What a test asks of a mesh: its extent, its solids, and whether they are closed. */
 final class Shape {

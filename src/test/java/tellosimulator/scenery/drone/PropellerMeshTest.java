@@ -1,4 +1,4 @@
-package tellosimulator.view.drone;
+package tellosimulator.scenery.drone;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;

@@ -1,4 +1,4 @@
-package tellosimulator.view.world;
+package tellosimulator.scenery.room;
 
 /**
  * The shadow that a drone casts straight down: it shrinks and fades as the drone rises, but never

@@ -1,15 +1,16 @@
-package tellosimulator.view.world;
+package tellosimulator.scenery.room;
 
-import javafx.geometry.Rectangle2D;
-import javafx.geometry.VPos;
-import javafx.scene.image.Image;
-import javafx.scene.paint.Color;
-import javafx.scene.shape.TriangleMesh;
-import javafx.scene.text.Font;
-import javafx.scene.text.FontWeight;
-import javafx.scene.text.TextAlignment;
+import java.util.List;
 import tellosimulator.math.Vec3;
-import tellosimulator.view.world.Quads.Quad;
+import tellosimulator.scenery.Finish;
+import tellosimulator.scenery.Part;
+import tellosimulator.scenery.Rgb;
+import tellosimulator.scenery.Texture;
+import tellosimulator.scenery.paint.Digit;
+import tellosimulator.scenery.paint.Sketch;
+import tellosimulator.scenery.paint.Sketch.Point;
+import tellosimulator.scenery.room.Quads.Patch;
+import tellosimulator.scenery.room.Quads.Quad;
 import tellosimulator.world.Room;
 
 /**
@@ -34,7 +35,12 @@ final class MetreMarks {
   /** The same, as a part of the room's shorter edge. Decided: by eye. */
   private static final double LARGEST_NUMBER = 0.07;
 
-  private static final Color INK = Color.web("#6f675b");
+  private static final Rgb INK = Rgb.of(0x6f675b);
+
+  /** The picture of all signs; made when the first room is. */
+  private static final class Signs {
+    static final Texture PICTURE = picture();
+  }
 
   private final double step;
   private final double size;
@@ -51,8 +57,9 @@ final class MetreMarks {
     }
   }
 
-  static TriangleMesh mesh(Room room) {
-    return new MetreMarks(room).quads.mesh();
+  /** The marks of a room, room frame. */
+  static Part part(Room room) {
+    return new Part(new MetreMarks(room).quads.mesh(), Signs.PICTURE, Finish.DECAL);
   }
 
   /** Metres from mark to mark in a room of some length [m]. */
@@ -103,33 +110,33 @@ final class MetreMarks {
     return index / CELLS;
   }
 
-  private static Rectangle2D cell(int index) {
+  private static Patch cell(int index) {
     double edge = 1.0 / CELLS;
-    return new Rectangle2D(column(index) * edge, row(index) * edge, edge, edge);
+    return new Patch(column(index) * edge, row(index) * edge, edge, edge);
   }
 
   /** A part of a cell that is far from its neighbours. */
-  private static Rectangle2D inside(int index) {
-    Rectangle2D cell = cell(index);
-    double edge = cell.getWidth() / 2;
-    return new Rectangle2D(cell.getMinX() + edge / 2, cell.getMinY() + edge / 2, edge, edge);
+  private static Patch inside(int index) {
+    Patch cell = cell(index);
+    double edge = cell.width() / 2;
+    return new Patch(cell.left() + edge / 2, cell.top() + edge / 2, edge, edge);
   }
 
-  static Image picture() {
+  private static Texture picture() {
     double cell = (double) PICTURE / CELLS;
-    return Pictures.drawn(
-        PICTURE,
-        pen -> {
-          pen.setFill(INK);
-          pen.setFont(Font.font("System", FontWeight.BOLD, cell * 0.85));
-          pen.setTextAlign(TextAlignment.CENTER);
-          pen.setTextBaseline(VPos.CENTER);
-          for (int i = 0; i < SIGNS.length(); i++) {
-            double x = (column(i) + 0.5) * cell;
-            double y = (row(i) + 0.5) * cell;
-            pen.fillText(SIGNS.substring(i, i + 1), x, y);
-          }
-          pen.fillRect(column(FULL) * cell, row(FULL) * cell, cell, cell);
-        });
+    Sketch sheet = new Sketch(PICTURE);
+    for (int i = 0; i < SIGNS.length(); i++) {
+      Point middle = new Point((column(i) + 0.5) * cell, (row(i) + 0.5) * cell);
+      Digit.draw(sheet, SIGNS.charAt(i), middle, 0.64 * cell);
+    }
+    double left = column(FULL) * cell;
+    double top = row(FULL) * cell;
+    sheet.fill(
+        List.of(
+            new Point(left, top),
+            new Point(left + cell, top),
+            new Point(left + cell, top + cell),
+            new Point(left, top + cell)));
+    return sheet.texture(INK);
   }
 }

@@ -1,12 +1,11 @@
-package tellosimulator.view.drone;
+package tellosimulator.scenery.drone;
 
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import javafx.scene.shape.TriangleMesh;
-import javafx.scene.shape.VertexFormat;
 import tellosimulator.math.Vec3;
+import tellosimulator.scenery.Mesh;
 
 /**
  * Collects coloured triangles and makes one mesh of them. Triangles that share vertices and a
@@ -73,29 +72,31 @@ final class MeshBuilder {
     return vertices.get(triangle.b).minus(a).cross(vertices.get(triangle.c).minus(a));
   }
 
-  TriangleMesh build() {
-    TriangleMesh mesh = new TriangleMesh(VertexFormat.POINT_NORMAL_TEXCOORD);
-    for (Vec3 vertex : vertices) {
-      mesh.getPoints().addAll((float) vertex.x(), (float) vertex.y(), (float) vertex.z());
-    }
-    for (Palette part : Palette.values()) {
-      mesh.getTexCoords().addAll(part.u(), 0.5f);
-    }
+  Mesh build() {
+    Map<Corner, Vec3> normals = normals();
     Map<Corner, Integer> numbers = new LinkedHashMap<>();
-    normals()
-        .forEach(
-            (corner, normal) -> {
-              numbers.put(corner, numbers.size());
-              Vec3 unit = normal.normalized();
-              mesh.getNormals().addAll((float) unit.x(), (float) unit.y(), (float) unit.z());
-            });
+    normals.keySet().forEach(corner -> numbers.put(corner, numbers.size()));
+    int[] corners = new int[9 * triangles.size()];
+    int next = 0;
     for (Triangle triangle : triangles) {
       for (int vertex : new int[] {triangle.a, triangle.b, triangle.c}) {
-        int normal = numbers.get(new Corner(vertex, triangle.group));
-        mesh.getFaces().addAll(vertex, normal, triangle.color.index());
+        corners[next++] = vertex;
+        corners[next++] = numbers.get(new Corner(vertex, triangle.group));
+        corners[next++] = triangle.color.index();
       }
     }
-    return mesh;
+    List<Vec3> unit = normals.values().stream().map(Vec3::normalized).toList();
+    return new Mesh(numbers(vertices), numbers(unit), Palette.places(), corners);
+  }
+
+  private static float[] numbers(List<Vec3> vectors) {
+    float[] numbers = new float[3 * vectors.size()];
+    for (int i = 0; i < vectors.size(); i++) {
+      numbers[3 * i] = (float) vectors.get(i).x();
+      numbers[3 * i + 1] = (float) vectors.get(i).y();
+      numbers[3 * i + 2] = (float) vectors.get(i).z();
+    }
+    return numbers;
   }
 
   /** For each vertex of each surface the mean of its triangles' normals, weighted by area. */

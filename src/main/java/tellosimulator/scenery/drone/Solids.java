@@ -1,4 +1,4 @@
-package tellosimulator.view.drone;
+package tellosimulator.scenery.drone;
 
 import java.util.ArrayList;
 import java.util.List;

@@ -1,9 +1,9 @@
-package tellosimulator.view.drone;
+package tellosimulator.scenery.drone;
 
 import java.util.ArrayList;
 import java.util.List;
 import tellosimulator.math.Vec3;
-import tellosimulator.view.drone.Solids.Section;
+import tellosimulator.scenery.drone.Solids.Section;
 
 /**
  * The shell of a Tello: a rounded cover on a dark underside, with a dark nose that holds the lens.

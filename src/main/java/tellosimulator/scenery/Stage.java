@@ -1,0 +1,121 @@
+package tellosimulator.scenery;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.OptionalInt;
+import java.util.concurrent.ConcurrentHashMap;
+import tellosimulator.math.Attitude;
+import tellosimulator.math.Pose;
+import tellosimulator.math.Vec3;
+import tellosimulator.model.DroneState;
+import tellosimulator.scenery.drone.DroneParts;
+import tellosimulator.scenery.drone.PropellerSpin;
+import tellosimulator.scenery.drone.StatusLight;
+import tellosimulator.scenery.room.GroundMark;
+import tellosimulator.scenery.room.Interior;
+import tellosimulator.sim.SimSnapshot;
+import tellosimulator.sim.SimSnapshot.DroneSnapshot;
+import tellosimulator.world.Decor;
+import tellosimulator.world.Room;
+
+/**
+ * Makes the scene of a moment. The same moment always gives the same scene. It keeps what does not
+ * change from picture to picture, so that all cameras share one of them. For any thread.
+ */
+public final class Stage {
+
+  private static final Pose ORIGIN = new Pose(Vec3.ZERO, Attitude.LEVEL);
+
+  /** What belongs to a drone wherever it is. */
+  private record Figure(DroneParts parts, GroundMark marks) {
+    static Figure of(int number) {
+      return new Figure(new DroneParts(number), new GroundMark(number));
+    }
+  }
+
+  /** The latest room. */
+  private record Furnished(Room room, Decor decor, List<Placed> parts) {}
+
+  private final Map<Integer, Figure> figures = new ConcurrentHashMap<>();
+  private volatile Furnished furnished;
+
+  /** Everything that can be seen at a moment. */
+  public Scene scene(SimSnapshot snapshot) {
+    return scene(snapshot, OptionalInt.empty());
+  }
+
+  /**
+   * What the camera on a drone sees: everything but this drone, whose shadow it does see.
+   *
+   * @param drone its number, from 1
+   */
+  public Scene scene(SimSnapshot snapshot, int drone) {
+    return scene(snapshot, OptionalInt.of(drone));
+  }
+
+  private Scene scene(SimSnapshot snapshot, OptionalInt without) {
+    List<Placed> parts = new ArrayList<>(room(snapshot));
+    for (DroneSnapshot drone : snapshot.drones()) {
+      addMarks(parts, drone);
+    }
+    List<DroneSnapshot> seen =
+        snapshot.drones().stream()
+            .filter(drone -> without.isEmpty() || without.getAsInt() != drone.state().drone())
+            .toList();
+    seen.forEach(drone -> addBody(parts, drone));
+    seen.forEach(drone -> addPropellers(parts, drone)); // last, because they may be sheer
+    return new Scene(parts);
+  }
+
+  private List<Placed> room(SimSnapshot snapshot) {
+    Room room = snapshot.room();
+    Decor decor = snapshot.decor();
+    Furnished known = furnished;
+    if (known == null || !known.room.equals(room) || !known.decor.equals(decor)) {
+      List<Placed> parts =
+          Interior.parts(room, decor).stream().map(part -> new Placed(part, ORIGIN)).toList();
+      known = new Furnished(room, decor, parts);
+      furnished = known;
+    }
+    return known.parts;
+  }
+
+  private void addMarks(List<Placed> parts, DroneSnapshot drone) {
+    GroundMark marks = figure(drone).marks;
+    parts.add(marks.start(drone.start()));
+    parts.add(marks.shadow(drone.state().motion().pose()));
+  }
+
+  private void addBody(List<Placed> parts, DroneSnapshot drone) {
+    DroneParts figure = figure(drone).parts;
+    DroneState state = drone.state();
+    Pose pose = state.motion().pose();
+    double seconds = state.time().seconds();
+    StatusLight light =
+        StatusLight.of(
+            state.phase(), state.energy().battery().percent(), drone.link().operator().isPresent());
+    parts.add(new Placed(figure.body(), pose));
+    parts.add(new Placed(figure.lamp(light.lit(seconds) ? light : StatusLight.DARK), pose));
+  }
+
+  private void addPropellers(List<Placed> parts, DroneSnapshot drone) {
+    DroneParts figure = figure(drone).parts;
+    DroneState state = drone.state();
+    Pose pose = state.motion().pose();
+    double seconds = state.time().seconds();
+    PropellerSpin spin = PropellerSpin.steady(state.phase(), state.motion(), seconds);
+    for (int i = 0; i < figure.propellers().size(); i++) {
+      Vec3 middle = pose.attitude().toRoom(figure.propellers().get(i));
+      Attitude turned = Attitude.ofHeading(figure.heading(i, spin.angle()));
+      parts.add(
+          new Placed(
+              figure.propeller(i, spin.blurred()),
+              new Pose(pose.position().plus(middle), pose.attitude().after(turned))));
+    }
+  }
+
+  private Figure figure(DroneSnapshot drone) {
+    return figures.computeIfAbsent(drone.state().drone(), Figure::of);
+  }
+}

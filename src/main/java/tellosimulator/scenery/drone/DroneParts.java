@@ -1,0 +1,87 @@
+package tellosimulator.scenery.drone;
+
+import java.util.List;
+import java.util.Map;
+import tellosimulator.math.Vec3;
+import tellosimulator.scenery.Finish;
+import tellosimulator.scenery.Mesh;
+import tellosimulator.scenery.Part;
+import tellosimulator.scenery.Texture;
+
+/**
+ * The parts of one drone. Body and lamp are in the body frame; a propeller is at the origin of its
+ * own. Immutable; for any thread.
+ */
+public final class DroneParts {
+
+  /** How far a propeller that stands still is turned, times its number [rad]. Decided: by eye. */
+  private static final double AT_REST = Math.toRadians(35);
+
+  private final Part body;
+  private final Part clockwise;
+  private final Part counterClockwise;
+
+  /** What is the same for all drones; made when the first drone is. */
+  private static final class Shared {
+
+    static final Mesh BODY = BodyMesh.create();
+    static final Mesh CLOCKWISE = PropellerMesh.create(true);
+    static final Mesh COUNTER_CLOCKWISE = PropellerMesh.create(false);
+    static final Part DISC =
+        new Part(PropellerDisc.create(), PropellerDisc.picture(), Finish.SHEER);
+    static final Map<StatusLight, Part> LAMP = StatusLamp.parts();
+    static final List<Vec3> PROPELLERS = List.copyOf(BodyMesh.propellers());
+  }
+
+  /**
+   * @param number of the drone, from 1; it decides about the colour
+   */
+  public DroneParts(int number) {
+    Texture colors = Palette.picture(Livery.cover(number));
+    body = new Part(Shared.BODY, colors, Finish.LIT);
+    clockwise = new Part(Shared.CLOCKWISE, colors, Finish.LIT);
+    counterClockwise = new Part(Shared.COUNTER_CLOCKWISE, colors, Finish.LIT);
+  }
+
+  /** All but lamp and propellers. */
+  public Part body() {
+    return body;
+  }
+
+  /** The lamp beside the lens. */
+  public Part lamp(StatusLight light) {
+    return Shared.LAMP.get(light);
+  }
+
+  /** The middles of the propellers, body frame [m]: front left, front right, back left, right. */
+  public List<Vec3> propellers() {
+    return Shared.PROPELLERS;
+  }
+
+  /**
+   * A propeller as one sees it: its blades, or a disc when they turn fast.
+   *
+   * @param index its place in {@link #propellers}
+   */
+  public Part propeller(int index, boolean blurred) {
+    if (blurred) {
+      return Shared.DISC;
+    }
+    return turnsClockwise(index) ? clockwise : counterClockwise;
+  }
+
+  /**
+   * How far a propeller is turned about the body's z axis, counter-clockwise seen from above [rad].
+   *
+   * @param index its place in {@link #propellers}
+   * @param spin how far it has turned since it stood still [rad]
+   */
+  public double heading(int index, double spin) {
+    return (index + 1) * AT_REST + (turnsClockwise(index) ? -spin : spin);
+  }
+
+  /** Front right and back left. Documented: parts list of the Tello; the others turn against it. */
+  private static boolean turnsClockwise(int index) {
+    return index == 1 || index == 2;
+  }
+}

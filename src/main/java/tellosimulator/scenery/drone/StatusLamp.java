@@ -1,0 +1,50 @@
+package tellosimulator.scenery.drone;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.EnumMap;
+import java.util.List;
+import java.util.Map;
+import tellosimulator.math.Vec3;
+import tellosimulator.scenery.Finish;
+import tellosimulator.scenery.Mesh;
+import tellosimulator.scenery.Part;
+import tellosimulator.scenery.Texture;
+import tellosimulator.scenery.drone.Solids.Section;
+
+/** The lamp beside the lens, in all its colours. Body frame [m]. */
+final class StatusLamp {
+
+  /** Assumed: by eye, from pictures. */
+  private static final Vec3 PLACE = new Vec3(0.0488, 0.0088, 0.0205);
+
+  /** Assumed: by eye, from pictures. */
+  private static final double RADIUS = 0.0021;
+
+  private static final int SIDES = 8;
+
+  private StatusLamp() {}
+
+  static Map<StatusLight, Part> parts() {
+    Mesh ball = ball();
+    Map<StatusLight, Part> parts = new EnumMap<>(StatusLight.class);
+    for (StatusLight light : StatusLight.values()) {
+      int[] pixels = new int[4];
+      Arrays.fill(pixels, light.color().argb());
+      parts.put(light, new Part(ball, new Texture(2, 2, pixels), Finish.PAINTED));
+    }
+    return parts;
+  }
+
+  private static Mesh ball() {
+    List<Section> sections = new ArrayList<>();
+    for (int i = 0; i < SIDES / 2; i++) {
+      double angle = Math.PI * (2 * i + 1) / SIDES;
+      Vec3 centre = PLACE.minus(new Vec3(RADIUS * Math.cos(angle), 0, 0));
+      sections.add(new Section(centre, RADIUS * Math.sin(angle)));
+    }
+    MeshBuilder mesh = new MeshBuilder();
+    Solids.tube(mesh, sections, SIDES);
+    return mesh.build();
+  }
+}

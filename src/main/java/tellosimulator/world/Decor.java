@@ -1,0 +1,40 @@
+package tellosimulator.world;
+
+import java.util.List;
+
+/**
+ * What can be chosen about the looks of a room; nothing of it stops a drone. Immutable.
+ *
+ * @param grid distance between the lines on the floor [m]
+ * @param posters the later ones in front of the earlier ones
+ */
+public record Decor(double grid, Walls walls, List<Poster> posters) {
+
+  /** Limits of the grid [m]. Decided: a drone's size, and a line each two metres. */
+  public static final double SMALLEST_GRID = 0.1;
+
+  public static final double LARGEST_GRID = 2;
+
+  /** Decided: the grid of the predecessor, and walls that cameras can see. */
+  public static final Decor DEFAULT = new Decor(0.4, Walls.TEXTURED, List.of());
+
+  public Decor {
+    if (!(grid >= SMALLEST_GRID && grid <= LARGEST_GRID)) {
+      throw new IllegalArgumentException(
+          "grid is " + grid + " m, but must be from " + SMALLEST_GRID + " to " + LARGEST_GRID);
+    }
+    posters = List.copyOf(posters);
+  }
+
+  public Decor withGrid(double newGrid) {
+    return new Decor(newGrid, walls, posters);
+  }
+
+  public Decor withWalls(Walls newWalls) {
+    return new Decor(grid, newWalls, posters);
+  }
+
+  public Decor withPosters(List<Poster> newPosters) {
+    return new Decor(grid, walls, newPosters);
+  }
+}

@@ -1,0 +1,140 @@
+package tellosimulator.scenery;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import tellosimulator.math.Attitude;
+import tellosimulator.math.Pose;
+import tellosimulator.math.Vec3;
+import tellosimulator.model.DroneState;
+import tellosimulator.model.FlightPhase;
+import tellosimulator.model.Motion;
+import tellosimulator.sim.SimConfig;
+import tellosimulator.sim.SimSnapshot;
+import tellosimulator.sim.SimSnapshot.DroneSnapshot;
+import tellosimulator.sim.Simulation;
+import tellosimulator.sim.Swarm;
+import tellosimulator.world.Room;
+
+class StageTest {
+
+  /** Body, lamp and four propellers. */
+  private static final int PARTS_OF_DRONE = 6;
+
+  private final Stage stage = new Stage();
+
+  @Test
+  void aDroneDoesNotSeeItselfButTheOthersAndAllShadows() {
+    SimSnapshot two = drones(2);
+
+    Scene everything = stage.scene(two);
+    Scene fromFirst = stage.scene(two, 1);
+
+    assertThat(fromFirst.parts()).hasSize(everything.parts().size() - PARTS_OF_DRONE);
+    assertThat(lit(everything)).hasSize(2 + 2 * 4);
+    assertThat(lit(fromFirst)).hasSize(1 + 4).allMatch(part -> isNear(part, start(two, 2)));
+    assertThat(decals(fromFirst)).isEqualTo(decals(everything));
+  }
+
+  @Test
+  void theBodyIsWhereTheDroneIs() {
+    Pose pose = new Pose(new Vec3(1, -0.5, 1.2), Attitude.ofHeading(1));
+
+    Scene scene = stage.scene(flying(pose));
+
+    Placed body = lit(scene).get(0);
+    assertThat(body.pose()).isEqualTo(pose);
+    assertThat(body.scale()).isEqualTo(1);
+  }
+
+  @Test
+  void flyingOneSeesSheerDiscsAtTheEnd() {
+    Pose pose = new Pose(new Vec3(0, 0, 1), Attitude.LEVEL);
+
+    List<Placed> parts = stage.scene(flying(pose)).parts();
+
+    List<Placed> last = parts.subList(parts.size() - 4, parts.size());
+    assertThat(last).allMatch(part -> part.part().finish() == Finish.SHEER);
+    // front left: half of 98 mm ahead, half of 92.5 mm to the left, 38.5 mm up
+    assertThat(last.get(0).pose().position().distanceTo(new Vec3(0.049, 0.04625, 1.0385)))
+        .isCloseTo(0, within(1e-9));
+    assertThat(parts.subList(0, parts.size() - 4))
+        .noneMatch(part -> part.part().finish() == Finish.SHEER);
+  }
+
+  @Test
+  void theRoomIsMadeOnce() {
+    Scene first = stage.scene(drones(1));
+    Scene second = stage.scene(flying(new Pose(new Vec3(0, 0, 1), Attitude.LEVEL)));
+
+    assertThat(second.parts().get(0)).isSameAs(first.parts().get(0));
+  }
+
+  @Test
+  void anotherRoomIsShown() {
+    SimSnapshot before = drones(1);
+    stage.scene(before);
+
+    SimSnapshot after =
+        new SimSnapshot(
+            before.time(), before.clock(), new Room(9, 9, 3), before.decor(), before.drones());
+
+    Mesh floor = stage.scene(after).parts().get(0).part().mesh();
+    assertThat(floor.point(0)).isEqualTo(new Vec3(-4.5, 4.5, 0));
+  }
+
+  @Test
+  void theRoomComesFirstThenDecalsThenTheRest() {
+    List<Finish> order =
+        stage.scene(drones(2)).parts().stream().map(part -> part.part().finish()).toList();
+
+    assertThat(order.lastIndexOf(Finish.DECAL)).isLessThan(order.indexOf(Finish.LIT));
+    assertThat(order.get(0)).isEqualTo(Finish.PAINTED);
+  }
+
+  private static List<Placed> lit(Scene scene) {
+    return scene.parts().stream().filter(part -> part.part().finish() == Finish.LIT).toList();
+  }
+
+  private static List<Placed> decals(Scene scene) {
+    return scene.parts().stream().filter(part -> part.part().finish() == Finish.DECAL).toList();
+  }
+
+  private static boolean isNear(Placed part, Vec3 place) {
+    return part.pose().position().distanceTo(place) < 0.1;
+  }
+
+  private static Vec3 start(SimSnapshot snapshot, int drone) {
+    return snapshot.drones().get(drone - 1).start().position();
+  }
+
+  private static SimSnapshot drones(int count) {
+    SimConfig config =
+        SimConfig.DEFAULT.withRoom(Room.DEFAULT, Swarm.row(count, Vec3.ZERO, Room.DEFAULT));
+    return new Simulation(config, drone -> (peer, text) -> {}, report -> {}, List.of()).snapshot();
+  }
+
+  private static SimSnapshot flying(Pose pose) {
+    SimSnapshot one = drones(1);
+    DroneSnapshot drone = one.drones().get(0);
+    DroneState was = drone.state();
+    DroneState now =
+        new DroneState(
+            was.drone(),
+            was.time(),
+            Motion.restingAt(pose),
+            FlightPhase.FLYING,
+            was.energy(),
+            was.reference(),
+            was.pads(),
+            was.video());
+    return new SimSnapshot(
+        one.time(),
+        one.clock(),
+        one.room(),
+        one.decor(),
+        List.of(new DroneSnapshot(now, drone.link(), drone.product(), drone.start())));
+  }
+}
