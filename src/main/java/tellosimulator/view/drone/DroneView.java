@@ -2,7 +2,6 @@ package tellosimulator.view.drone;
 
 import java.util.ArrayList;
 import java.util.HashMap;
-import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
 import javafx.scene.Group;
@@ -37,7 +36,7 @@ public final class DroneView extends Group {
   private final DroneParts parts;
   private final PropellerSpin spin = new PropellerSpin();
   private final FxTextures textures = new FxTextures();
-  private final Map<Mesh, TriangleMesh> meshes = new IdentityHashMap<>();
+  private final Map<Mesh, TriangleMesh> meshes = new HashMap<>();
   private final Map<Part, PhongMaterial> materials = new HashMap<>();
   private final Affine pose = new Affine();
   private final MeshView body = new MeshView();
