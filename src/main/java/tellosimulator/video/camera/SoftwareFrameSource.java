@@ -1,0 +1,73 @@
+package tellosimulator.video.camera;
+
+import java.util.Optional;
+import tellosimulator.math.Pose;
+import tellosimulator.scenery.Scene;
+import tellosimulator.sim.SimSnapshot;
+import tellosimulator.video.picture.Picture;
+
+/** Films with a software camera. For one thread at a time. */
+public final class SoftwareFrameSource implements FrameSource {
+
+  /** Makes the scene of a moment. */
+  @FunctionalInterface
+  public interface Setting {
+
+    /** What the cameras on a drone see: all but the drone itself. */
+    Scene scene(SimSnapshot snapshot, int drone);
+  }
+
+  private final SoftwareCamera camera;
+  private final DroneOptics optics;
+  private final Setting setting;
+  private Optional<Raster> raster = Optional.empty();
+
+  /**
+   * @param props for {@link ColorSpace#YUV}; those of all sources, as they take much memory
+   */
+  public SoftwareFrameSource(Props props, DroneOptics optics, Setting setting) {
+    if (props.space() != ColorSpace.YUV) {
+      throw new IllegalArgumentException("props is for " + props.space() + ", but must be for YUV");
+    }
+    camera = new SoftwareCamera(props);
+    this.optics = optics;
+    this.setting = setting;
+  }
+
+  @Override
+  public void film(SimSnapshot snapshot, Shot shot, Picture picture) {
+    Pose drone = pose(snapshot, shot.drone());
+    Scene scene = setting.scene(snapshot, shot.drone());
+    if (shot.downward()) {
+      filmBelow(scene, drone, picture);
+    } else {
+      Raster target = raster(picture.width(), picture.height());
+      camera.draw(scene, optics.ahead(drone, picture.width(), picture.height()), target);
+      Planes.write(target, picture);
+    }
+  }
+
+  /**
+   * The camera in the underside has no colours, and only the upper part of its picture is one: as
+   * wide as three quarters of that are high. The rest is zero, which is green. Measured: 320 by 240
+   * of 320 by 720 pixels (DTP #140).
+   */
+  private void filmBelow(Scene scene, Pose drone, Picture picture) {
+    int width = picture.width();
+    int height = Math.min(picture.height(), width * 3 / 4 / 2 * 2);
+    Raster target = raster(width, height);
+    camera.draw(scene, optics.below(drone, width, height), target);
+    Planes.writeGrey(target, picture);
+  }
+
+  private Raster raster(int width, int height) {
+    if (raster.isEmpty() || raster.get().width() != width || raster.get().height() != height) {
+      raster = Optional.of(new Raster(width, height));
+    }
+    return raster.get();
+  }
+
+  private static Pose pose(SimSnapshot snapshot, int drone) {
+    return snapshot.drones().get(drone - 1).state().motion().pose();
+  }
+}
