@@ -1,0 +1,184 @@
+package tellosimulator.video.codec;
+
+/**
+ * Predictions of a macroblock from its neighbours in the same picture, as decoders see them: the
+ * column at its left and the row above it.
+ */
+final class IntraPrediction {
+
+  /** How pixels come from the neighbours. */
+  private enum Mode {
+    /** The row above goes on downwards. */
+    DOWN(0, 2),
+    /** The column at the left goes on to the right. */
+    ACROSS(1, 1),
+    /** The mean of both. */
+    MEAN(2, 0),
+    /** A plane through both. */
+    PLANE(3, 3);
+
+    /** H.264, table 8-4. */
+    final int luma;
+
+    /** H.264, table 8-5. */
+    final int colour;
+
+    Mode(int luma, int colour) {
+      this.luma = luma;
+      this.colour = colour;
+    }
+
+    boolean possible(Macroblock macroblock) {
+      return switch (this) {
+        case DOWN -> macroblock.row > 0;
+        case ACROSS -> macroblock.column > 0;
+        case MEAN -> true;
+        case PLANE -> macroblock.row > 0 && macroblock.column > 0;
+      };
+    }
+  }
+
+  private static final int STRIDE = Samples.STRIDE;
+
+  private static final Mode[] MODES = Mode.values();
+
+  private final Samples trial = new Samples();
+
+  /**
+   * Finds the best prediction of luma and says which in the macroblock.
+   *
+   * @param frame the picture as decoders see it, as far as it is coded
+   * @param best gets the prediction
+   * @return the sum of absolute differences
+   */
+  int luma(Frame frame, Macroblock macroblock, Samples best) {
+    int least = Integer.MAX_VALUE;
+    for (Mode mode : MODES) {
+      if (mode.possible(macroblock)) {
+        luma(frame.luma, macroblock, mode, trial);
+        int difference = macroblock.source.lumaDifference(trial);
+        if (difference < least) {
+          least = difference;
+          macroblock.lumaMode = mode.luma;
+          System.arraycopy(trial.bytes, 0, best.bytes, 0, Samples.BLUE);
+        }
+      }
+    }
+    return least;
+  }
+
+  /** The same for both colours. */
+  int colour(Frame frame, Macroblock macroblock, Samples best) {
+    int least = Integer.MAX_VALUE;
+    for (Mode mode : MODES) {
+      if (mode.possible(macroblock)) {
+        colour(frame.blue, macroblock, mode, Samples.BLUE);
+        colour(frame.red, macroblock, mode, Samples.RED);
+        int difference = macroblock.source.colourDifference(trial);
+        if (difference < least) {
+          least = difference;
+          macroblock.colourMode = mode.colour;
+          System.arraycopy(trial.bytes, Samples.BLUE, best.bytes, Samples.BLUE, Samples.COLOURS);
+        }
+      }
+    }
+    return least;
+  }
+
+  private void luma(Plane from, Macroblock macroblock, Mode mode, Samples to) {
+    int at = from.at(16 * macroblock.column, 16 * macroblock.row);
+    switch (mode) {
+      case DOWN -> {
+        down(from, at, 16, to.bytes, 0);
+        down(from, at + 8, 16, to.bytes, 8);
+      }
+      case ACROSS -> {
+        across(from, at, 16, to.bytes, 0);
+        for (int i = 0; i < Samples.BLUE; i += STRIDE) {
+          Words.put(to.bytes, i + 8, Words.get(to.bytes, i));
+        }
+      }
+      case MEAN -> {
+        long mean = Words.fill(lumaMean(from, at, macroblock));
+        for (int i = 0; i < Samples.BLUE; i += 8) {
+          Words.put(to.bytes, i, mean);
+        }
+      }
+      case PLANE -> PlanePrediction.predict(from, at, 16, to.bytes, 0);
+    }
+  }
+
+  private void colour(Plane from, Macroblock macroblock, Mode mode, int to) {
+    int at = from.at(8 * macroblock.column, 8 * macroblock.row);
+    switch (mode) {
+      case DOWN -> down(from, at, 8, trial.bytes, to);
+      case ACROSS -> across(from, at, 8, trial.bytes, to);
+      case MEAN -> colourMeans(from, at, macroblock, to);
+      case PLANE -> PlanePrediction.predict(from, at, 8, trial.bytes, to);
+    }
+  }
+
+  private static void down(Plane from, int at, int rows, byte[] to, int offset) {
+    long above = Words.get(from.bytes, at - from.stride);
+    for (int y = 0; y < rows; y++) {
+      Words.put(to, offset + STRIDE * y, above);
+    }
+  }
+
+  private static void across(Plane from, int at, int rows, byte[] to, int offset) {
+    for (int y = 0; y < rows; y++) {
+      Words.put(to, offset + STRIDE * y, Words.fill(from.bytes[at + from.stride * y - 1]));
+    }
+  }
+
+  private static int lumaMean(Plane from, int at, Macroblock macroblock) {
+    boolean above = macroblock.row > 0;
+    boolean left = macroblock.column > 0;
+    int sum = (above ? sumAbove(from, at, 16) : 0) + (left ? sumLeft(from, at, 16) : 0);
+    if (above && left) {
+      return (sum + 16) >> 5;
+    }
+    return above || left ? (sum + 8) >> 4 : 128;
+  }
+
+  /** Each quarter has a mean of its own: those in the corners of both, the others of the nearer. */
+  private void colourMeans(Plane from, int at, Macroblock macroblock, int to) {
+    boolean above = macroblock.row > 0;
+    boolean left = macroblock.column > 0;
+    for (int half = 0; half < 2; half++) {
+      int below = at + 4 * half * from.stride;
+      int leftSum = left ? sumLeft(from, below, 4) : 0;
+      int first;
+      int second;
+      int aboveSum = above ? sumAbove(from, at, 4) : 0;
+      int besideSum = above ? sumAbove(from, at + 4, 4) : 0;
+      if (above && left) {
+        first = half == 0 ? (aboveSum + leftSum + 4) >> 3 : (leftSum + 2) >> 2;
+        second = half == 0 ? (besideSum + 2) >> 2 : (besideSum + leftSum + 4) >> 3;
+      } else {
+        first = above || left ? (aboveSum + leftSum + 2) >> 2 : 128;
+        second = above || left ? (besideSum + leftSum + 2) >> 2 : 128;
+      }
+      long word = (Words.fill(first) & 0xFFFF_FFFFL) | (Words.fill(second) << 32);
+      for (int y = 4 * half; y < 4 * half + 4; y++) {
+        Words.put(trial.bytes, to + STRIDE * y, word);
+      }
+    }
+  }
+
+  private static int sumAbove(Plane from, int at, int length) {
+    int sum = 0;
+    for (int i = at - from.stride; i < at - from.stride + length; i++) {
+      sum += from.bytes[i] & 0xFF;
+    }
+    return sum;
+  }
+
+  private static int sumLeft(Plane from, int at, int length) {
+    int sum = 0;
+    for (int y = 0; y < length; y++) {
+      sum += from.bytes[at - 1 + y * from.stride] & 0xFF;
+    }
+    return sum;
+  }
+}

@@ -1,0 +1,201 @@
+package tellosimulator.video.codec;
+
+import java.util.Arrays;
+
+/**
+ * Turns what a prediction lacks into levels, and the prediction into what decoders will see. Blocks
+ * that are as good as predicted are left out before anything is transformed.
+ */
+final class ResidualCoder {
+
+  /** Levels worth less are not sent for a quarter of luma. Decided, as x264 does. */
+  private static final int WORTHWHILE = 4;
+
+  /** Levels worth less are not sent for a colour. Decided, as x264 does. */
+  private static final int WORTHWHILE_COLOUR = 7;
+
+  /** What a level of 1 is worth after so many zeros. Decided, as x264 does. */
+  private static final int[] WORTH = {3, 2, 2, 1, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
+
+  /** What a larger level is worth: enough in any case. */
+  private static final int LARGE = 9;
+
+  private final Samples source;
+  private final Residual residual;
+  private final int[] coefficients = new int[Samples.BLOCKS * 16];
+  private final int[] corners = new int[16];
+  private final int[] sums = new int[Samples.BLOCKS];
+
+  /**
+   * @param source the macroblock that is coded
+   * @param residual gets the levels
+   */
+  ResidualCoder(Samples source, Residual residual) {
+    this.source = source;
+    this.residual = residual;
+  }
+
+  /** Whether nothing need be sent. */
+  boolean quiet(Samples prediction, Quality quality) {
+    source.differences(prediction, sums);
+    for (int block = 0; block < Samples.COLOUR; block++) {
+      if (sums[block] >= quality.quietLuma()) {
+        return false;
+      }
+    }
+    for (int block = Samples.COLOUR; block < Samples.BLOCKS; block++) {
+      if (sums[block] >= quality.quietColour()) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  /**
+   * Codes a macroblock that was predicted from another picture.
+   *
+   * @param prediction becomes what decoders see
+   */
+  void inter(Samples prediction, Quality quality) {
+    residual.clear();
+    source.differences(prediction, sums);
+    for (int quarter = 0; quarter < 4; quarter++) {
+      if (quarter(prediction, quality, (quarter >> 1) * 8 + (quarter & 1) * 2)) {
+        residual.lumaPattern |= 1 << quarter;
+      }
+    }
+    colour(prediction, quality.colour(), quality.quietColour());
+  }
+
+  /** Codes a quarter of luma; whether anything is sent for it. */
+  private boolean quarter(Samples prediction, Quality quality, int first) {
+    int worth = 0;
+    for (int i = 0; i < 4; i++) {
+      int block = first + (i >> 1) * 4 + (i & 1);
+      if (sums[block] >= quality.quietLuma()) {
+        Transform.forward(source, prediction, Samples.at(block), coefficients, 16 * block);
+        residual.counts[block] = quality.luma().block(coefficients, residual.levels, 16 * block, 0);
+        worth += worth(block, 0);
+      }
+    }
+    for (int i = 0; i < 4; i++) {
+      int block = first + (i >> 1) * 4 + (i & 1);
+      if (worth < WORTHWHILE) {
+        residual.counts[block] = 0;
+      } else if (residual.counts[block] > 0) {
+        Transform.addInverse(coefficients, 16 * block, prediction, Samples.at(block));
+      }
+    }
+    return worth >= WORTHWHILE;
+  }
+
+  /** How much a block's levels are worth; much if one is above 1. */
+  private int worth(int block, int first) {
+    int worth = 0;
+    int zeros = 0;
+    int left = residual.counts[block];
+    for (int i = 16 * block + first; left > 0; i++) {
+      int level = residual.levels[i];
+      if (level == 0) {
+        zeros++;
+      } else if (level == 1 || level == -1) {
+        worth += WORTH[zeros];
+        zeros = 0;
+        left--;
+      } else {
+        return LARGE;
+      }
+    }
+    return worth;
+  }
+
+  /**
+   * Codes a macroblock whose luma was predicted as a whole from the same picture.
+   *
+   * @param prediction becomes what decoders see
+   */
+  void intra(Samples prediction, Quality quality) {
+    residual.clear();
+    int counted = 0;
+    for (int block = 0; block < Samples.COLOUR; block++) {
+      Transform.forward(source, prediction, Samples.at(block), coefficients, 16 * block);
+      corners[block] = coefficients[16 * block];
+      residual.counts[block] =
+          quality.intraLuma().block(coefficients, residual.levels, 16 * block, 1);
+      counted += residual.counts[block];
+    }
+    residual.lumaPattern = counted > 0 ? 15 : 0;
+    lumaFirsts(quality.intraLuma());
+    for (int block = 0; block < Samples.COLOUR; block++) {
+      coefficients[16 * block] = corners[block];
+      if (residual.counts[block] > 0 || corners[block] != 0) {
+        Transform.addInverse(coefficients, 16 * block, prediction, Samples.at(block));
+      }
+    }
+    source.differences(prediction, sums);
+    colour(prediction, quality.intraColour(), 1);
+  }
+
+  private void lumaFirsts(Quantizer quantizer) {
+    Transform.hadamard(corners);
+    for (int i = 0; i < 16; i++) {
+      residual.first[i] = (corners[Quantizer.place(i)] + 1) >> 1;
+    }
+    residual.lumaFirsts = quantizer.first(residual.first, 0, 16);
+    for (int i = 0; i < 16; i++) {
+      corners[Quantizer.place(i)] = residual.first[i];
+    }
+    Transform.hadamard(corners);
+    for (int i = 0; i < 16; i++) {
+      corners[i] = quantizer.lumaFirst(corners[i]);
+    }
+  }
+
+  /** Codes both colours; one with smaller differences than quiet has no levels. */
+  private void colour(Samples prediction, Quantizer quantizer, int quiet) {
+    int blue = colour(prediction, quantizer, quiet, Residual.BLUE);
+    int red = colour(prediction, quantizer, quiet, Residual.RED);
+    residual.colourPattern = Math.max(blue, red);
+  }
+
+  private int colour(Samples prediction, Quantizer quantizer, int quiet, int first) {
+    int block = Samples.COLOUR + (first == Residual.RED ? 2 : 0);
+    int[] levels = residual.first;
+    if (Math.max(Math.max(sums[block], sums[block + 1]), Math.max(sums[block + 4], sums[block + 5]))
+        < quiet) {
+      Arrays.fill(levels, first, first + 4, 0);
+      return 0;
+    }
+    int worth = 0;
+    for (int i = 0; i < 4; i++) {
+      int at = block + (i >> 1) * 4 + (i & 1);
+      Transform.forward(source, prediction, Samples.at(at), coefficients, 16 * at);
+      levels[first + i] = coefficients[16 * at];
+      residual.counts[at] = quantizer.block(coefficients, residual.levels, 16 * at, 1);
+      worth += worth(at, 1);
+    }
+    Transform.smallHadamard(levels, first);
+    int firsts = quantizer.first(levels, first, 4);
+    System.arraycopy(levels, first, corners, 0, 4);
+    Transform.smallHadamard(corners, 0);
+    for (int i = 0; i < 4; i++) {
+      int at = block + (i >> 1) * 4 + (i & 1);
+      if (worth < WORTHWHILE_COLOUR) {
+        forget(at);
+      }
+      coefficients[16 * at] = quantizer.colourFirst(corners[i]);
+      if (residual.counts[at] > 0 || corners[i] != 0) {
+        Transform.addInverse(coefficients, 16 * at, prediction, Samples.at(at));
+      }
+    }
+    return worth >= WORTHWHILE_COLOUR ? 2 : firsts > 0 ? 1 : 0;
+  }
+
+  private void forget(int block) {
+    if (residual.counts[block] > 0) {
+      residual.counts[block] = 0;
+      Arrays.fill(coefficients, 16 * block, 16 * block + 16, 0);
+      Arrays.fill(residual.levels, 16 * block, 16 * block + 16, 0);
+    }
+  }
+}
