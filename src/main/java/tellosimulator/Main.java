@@ -102,7 +102,8 @@ public final class Main {
   private static int simulateHeadless(Options options, PrintStream out)
       throws IOException, InterruptedException {
     try (HeadlessSimulator simulator =
-        new HeadlessSimulator(options.simConfig(), options.addressPlan(), options.replyPort())) {
+        new HeadlessSimulator(
+            options.simConfig(), options.addressPlan(), options.replyPort(), options.optics())) {
       Runtime.getRuntime().addShutdownHook(new Thread(simulator::close, "shutdown"));
       Charset charset = Charset.defaultCharset();
       simulator.run(new BufferedReader(new InputStreamReader(System.in, charset)), out);

@@ -17,6 +17,7 @@ import tellosimulator.math.Vec3;
 import tellosimulator.profile.Behaviour;
 import tellosimulator.profile.Profile;
 import tellosimulator.time.TimeFactor;
+import tellosimulator.video.camera.DroneOptics;
 import tellosimulator.world.Room;
 
 /** How words of the command line are read; each mistake is a sentence. */
@@ -74,6 +75,22 @@ final class OptionTypes {
       return word.equals("sender")
           ? OptionalInt.empty()
           : OptionalInt.of(wholeNumber(word, 1, HIGHEST_PORT, "sender or a port from 1 to 65535"));
+    }
+  }
+
+  static final class FieldOfView implements ITypeConverter<Double> {
+    @Override
+    public Double convert(String word) {
+      return word.equals("manual")
+          ? Math.toDegrees(DroneOptics.across(Math.toRadians(DroneOptics.MANUALS_DIAGONAL_DEG)))
+          : degrees(word, 10, 150);
+    }
+  }
+
+  static final class Tilt implements ITypeConverter<Double> {
+    @Override
+    public Double convert(String word) {
+      return degrees(word, -90, 90);
     }
   }
 
@@ -193,6 +210,14 @@ final class OptionTypes {
       throw mistake(expected, word);
     }
     return number;
+  }
+
+  private static double degrees(String word, int least, int most) {
+    double value = word.matches(NUMBER) ? Double.parseDouble(word) : Double.NaN;
+    if (!(value >= least && value <= most)) {
+      throw mistake("degrees from " + least + " to " + most, word);
+    }
+    return value;
   }
 
   private static TypeConversionException mistake(String expected, String word) {

@@ -15,6 +15,7 @@ import tellosimulator.sim.SimConfig.Outlets;
 import tellosimulator.sim.SimConfig.Product;
 import tellosimulator.sim.Swarm;
 import tellosimulator.time.TimeFactor;
+import tellosimulator.video.camera.DroneOptics;
 import tellosimulator.world.Decor;
 import tellosimulator.world.Room;
 
@@ -67,6 +68,24 @@ final class Options {
           "Where your program takes the drone's video: one port for all drones, or one for each."
               + " Default: 11111.")
   private OptionTypes.PortList videoPorts;
+
+  @Option(
+      names = "--camera-fov",
+      paramLabel = "DEG|manual",
+      defaultValue = "55",
+      converter = OptionTypes.FieldOfView.class,
+      description =
+          "What the camera sees from left to right, in degrees: 55 as measured, or manual for the"
+              + " 82.6 degrees from corner to corner of the manual. Default: 55.")
+  private double fieldOfViewDeg;
+
+  @Option(
+      names = "--camera-tilt",
+      paramLabel = "DEG",
+      defaultValue = "15",
+      converter = OptionTypes.Tilt.class,
+      description = "How far the camera looks down, in degrees. Default: 15.")
+  private double tiltDeg;
 
   @Option(
       names = "--reply-port",
@@ -176,6 +195,11 @@ final class Options {
 
   String logLevel() {
     return logLevel;
+  }
+
+  /** The drones' cameras. */
+  DroneOptics optics() {
+    return new DroneOptics(Math.toRadians(fieldOfViewDeg), Math.toRadians(tiltDeg));
   }
 
   OptionalInt replyPort() {

@@ -32,6 +32,7 @@ import tellosimulator.sim.SimConfig;
 import tellosimulator.sim.SimConfig.Outlets;
 import tellosimulator.sim.Swarm;
 import tellosimulator.time.TimeFactor;
+import tellosimulator.video.camera.DroneOptics;
 import tellosimulator.world.Room;
 
 /** Runs the programs under {@code examples/} as their readers do: {@code java examples/X.java}. */
@@ -215,7 +216,10 @@ class ExamplesTest {
       List<InetAddress> loopback = List.of(InetAddress.getLoopbackAddress());
       simulator =
           new HeadlessSimulator(
-              config, AddressPlan.portPerDrone(drones, loopback, 0), OptionalInt.empty());
+              config,
+              AddressPlan.portPerDrone(drones, loopback, 0),
+              OptionalInt.empty(),
+              DroneOptics.DEFAULT);
       addresses = ADDRESS.matcher(type("")).results().map(MatchResult::group).toList();
     }
 

@@ -10,25 +10,35 @@ import tellosimulator.network.AddressPlan;
 import tellosimulator.network.OnlineSimulation;
 import tellosimulator.network.PortTakenException;
 import tellosimulator.sim.SimConfig;
+import tellosimulator.video.SoftwareCameras;
+import tellosimulator.video.VideoStreams;
+import tellosimulator.video.camera.DroneOptics;
+import tellosimulator.video.codec.H264Encoder;
 
 /** The program without a window: drones that are on, a console, and a line when it is ready. */
 public final class HeadlessSimulator implements AutoCloseable {
 
   private final OnlineSimulation simulation;
+  private final SoftwareCameras cameras;
+  private final VideoStreams video;
 
   /**
    * Opens the sockets and starts the simulation; all drones are on.
    *
    * @param replyPort port to which all replies go; empty for the port each command came from
+   * @param optics of the drones' cameras
    * @throws PortTakenException if an address or port cannot be had
    */
-  public HeadlessSimulator(SimConfig config, AddressPlan plan, OptionalInt replyPort)
+  public HeadlessSimulator(
+      SimConfig config, AddressPlan plan, OptionalInt replyPort, DroneOptics optics)
       throws PortTakenException {
+    cameras = new SoftwareCameras(optics);
     simulation = new OnlineSimulation(config, plan, replyPort, List.of(new EventLog()));
+    video = VideoStreams.of(simulation, cameras, H264Encoder::new);
     try {
       simulation.switchAllOn();
     } catch (PortTakenException e) {
-      simulation.close();
+      close();
       throw e;
     }
   }
@@ -41,6 +51,7 @@ public final class HeadlessSimulator implements AutoCloseable {
     shrinkHeap();
     out.println(simulation.ready());
     out.flush();
+    video.warmUp(cameras.get());
     if (!new Console(simulation::snapshot, simulation::carryOut, in, out).run()) {
       new CountDownLatch(1).await();
     }
@@ -57,6 +68,7 @@ public final class HeadlessSimulator implements AutoCloseable {
 
   @Override
   public void close() {
+    video.close();
     simulation.close();
   }
 }

@@ -2,6 +2,8 @@ package tellosimulator.video;
 
 import java.util.List;
 import java.util.function.BooleanSupplier;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
 import tellosimulator.math.Attitude;
 import tellosimulator.math.Pose;
 import tellosimulator.math.Vec3;
@@ -15,6 +17,8 @@ import tellosimulator.sim.SimSnapshot.DroneSnapshot;
  * an operator asks for the first one. Changes nothing. For one thread.
  */
 final class WarmUp {
+
+  private static final Logger LOG = LoggerFactory.getLogger(WarmUp.class);
 
   /** How many pictures. Measured: after these a picture takes hardly longer than after many. */
   private static final int PICTURES = 60;
@@ -34,9 +38,13 @@ final class WarmUp {
    */
   static void run(Film film, SimSnapshot snapshot, BooleanSupplier unneeded) {
     VideoFormat format = VideoFormat.of(VideoSettings.DEFAULT);
-    for (int i = 0; i < PICTURES && !unneeded.getAsBoolean(); i++) {
-      film.shoot(turned(snapshot, i * TURN), format);
-      film.encode(i % 4 == 0);
+    try {
+      for (int i = 0; i < PICTURES && !unneeded.getAsBoolean(); i++) {
+        film.shoot(turned(snapshot, i * TURN), format);
+        film.encode(i % 4 == 0);
+      }
+    } catch (RuntimeException e) {
+      LOG.error("The first pictures could not be made; please report this: {}", e.toString(), e);
     }
   }
 
