@@ -1,0 +1,123 @@
+package tellosimulator.video;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.io.File;
+import java.io.IOException;
+import java.nio.file.FileAlreadyExistsException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.Optional;
+import org.assertj.core.data.Offset;
+import org.jcodec.api.FrameGrab;
+import org.jcodec.api.JCodecException;
+import org.jcodec.common.DemuxerTrack;
+import org.jcodec.common.io.FileChannelWrapper;
+import org.jcodec.common.io.NIOUtils;
+import org.jcodec.containers.mp4.demuxer.MP4Demuxer;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import tellosimulator.video.codec.EncodedPicture;
+import tellosimulator.video.codec.H264Encoder;
+import tellosimulator.video.picture.Picture;
+
+class RecordingTest {
+
+  private static final long PERIOD = 40_000_000;
+
+  @TempDir private Path folder;
+
+  private Path file;
+  private Recording recording;
+  private H264Encoder encoder = new H264Encoder(64, 48);
+  private long now = 5_000_000_000L;
+
+  @BeforeEach
+  void begin() throws IOException {
+    file = folder.resolve("flight.mp4");
+    recording = Recording.to(file);
+  }
+
+  @Test
+  void theFileShowsThePicturesForAsLongAsTheyLasted() throws IOException, JCodecException {
+    for (int i = 0; i < 50; i++) {
+      film(64, 48, 100 + i, i % 25 == 0);
+    }
+    recording.close();
+
+    try (FileChannelWrapper channel = NIOUtils.readableChannel(file.toFile())) {
+      DemuxerTrack track = MP4Demuxer.createMP4Demuxer(channel).getVideoTrack();
+      assertThat(track.getMeta().getTotalFrames()).isEqualTo(50);
+      // 49 periods of 40 ms, and the last picture for 1/30 s
+      assertThat(track.getMeta().getTotalDuration())
+          .isCloseTo(49 * 0.04 + 1 / 30.0, Offset.offset(0.001));
+      assertThat(track.getMeta().getSeekFrames()).containsExactly(0, 25);
+    }
+    assertThat(brightness(30)).isCloseTo(130, Offset.offset(4));
+    assertThat(recording.pictures()).isEqualTo(50);
+    assertThat(recording.failure()).isEmpty();
+  }
+
+  @Test
+  void itBeginsWithAKeyPicture() throws IOException {
+    film(64, 48, 100, true);
+    recording.close();
+    file = folder.resolve("second.mp4");
+    recording = Recording.to(file);
+    film(64, 48, 110, false);
+    film(64, 48, 120, true);
+    film(64, 48, 130, false);
+    recording.close();
+
+    assertThat(recording.pictures()).isEqualTo(2);
+  }
+
+  @Test
+  void picturesOfAnotherSizeEndItAndWhatWasRecordedStays() throws IOException, JCodecException {
+    film(64, 48, 100, true);
+    film(64, 48, 100, false);
+    encoder = new H264Encoder(32, 32);
+    film(32, 32, 100, true);
+
+    assertThat(recording.failure())
+        .contains("The recording " + file + " ended, because the pictures have another size now.");
+    assertThat(recording.pictures()).isEqualTo(2);
+    assertThat(brightness(1)).isCloseTo(100, Offset.offset(4));
+  }
+
+  @Test
+  void aFileThatExistsIsNotOverwritten() throws IOException {
+    Path precious = Files.writeString(folder.resolve("precious.mp4"), "x");
+
+    assertThatThrownBy(() -> Recording.to(precious)).isInstanceOf(FileAlreadyExistsException.class);
+    assertThat(Files.readString(precious)).isEqualTo("x");
+  }
+
+  @Test
+  void nothingHappensAfterItsEnd() throws IOException {
+    film(64, 48, 100, true);
+    recording.close();
+    long size = Files.size(file);
+    film(64, 48, 100, true);
+    recording.close();
+
+    assertThat(Files.size(file)).isEqualTo(size);
+    assertThat(recording.pictures()).isEqualTo(1);
+  }
+
+  private void film(int width, int height, int level, boolean key) {
+    Picture picture = new Picture(width, height);
+    Arrays.fill(picture.y(), (byte) level);
+    EncodedPicture encoded = encoder.encode(picture, key);
+    recording.filmed(new FilmedPicture(picture, Optional.of(encoded), VideoFigures.NONE, now));
+    now += PERIOD;
+  }
+
+  private int brightness(int number) throws IOException, JCodecException {
+    File source = file.toFile();
+    return FrameGrab.getFrameFromFile(source, number).getPlaneData(0)[0] + 128;
+  }
+}
