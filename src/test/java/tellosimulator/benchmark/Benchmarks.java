@@ -14,13 +14,16 @@ public final class Benchmarks {
 
   private Benchmarks() {}
 
-  /** Runs everything; takes the time of the two long flights and five minutes. */
+  /** Runs everything; takes the time of the three long flights and five minutes. */
   public static void main(String[] args) throws IOException {
     double minutes = Double.parseDouble(System.getProperty("benchmark.minutes", DEFAULT_MINUTES));
     List<Row> rows = new ArrayList<>();
     rows.addAll(SpeedBenchmark.all());
-    rows.addAll(WireBenchmark.queries());
-    rows.addAll(WireBenchmark.stateLines());
+    rows.addAll(WireBenchmark.queries(false));
+    rows.addAll(WireBenchmark.stateLines(false));
+    rows.addAll(WireBenchmark.queries(true));
+    rows.addAll(WireBenchmark.stateLines(true));
+    rows.addAll(StreamBenchmark.all(minutes));
     rows.addAll(WireBenchmark.start());
     rows.addAll(WireBenchmark.memoryAfter(minutes));
     rows.addAll(WindowBenchmark.all(minutes));

@@ -119,6 +119,11 @@ final class Simulator implements AutoCloseable {
     return Long.parseLong(lines.get(0).strip()) / 1024.0;
   }
 
+  /** Processor time that it has used, on all processors together [s]. */
+  double processorSeconds() {
+    return process.info().totalCpuDuration().orElseThrow().toNanos() * 1e-9;
+  }
+
   /** Used heap after a full collection [MB]. */
   double heapMegabytes() {
     run(line -> {}, tool("jcmd"), "" + process.pid(), "GC.run");

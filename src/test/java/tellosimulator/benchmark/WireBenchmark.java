@@ -29,10 +29,17 @@ final class WireBenchmark {
 
   private WireBenchmark() {}
 
-  /** Queries to one drone while ten others are steered by {@code rc}. */
-  static List<Row> queries() throws IOException {
-    try (Simulator simulator =
+  /**
+   * Queries to one drone while ten others are steered by {@code rc}.
+   *
+   * @param filming whether one of the ten also films
+   */
+  static List<Row> queries(boolean filming) throws IOException {
+    try (VideoSocket video = new VideoSocket();
+        Simulator simulator =
             new Simulator(
+                "--video-port",
+                "" + video.port(),
                 "--drones",
                 "" + DRONES,
                 "--port-per-drone",
@@ -48,6 +55,9 @@ final class WireBenchmark {
         Steering steering = new Steering(simulator)) {
       asking.expect("command", "ok");
       steering.start();
+      if (filming) {
+        film(simulator.port(1), video);
+      }
       for (int i = 0; i < WARM_UP_QUERIES; i++) {
         asking.ask("battery?");
       }
@@ -60,19 +70,46 @@ final class WireBenchmark {
       Statistics statistics = new Statistics(times);
       return List.of(
           Row.atMost(
-              "Query round trip beside 10 drones on `rc`, median", 0.15, statistics.median()),
+              "Query round trip beside 10 drones on `rc`" + addition(filming) + ", median",
+              0.15,
+              statistics.median()),
           Row.atMost("… 99th percentile", 1, statistics.quantile(0.99)));
     }
   }
 
-  /** The distance in time of state lines that arrive. */
-  static List<Row> stateLines() throws IOException {
+  private static void film(int port, VideoSocket video) throws IOException {
+    try (Operator operator = new Operator(port)) {
+      operator.expect("streamon", "ok");
+      video.awaitKeyPicture();
+    }
+  }
+
+  private static String addition(boolean filming) {
+    return filming ? " while one films" : "";
+  }
+
+  /**
+   * The distance in time of state lines that arrive.
+   *
+   * @param filming whether the drone also films
+   */
+  static List<Row> stateLines(boolean filming) throws IOException {
     try (DatagramSocket states = new DatagramSocket(0, InetAddress.getLoopbackAddress());
+        VideoSocket video = new VideoSocket();
         Simulator simulator =
-            new Simulator("--command-port", "0", "--state-port", "" + states.getLocalPort());
+            new Simulator(
+                "--command-port",
+                "0",
+                "--state-port",
+                "" + states.getLocalPort(),
+                "--video-port",
+                "" + video.port());
         Operator operator = new Operator(simulator.port(1))) {
       operator.expect("command", "ok");
       operator.expect("takeoff", "ok");
+      if (filming) {
+        film(simulator.port(1), video);
+      }
       List<Double> periods = new ArrayList<>();
       DatagramPacket packet = new DatagramPacket(new byte[2048], 2048);
       for (int i = 0; i < WAITING_STATE_LINES; i++) {
@@ -92,7 +129,7 @@ final class WireBenchmark {
       double mean = statistics.mean();
       return List.of(
           new Row(
-              "State lines in real time, mean period",
+              "State lines in real time" + addition(filming) + ", mean period",
               "100 ms ± 0.5",
               milliseconds(mean),
               Math.abs(mean - 100) <= 0.5),
