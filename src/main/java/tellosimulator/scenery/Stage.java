@@ -37,6 +37,7 @@ public final class Stage {
   /** The latest room. */
   private record Furnished(Room room, Decor decor, List<Placed> parts) {}
 
+  private final Interior interior = new Interior();
   private final Map<Integer, Figure> figures = new ConcurrentHashMap<>();
   private volatile Furnished furnished;
 
@@ -74,7 +75,7 @@ public final class Stage {
     Furnished known = furnished;
     if (known == null || !known.room.equals(room) || !known.decor.equals(decor)) {
       List<Placed> parts =
-          Interior.parts(room, decor).stream().map(part -> new Placed(part, ORIGIN)).toList();
+          interior.parts(room, decor).stream().map(part -> new Placed(part, ORIGIN)).toList();
       known = new Furnished(room, decor, parts);
       furnished = known;
     }

@@ -50,8 +50,8 @@ final class PropellerDisc {
   static Texture picture() {
     int[] pixels = new int[PICTURE_SIZE * PICTURE_SIZE];
     for (int i = 0; i < pixels.length; i++) {
-      double x = (i % PICTURE_SIZE + 0.5) * 2 / PICTURE_SIZE - 1;
       int row = i / PICTURE_SIZE;
+      double x = (i - row * PICTURE_SIZE + 0.5) * 2 / PICTURE_SIZE - 1;
       double y = (row + 0.5) * 2 / PICTURE_SIZE - 1;
       pixels[i] = BLADE.argb(opacity(x, y));
     }

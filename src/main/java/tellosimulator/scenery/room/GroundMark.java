@@ -98,7 +98,7 @@ public final class GroundMark {
   private static int shadowPixel(int pixel) {
     double half = SHADOW_PICTURE / 2.0;
     int row = pixel / SHADOW_PICTURE;
-    double x = (pixel % SHADOW_PICTURE + 0.5) / half - 1;
+    double x = (pixel - row * SHADOW_PICTURE + 0.5) / half - 1;
     double y = (row + 0.5) / half - 1;
     double part = Math.max(0, 1 - x * x - y * y);
     return Rgb.BLACK.argb(part * part);

@@ -2,75 +2,109 @@ package tellosimulator.scenery.room;
 
 import java.util.ArrayList;
 import java.util.List;
-import tellosimulator.math.Vec3;
 import tellosimulator.scenery.Finish;
 import tellosimulator.scenery.Part;
 import tellosimulator.scenery.Texture;
 import tellosimulator.scenery.room.Quads.Patch;
-import tellosimulator.scenery.room.Quads.Quad;
 import tellosimulator.world.Decor;
 import tellosimulator.world.Room;
+import tellosimulator.world.Surface;
+import tellosimulator.world.Walls;
 
 /**
  * The inside of a room: floor, walls and ceiling, and what is painted on them. It has no outside:
- * where a wall stands between the camera and the room, one does not see it. For any thread.
+ * where a wall stands between the camera and the room, one does not see it. It keeps the pictures
+ * of the latest room. For any thread.
  */
 public final class Interior {
 
-  /** Brightness of the walls across the depth; so one sees the corners. Decided: by eye. */
+  /** Brightness of plain walls across the depth; so one sees the corners. Decided: by eye. */
   private static final double SHADE = 0.955;
 
-  private Interior() {}
+  /** The wall's uppermost pixels, of which a plain ceiling is. */
+  private static final Patch CEILING = new Patch(0, 0, 1, 0.001);
+
+  private final Latest<Double, Texture> plainFloor = new Latest<>(PlainSurface::floor);
+  private final Latest<Double, Texture> parquet = new Latest<>(Parquet::texture);
+  private final Latest<Double, Texture> plainWall =
+      new Latest<>(height -> PlainSurface.wall(height, 1));
+  private final Latest<Double, Texture> shadedWall =
+      new Latest<>(height -> PlainSurface.wall(height, SHADE));
 
   /** The parts of a room, room frame, in the order in which they are drawn. */
-  public static List<Part> parts(Room room, Decor decor) {
-    List<Part> parts = new ArrayList<>();
-    parts.add(floor(room, decor.grid()));
-    parts.addAll(walls(room));
-    parts.add(MetreMarks.part(room));
+  public synchronized List<Part> parts(Room room, Decor decor) {
+    boolean plain = decor.walls() == Walls.PLAIN;
+    List<Part> parts = new ArrayList<>(plain ? plain(room, decor) : textured(room, decor));
+    parts.add(MetreMarks.part(room, decor.walls()));
     return List.copyOf(parts);
   }
 
-  /** The lines go through the origin of the room frame, which is in the middle of a tile. */
-  private static Part floor(Room room, double grid) {
-    Quad quad =
-        new Quad(
-            new Vec3(-room.depth() / 2, room.width() / 2, 0),
-            new Vec3(0, -room.width(), 0),
-            new Vec3(room.depth(), 0, 0));
-    Patch tiles = centred(room.width() / grid, room.depth() / grid);
-    return new Part(new Quads().add(quad, tiles).mesh(), PlainSurface.floor(grid), Finish.PAINTED);
-  }
-
-  /** So many tiles that the middle of all is in the middle of a tile. */
-  private static Patch centred(double across, double down) {
-    return new Patch(firstEdge(across), firstEdge(down), across, down);
-  }
-
-  private static double firstEdge(double tiles) {
-    double edge = 0.5 - tiles / 2;
-    return edge - Math.floor(edge);
-  }
-
-  private static List<Part> walls(Room room) {
-    Vec3 up = Vec3.UP.times(room.height());
-    Vec3 depth = new Vec3(room.depth(), 0, 0);
-    Vec3 width = new Vec3(0, room.width(), 0);
-    Vec3 backRight = depth.plus(width).times(-0.5);
-    Vec3 frontLeft = depth.plus(width).times(0.5);
-    Texture bright = PlainSurface.wall(room.height(), 1);
-    Texture dim = PlainSurface.wall(room.height(), SHADE);
+  private List<Part> plain(Room room, Decor decor) {
+    Face floor = Face.of(room, Surface.FLOOR);
     Quads across =
         new Quads()
-            .add(new Quad(frontLeft, width.times(-1), up), Patch.WHOLE)
-            .add(new Quad(backRight, width, up), Patch.WHOLE)
-            .add(new Quad(backRight.plus(up), width, depth), new Patch(0, 0, 1, 0.001));
+            .add(Face.of(room, Surface.FRONT_WALL).whole(), Patch.WHOLE)
+            .add(Face.of(room, Surface.BACK_WALL).whole(), Patch.WHOLE)
+            .add(Face.of(room, Surface.CEILING).whole(), CEILING);
     Quads along =
         new Quads()
-            .add(new Quad(backRight.plus(width), depth, up), Patch.WHOLE)
-            .add(new Quad(frontLeft.minus(width), depth.times(-1), up), Patch.WHOLE);
+            .add(Face.of(room, Surface.LEFT_WALL).whole(), Patch.WHOLE)
+            .add(Face.of(room, Surface.RIGHT_WALL).whole(), Patch.WHOLE);
     return List.of(
-        new Part(across.mesh(), bright, Finish.PAINTED),
-        new Part(along.mesh(), dim, Finish.PAINTED));
+        painted(
+            new Quads().add(floor.whole(), centred(floor, decor.grid(), 0.5)),
+            plainFloor.of(decor.grid())),
+        painted(across, plainWall.of(room.height())),
+        painted(along, shadedWall.of(room.height())));
+  }
+
+  private List<Part> textured(Room room, Decor decor) {
+    Face floor = Face.of(room, Surface.FLOOR);
+    Face ceiling = Face.of(room, Surface.CEILING);
+    int cells = Parquet.cells(decor.grid());
+    List<Part> parts = new ArrayList<>();
+    parts.add(
+        painted(
+            new Quads().add(floor.whole(), centred(floor, cells * decor.grid(), 0.5 / cells)),
+            parquet.of(decor.grid())));
+    parts.add(
+        painted(
+            new Quads().add(ceiling.whole(), centred(ceiling, Wallpaper.TILE, 0)),
+            Wallpaper.panels()));
+    parts.add(papered(Face.of(room, Surface.FRONT_WALL), Wallpaper.bricks()));
+    parts.add(papered(Face.of(room, Surface.BACK_WALL), Wallpaper.hexagons()));
+    parts.add(papered(Face.of(room, Surface.LEFT_WALL), Wallpaper.boards()));
+    parts.add(papered(Face.of(room, Surface.RIGHT_WALL), Wallpaper.triangles()));
+    parts.addAll(Trim.parts(room));
+    return parts;
+  }
+
+  private static Part papered(Face wall, Texture paper) {
+    double across = wall.width() / Wallpaper.TILE;
+    double down = wall.height() / Wallpaper.TILE;
+    Patch tiles = new Patch(firstEdge(across, 0), Math.ceil(down) - down, across, down);
+    return painted(new Quads().add(wall.whole(), tiles), paper);
+  }
+
+  private static Part painted(Quads quads, Texture texture) {
+    return new Part(quads.mesh(), texture, Finish.PAINTED);
+  }
+
+  /**
+   * So many tiles on floor or ceiling that the middle of the face is at a place of a tile.
+   *
+   * @param tile its edge [m]
+   * @param place in parts of the tile from its left and from its top
+   */
+  private static Patch centred(Face face, double tile, double place) {
+    double across = face.width() / tile;
+    double down = face.height() / tile;
+    return new Patch(firstEdge(across, place), firstEdge(down, place), across, down);
+  }
+
+  /** Where in a tile the first edge of all is, from 0 to 1. */
+  private static double firstEdge(double tiles, double place) {
+    double edge = place - tiles / 2;
+    return edge - Math.floor(edge);
   }
 }

@@ -12,6 +12,7 @@ import tellosimulator.scenery.paint.Sketch.Point;
 import tellosimulator.scenery.room.Quads.Patch;
 import tellosimulator.scenery.room.Quads.Quad;
 import tellosimulator.world.Room;
+import tellosimulator.world.Walls;
 
 /**
  * Ticks and numbers along the edges of the floor, in metres of the room frame: y along the front
@@ -37,9 +38,14 @@ final class MetreMarks {
 
   private static final Rgb INK = Rgb.of(0x6f675b);
 
+  /** On wood. */
+  private static final Rgb DARK_INK = Rgb.of(0x1d1812);
+
   /** The picture of all signs; made when the first room is. */
   private static final class Signs {
-    static final Texture PICTURE = picture();
+    static final Sketch SHEET = sheet();
+    static final Texture ON_PLAIN = SHEET.texture(INK);
+    static final Texture ON_WOOD = SHEET.texture(DARK_INK);
   }
 
   private final double step;
@@ -58,8 +64,9 @@ final class MetreMarks {
   }
 
   /** The marks of a room, room frame. */
-  static Part part(Room room) {
-    return new Part(new MetreMarks(room).quads.mesh(), Signs.PICTURE, Finish.DECAL);
+  static Part part(Room room, Walls walls) {
+    Texture picture = walls == Walls.PLAIN ? Signs.ON_PLAIN : Signs.ON_WOOD;
+    return new Part(new MetreMarks(room).quads.mesh(), picture, Finish.DECAL);
   }
 
   /** Metres from mark to mark in a room of some length [m]. */
@@ -122,7 +129,7 @@ final class MetreMarks {
     return new Patch(cell.left() + edge / 2, cell.top() + edge / 2, edge, edge);
   }
 
-  private static Texture picture() {
+  private static Sketch sheet() {
     double cell = (double) PICTURE / CELLS;
     Sketch sheet = new Sketch(PICTURE);
     for (int i = 0; i < SIGNS.length(); i++) {
@@ -137,6 +144,6 @@ final class MetreMarks {
             new Point(left + cell, top),
             new Point(left + cell, top + cell),
             new Point(left, top + cell)));
-    return sheet.texture(INK);
+    return sheet;
   }
 }

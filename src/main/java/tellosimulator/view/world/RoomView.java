@@ -15,6 +15,7 @@ import tellosimulator.view.FxTextures;
 final class RoomView extends Group {
 
   private final FxSimulation simulation;
+  private final Interior interior = new Interior();
   private final FxTextures textures = new FxTextures();
 
   RoomView(FxSimulation simulation) {
@@ -27,7 +28,8 @@ final class RoomView extends Group {
   private void build() {
     getChildren()
         .setAll(
-            Interior.parts(simulation.roomProperty().get(), simulation.decorProperty().get())
+            interior
+                .parts(simulation.roomProperty().get(), simulation.decorProperty().get())
                 .stream()
                 .map(this::view)
                 .toList());

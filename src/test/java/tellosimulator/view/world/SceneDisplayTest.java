@@ -17,6 +17,7 @@ import tellosimulator.math.Vec3;
 import tellosimulator.model.FlightPhase;
 import tellosimulator.view.testing.NeedsDisplay;
 import tellosimulator.view.world.SceneFixture.Spot;
+import tellosimulator.world.Walls;
 
 /** What one sees in the 3D scene. */
 @NeedsDisplay
@@ -160,6 +161,48 @@ class SceneDisplayTest {
     assertThat(right.y())
         .as("the right side is down, so the world's right is up")
         .isLessThan(left.y() - 40);
+  }
+
+  @Test
+  void texturedWallsShowWhichIsWhich() {
+    fixture.decorate(decor -> decor.withWalls(Walls.TEXTURED));
+    fixture.change(() -> fixture.scene().viewCameraProperty().set(ViewCamera.DRONE));
+
+    assertThat(aheadWhenHeading(0)).as("bricks in front").matches(SceneDisplayTest::isReddish);
+    assertThat(aheadWhenHeading(90)).as("boards at the left").matches(SceneDisplayTest::isGreenish);
+    assertThat(aheadWhenHeading(180)).as("tiles behind").matches(SceneDisplayTest::isBluish);
+  }
+
+  /** The mean colour of the upper half of what the drone's camera sees. */
+  private Color aheadWhenHeading(double degrees) {
+    Attitude attitude = Attitude.ofHeading(Math.toRadians(degrees));
+    fixture.put(new Pose(new Vec3(0, 0, 1.2), attitude), FlightPhase.FLYING);
+    Image picture = fixture.settledPicture();
+    double red = 0;
+    double green = 0;
+    double blue = 0;
+    for (int x = 0; x < WIDTH; x++) {
+      for (int y = 0; y < HEIGHT / 2; y++) {
+        Color color = picture.getPixelReader().getColor(x, y);
+        red += color.getRed();
+        green += color.getGreen();
+        blue += color.getBlue();
+      }
+    }
+    double pixels = WIDTH * HEIGHT / 2.0;
+    return Color.color(red / pixels, green / pixels, blue / pixels);
+  }
+
+  private static boolean isReddish(Color color) {
+    return color.getRed() > 1.2 * color.getGreen() && color.getRed() > 1.2 * color.getBlue();
+  }
+
+  private static boolean isGreenish(Color color) {
+    return color.getGreen() > 1.05 * color.getRed() && color.getGreen() > 1.05 * color.getBlue();
+  }
+
+  private static boolean isBluish(Color color) {
+    return color.getBlue() > 1.1 * color.getGreen() && color.getBlue() > 1.2 * color.getRed();
   }
 
   private void fly(Vec3 position) {

@@ -37,10 +37,11 @@ import tellosimulator.view.Pulse;
 import tellosimulator.view.ViewContext;
 import tellosimulator.view.text.Language;
 import tellosimulator.world.Decor;
+import tellosimulator.world.Walls;
 
 /**
- * The 3D scene on snapshots that a test makes by hand: where the drone is and how much time passes
- * is up to the test, so that a picture is always the same.
+ * The 3D scene of a plain room on snapshots that a test makes by hand: where the drone is and how
+ * much time passes is up to the test, so that a picture is always the same.
  */
 final class SceneFixture implements BeforeEachCallback, AfterEachCallback {
 
@@ -58,7 +59,7 @@ final class SceneFixture implements BeforeEachCallback, AfterEachCallback {
   private long nanos;
 
   SceneFixture() {
-    this(SimConfig.DEFAULT);
+    this(SimConfig.DEFAULT.withDecor(Decor.DEFAULT.withWalls(Walls.PLAIN)));
   }
 
   SceneFixture(SimConfig config) {

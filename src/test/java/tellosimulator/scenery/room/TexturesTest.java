@@ -1,0 +1,118 @@
+package tellosimulator.scenery.room;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.Arrays;
+import java.util.function.IntBinaryOperator;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Named;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.Arguments;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.MethodSource;
+import tellosimulator.scenery.Texture;
+
+class TexturesTest {
+
+  @ParameterizedTest
+  @CsvSource(
+      textBlock =
+          """
+          bricks,    -1352148022
+          hexagons,  -1990222715
+          boards,    1023131869
+          triangles, -1772744082
+          panels,    -2024680950
+          parquet,   721850882
+          """)
+  void texturesAreTheSameOnEveryMachine(String name, int hash) {
+    assertThat(Arrays.hashCode(texture(name).argbArray())).isEqualTo(hash);
+  }
+
+  @ParameterizedTest
+  @MethodSource("all")
+  void theyRepeatWithoutASeam(Texture texture) {
+    int size = texture.width();
+
+    assertThat(step(size, (x, y) -> texture.argb(x, y), size - 1))
+        .isLessThanOrEqualTo(largestStepWithin(size, (x, y) -> texture.argb(x, y)));
+    assertThat(step(size, (x, y) -> texture.argb(y, x), size - 1))
+        .isLessThanOrEqualTo(largestStepWithin(size, (x, y) -> texture.argb(y, x)));
+  }
+
+  @ParameterizedTest
+  @MethodSource("all")
+  void theirSizesArePowersOfTwo(Texture texture) {
+    assertThat(Integer.bitCount(texture.width())).isEqualTo(1);
+    assertThat(texture.height()).isEqualTo(texture.width()).isLessThanOrEqualTo(1024);
+  }
+
+  @Test
+  void theyAreMadeOnce() {
+    assertThat(Wallpaper.bricks()).isSameAs(Wallpaper.bricks());
+  }
+
+  @ParameterizedTest
+  @CsvSource({"0.1, 20", "0.35, 6", "0.4, 5", "1.5, 1", "2, 1"})
+  void theFloorsTileHoldsWholeCellsOfTheGrid(double grid, int cells) {
+    Texture floor = Parquet.texture(grid);
+    int middleOfFirstCell = 1024 / cells / 2;
+
+    assertThat(Parquet.cells(grid)).isEqualTo(cells);
+    assertThat(brightness(floor, middleOfFirstCell)).isLessThan(brightness(floor) - 20);
+  }
+
+  private static double brightness(Texture texture) {
+    return IntStream.range(0, texture.width())
+        .mapToDouble(column -> brightness(texture, column))
+        .average()
+        .orElseThrow();
+  }
+
+  private static double brightness(Texture texture, int column) {
+    return IntStream.range(0, texture.height())
+        .mapToDouble(y -> luma(texture.argb(column, y)))
+        .average()
+        .orElseThrow();
+  }
+
+  /** The mean step of brightness from a column to the next. */
+  private static double step(int size, IntBinaryOperator argb, int column) {
+    double sum = 0;
+    for (int i = 0; i < size; i++) {
+      double here = luma(argb.applyAsInt(column, i));
+      sum += Math.abs(luma(argb.applyAsInt((column + 1) % size, i)) - here);
+    }
+    return sum / size;
+  }
+
+  private static double largestStepWithin(int size, IntBinaryOperator argb) {
+    return IntStream.range(0, size - 1)
+        .mapToDouble(column -> step(size, argb, column))
+        .max()
+        .orElseThrow();
+  }
+
+  private static double luma(int argb) {
+    return 0.299 * (argb >> 16 & 0xff) + 0.587 * (argb >> 8 & 0xff) + 0.114 * (argb & 0xff);
+  }
+
+  private static Stream<Arguments> all() {
+    return Stream.of("bricks", "hexagons", "boards", "triangles", "panels", "parquet")
+        .map(name -> Arguments.of(Named.of(name, texture(name))));
+  }
+
+  private static Texture texture(String name) {
+    return switch (name) {
+      case "bricks" -> Wallpaper.bricks();
+      case "hexagons" -> Wallpaper.hexagons();
+      case "boards" -> Wallpaper.boards();
+      case "triangles" -> Wallpaper.triangles();
+      case "panels" -> Wallpaper.panels();
+      case "parquet" -> Parquet.texture(0.4);
+      default -> throw new IllegalArgumentException("there is no texture " + name);
+    };
+  }
+}
