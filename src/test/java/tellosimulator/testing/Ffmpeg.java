@@ -1,0 +1,81 @@
+package tellosimulator.testing;
+
+import static org.junit.jupiter.api.Assertions.fail;
+import static org.junit.jupiter.api.Assumptions.abort;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+
+/**
+ * A decoder that is not ours: the program ffmpeg. Where it is missing a test is skipped, but not in
+ * CI.
+ */
+public final class Ffmpeg {
+
+  /**
+   * What came out.
+   *
+   * @param pictures brightness of each pixel, row by row, one byte each
+   * @param complaints what it wrote from warnings on
+   */
+  public record Decoded(List<byte[]> pictures, String complaints) {}
+
+  private Ffmpeg() {}
+
+  /**
+   * Decodes an H.264 stream.
+   *
+   * @param pixels how many a picture has
+   * @param folder for files in between
+   * @param options of the decoder
+   */
+  public static Decoded decode(byte[] stream, int pixels, Path folder, String... options)
+      throws IOException, InterruptedException {
+    Path input = Files.write(folder.resolve("stream.h264"), stream);
+    Path output = folder.resolve("pictures.raw");
+    Path errors = folder.resolve("errors.txt");
+    List<String> command =
+        new ArrayList<>(List.of("ffmpeg", "-nostdin", "-hide_banner", "-v", "warning"));
+    command.addAll(List.of(options));
+    command.addAll(List.of("-f", "h264", "-i", input.toString()));
+    command.addAll(List.of("-fps_mode", "passthrough", "-f", "rawvideo", "-pix_fmt", "gray"));
+    command.addAll(List.of("-y", output.toString()));
+    int status;
+    try {
+      status =
+          new ProcessBuilder(command)
+              .redirectError(errors.toFile())
+              .redirectOutput(ProcessBuilder.Redirect.DISCARD)
+              .start()
+              .waitFor();
+    } catch (IOException e) {
+      missing(e);
+      return new Decoded(List.of(), "");
+    }
+    String complaints = Files.readString(errors, StandardCharsets.UTF_8);
+    if (status != 0) {
+      fail("ffmpeg ended with " + status + ": " + complaints);
+    }
+    return new Decoded(cut(Files.readAllBytes(output), pixels), complaints);
+  }
+
+  private static void missing(IOException e) {
+    if ("true".equals(System.getenv("CI"))) {
+      fail("ffmpeg is missing", e);
+    }
+    abort("ffmpeg is missing: " + e.getMessage());
+  }
+
+  private static List<byte[]> cut(byte[] all, int pixels) {
+    List<byte[]> pictures = new ArrayList<>();
+    for (int from = 0; from + pixels <= all.length; from += pixels) {
+      pictures.add(Arrays.copyOfRange(all, from, from + pixels));
+    }
+    return pictures;
+  }
+}
