@@ -19,7 +19,14 @@ public final class VideoStreams implements SimListener, AutoCloseable {
   private final List<VideoStream> streams;
   private volatile boolean closed;
 
-  private VideoStreams(
+  /**
+   * Films the drones of a simulation whenever somebody wants their pictures. Who makes one listens
+   * to the simulation for it, or a drone that is told to film does so only when somebody looks.
+   *
+   * @param snapshots the newest one
+   * @param sources makes a source of pictures for each drone
+   */
+  public VideoStreams(
       Supplier<SimSnapshot> snapshots, Supplier<FrameSource> sources, Encoders encoders) {
     this.snapshots = snapshots;
     this.encoders = encoders;

@@ -33,6 +33,7 @@ public final class FxDroneModel {
   private final ReadOnlyObjectWrapper<Optional<Peer>> operator =
       new ReadOnlyObjectWrapper<>(Optional.empty());
   private final ReadOnlyBooleanWrapper on = new ReadOnlyBooleanWrapper();
+  private final ReadOnlyBooleanWrapper filming = new ReadOnlyBooleanWrapper();
   private final ReadOnlyDoubleWrapper xCm = new ReadOnlyDoubleWrapper();
   private final ReadOnlyDoubleWrapper yCm = new ReadOnlyDoubleWrapper();
   private final ReadOnlyDoubleWrapper zCm = new ReadOnlyDoubleWrapper();
@@ -60,6 +61,7 @@ public final class FxDroneModel {
     phase.set(newest.state().phase());
     operator.set(newest.link().operator());
     on.set(newest.state().phase() != FlightPhase.OFF);
+    filming.set(on.get() && newest.link().sdkMode() && newest.state().video().on());
     speedCm.set(Frames.centimetres(newest.state().motion().velocity().norm()));
     batteryPercent.set(newest.state().energy().battery().percent());
   }
@@ -107,6 +109,11 @@ public final class FxDroneModel {
   /** Whether it has power. */
   public ReadOnlyBooleanProperty onProperty() {
     return on.getReadOnlyProperty();
+  }
+
+  /** Whether it sends its video to an operator. */
+  public ReadOnlyBooleanProperty filmingProperty() {
+    return filming.getReadOnlyProperty();
   }
 
   public ReadOnlyDoubleProperty xCmProperty() {

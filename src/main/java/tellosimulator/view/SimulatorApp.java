@@ -10,18 +10,25 @@ import tellosimulator.network.AddressPlan;
 import tellosimulator.network.OnlineSimulation;
 import tellosimulator.network.PortTakenException;
 import tellosimulator.sim.SimConfig;
+import tellosimulator.video.camera.DroneOptics;
 import tellosimulator.view.layout.WindowState;
 import tellosimulator.view.log.LogFeed;
 import tellosimulator.view.settings.Settings;
 import tellosimulator.view.text.Language;
+import tellosimulator.view.video.WindowVideo;
 
 /** The program with a window. */
 public final class SimulatorApp implements AutoCloseable {
 
+  /** Frames that the window shows before filming is warmed up. Decided: half a second. */
+  private static final int FRAMES_BEFORE_WARM_UP = 30;
+
   private final LogFeed feed = new LogFeed();
   private final OnlineSimulation simulation;
+  private final WindowVideo video;
   private final CountDownLatch closed = new CountDownLatch(1);
   private volatile boolean failed;
+  private int frames;
 
   /**
    * Starts the simulation; all drones are off.
@@ -30,6 +37,7 @@ public final class SimulatorApp implements AutoCloseable {
    */
   public SimulatorApp(SimConfig config, AddressPlan plan, OptionalInt replyPort) {
     simulation = new OnlineSimulation(config, plan, replyPort, List.of(feed));
+    video = WindowVideo.of(simulation, DroneOptics.DEFAULT);
   }
 
   /**
@@ -72,8 +80,9 @@ public final class SimulatorApp implements AutoCloseable {
   private void open(Settings settings, WindowState state) {
     Language language = new Language(Locale.getDefault());
     settings.bind("language", language.localeProperty(), Language.codec());
-    ViewContext context = ViewContext.of(simulation, language);
+    ViewContext context = ViewContext.of(simulation, language, video);
     Stage stage = new Stage();
+    context.pulse().onBeat(nanos -> warmUp());
     SimulatorWindow window = new SimulatorWindow(stage, context, state, feed);
     window.remember(settings);
     stage.setOnHidden(
@@ -85,8 +94,17 @@ public final class SimulatorApp implements AutoCloseable {
     window.show();
   }
 
+  /** Opening the window has the machine to itself. */
+  private void warmUp() {
+    frames++;
+    if (frames == FRAMES_BEFORE_WARM_UP) {
+      video.warmUp();
+    }
+  }
+
   @Override
   public void close() {
+    video.close();
     simulation.close();
   }
 }

@@ -194,6 +194,7 @@ public final class SimulatorWindow implements AutoCloseable {
   @Override
   public void close() {
     context.pulse().stop();
+    world.rest();
     pilot.close();
   }
 }

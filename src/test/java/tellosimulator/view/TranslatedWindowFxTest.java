@@ -43,6 +43,7 @@ class TranslatedWindowFxTest {
           "Z cm",
           "−60 s",
           "Pause",
+          "live",
           "English",
           "Deutsch",
           "Tello",

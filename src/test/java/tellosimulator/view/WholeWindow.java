@@ -36,10 +36,12 @@ import tellosimulator.network.OnlineSimulation;
 import tellosimulator.sim.Control;
 import tellosimulator.sim.SimConfig;
 import tellosimulator.sim.SimConfig.Outlets;
+import tellosimulator.video.camera.DroneOptics;
 import tellosimulator.view.layout.WindowState;
 import tellosimulator.view.log.LogFeed;
 import tellosimulator.view.settings.Settings;
 import tellosimulator.view.text.Language;
+import tellosimulator.view.video.WindowVideo;
 import tellosimulator.view.world.Simulator3DScene;
 
 /**
@@ -57,6 +59,7 @@ final class WholeWindow implements AutoCloseable {
   private final LogFeed feed = new LogFeed();
   private final Map<Integer, DatagramSocket> operators = new HashMap<>();
   private final OnlineSimulation simulation;
+  private final WindowVideo video;
   private final Settings settings;
   private WindowState state;
   private ViewContext context;
@@ -72,6 +75,7 @@ final class WholeWindow implements AutoCloseable {
             AddressPlan.portPerDrone(config.starts().size(), loopback, firstPort),
             OptionalInt.empty(),
             List.of(feed));
+    video = WindowVideo.of(simulation, DroneOptics.DEFAULT);
   }
 
   /**
@@ -104,7 +108,7 @@ final class WholeWindow implements AutoCloseable {
     state = WindowState.remembered(settings);
     Language language = new Language(Locale.ENGLISH);
     settings.bind("language", language.localeProperty(), Language.codec());
-    context = ViewContext.of(simulation, language);
+    context = ViewContext.of(simulation, language, video);
     stage = new Stage(StageStyle.UNDECORATED);
     window = new SimulatorWindow(stage, context, state, feed);
     window.remember(settings);
@@ -287,6 +291,7 @@ final class WholeWindow implements AutoCloseable {
   public void close() {
     closeWindow();
     operators.values().forEach(DatagramSocket::close);
+    video.close();
     simulation.close();
   }
 }

@@ -45,7 +45,7 @@ final class LinkPanel extends VBox {
             "video-lamp",
             messages,
             "lamp.video",
-            drone.map(now -> linked(now) && now.state().video().on()));
+            simulation.selectedProperty().flatMap(FxDroneModel::filmingProperty));
     initializeSelf();
     initializeParts();
     layoutParts();

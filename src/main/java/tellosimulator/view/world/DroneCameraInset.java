@@ -1,55 +1,69 @@
 package tellosimulator.view.world;
 
+import javafx.beans.binding.Bindings;
 import javafx.beans.property.BooleanProperty;
 import javafx.beans.property.SimpleBooleanProperty;
+import javafx.beans.value.ObservableValue;
 import javafx.css.PseudoClass;
 import javafx.geometry.Pos;
-import javafx.geometry.Rectangle2D;
-import javafx.scene.Node;
-import javafx.scene.PerspectiveCamera;
-import javafx.scene.SnapshotParameters;
 import javafx.scene.control.Button;
+import javafx.scene.control.Label;
 import javafx.scene.control.Tooltip;
-import javafx.scene.image.ImageView;
-import javafx.scene.image.WritableImage;
 import javafx.scene.layout.HBox;
 import javafx.scene.layout.StackPane;
-import javafx.scene.paint.Color;
+import javafx.scene.shape.Circle;
+import javafx.util.Duration;
 import org.kordamp.ikonli.feather.Feather;
 import org.kordamp.ikonli.javafx.FontIcon;
+import tellosimulator.video.VideoFigures;
+import tellosimulator.view.FxDroneModel;
+import tellosimulator.view.FxSimulation;
+import tellosimulator.view.ViewContext;
 import tellosimulator.view.text.Messages;
+import tellosimulator.view.video.StreamView;
+import tellosimulator.view.video.WindowVideo;
 
 /**
- * The picture of the drone's camera in a corner over the scene. Hidden, it is one small button and
- * costs nothing. For the JavaFX thread.
+ * The selected drone's video in a corner over the scene: the very pictures that are encoded, with
+ * figures as a hint. Hidden, it is one small button and costs nothing. For the JavaFX thread.
  */
 final class DroneCameraInset extends StackPane {
 
-  /** Size of the picture that is taken [pixels]. Decided: small enough without a graphics card. */
-  static final int TAKEN_WIDTH = 320;
-
-  static final int TAKEN_HEIGHT = 240;
-
   private static final PseudoClass SHOWN = PseudoClass.getPseudoClass("shown");
 
-  /** Width of what is shown [pixels]. Decided. */
+  /** Size of what is shown [pixels]. Decided: half and almost all of a picture's form. */
   private static final double SMALL = 240;
 
   private static final double LARGE = 400;
 
+  /** Height of a picture by its width. Measured: 960 by 720. */
+  private static final double FORM = 0.75;
+
+  /** Time between two looks at the figures [ns]. Decided: four a second, so one can read them. */
+  private static final long PERIOD_NANOS = 250_000_000;
+
+  private static final Duration TOOLTIP_DELAY = Duration.millis(400);
+
+  private static final double MEGABIT = 1e6;
+
   private final Messages messages;
+  private final FxSimulation simulation;
+  private final WindowVideo video;
   private final BooleanProperty shown = new SimpleBooleanProperty(this, "shown");
   private final BooleanProperty enlarged = new SimpleBooleanProperty(this, "enlarged");
-  private final PictureBudget budget = new PictureBudget();
-  private final SnapshotParameters parameters = new SnapshotParameters();
-  private final ImageView picture = new ImageView();
+  private final StreamView picture = new StreamView();
+  private final StackPane frame = new StackPane(picture);
+  private final Tooltip figures = new Tooltip();
+  private final Label live = new Label();
   private final Button toggle = button("inset-toggle");
   private final Button enlarge = button("inset-enlarge");
   private final HBox buttons = new HBox(enlarge, toggle);
-  private WritableImage taken;
+  private long describedNanos = Long.MIN_VALUE;
 
-  DroneCameraInset(Messages messages) {
-    this.messages = messages;
+  DroneCameraInset(ViewContext context) {
+    messages = context.language().messages(DroneCameraInset.class);
+    simulation = context.simulation();
+    video = context.video();
     initializeSelf();
     initializeParts();
     layoutParts();
@@ -66,23 +80,24 @@ final class DroneCameraInset extends StackPane {
   }
 
   /**
-   * Takes a new picture if it is shown and it is time.
+   * Shows the newest picture.
    *
    * @param nanos the time of the frame [ns]
    */
-  void advance(long nanos, ScenePicture scene) {
-    if (shown.get() && budget.allows(nanos)) {
-      long begun = System.nanoTime();
-      scene.photograph(this::take);
-      budget.taken(nanos, System.nanoTime() - begun);
+  void advance(long nanos) {
+    if (!shown.get()) {
+      return;
+    }
+    picture.advance();
+    if (describedNanos == Long.MIN_VALUE || nanos - describedNanos >= PERIOD_NANOS) {
+      describedNanos = nanos;
+      figures.setText(described(picture.figuresProperty().get()));
     }
   }
 
-  private void take(Node room, PerspectiveCamera camera) {
-    parameters.setCamera(camera);
-    parameters.setDepthBuffer(true); // not before: where there is no 3D, JavaFX warns of it
-    taken = room.snapshot(parameters, taken);
-    picture.setImage(taken);
+  /** Shows no more pictures. */
+  void rest() {
+    picture.rest();
   }
 
   private void initializeSelf() {
@@ -93,10 +108,17 @@ final class DroneCameraInset extends StackPane {
   }
 
   private void initializeParts() {
-    parameters.setFill(Color.BLACK);
-    parameters.setViewport(new Rectangle2D(0, 0, TAKEN_WIDTH, TAKEN_HEIGHT));
     picture.setId("inset-picture");
-    picture.setPreserveRatio(true);
+    frame.setId("inset-frame");
+    figures.setShowDelay(TOOLTIP_DELAY);
+    figures.setShowDuration(Duration.INDEFINITE);
+    Tooltip.install(frame, figures);
+    live.setId("inset-live");
+    live.getStyleClass().add("live");
+    Circle dot = new Circle(3.5);
+    dot.getStyleClass().add("dot");
+    live.setGraphic(dot);
+    live.setMouseTransparent(true);
     buttons.getStyleClass().add("buttons");
     buttons.setMaxSize(USE_PREF_SIZE, USE_PREF_SIZE);
     buttons.setPickOnBounds(false);
@@ -104,18 +126,35 @@ final class DroneCameraInset extends StackPane {
 
   private void layoutParts() {
     StackPane.setAlignment(buttons, Pos.TOP_RIGHT);
-    getChildren().addAll(picture, buttons);
+    StackPane.setAlignment(live, Pos.TOP_LEFT);
+    getChildren().addAll(frame, live, buttons);
   }
 
   private void setupEventHandlers() {
     toggle.setOnAction(action -> shown.set(!shown.get()));
     enlarge.setOnAction(action -> enlarged.set(!enlarged.get()));
+    shown.addListener((property, before, now) -> watch());
+    simulation.selectedProperty().addListener((property, before, now) -> watch());
+  }
+
+  private void watch() {
+    if (shown.get()) {
+      picture.watch(video.stream(simulation.selected().number()));
+    } else {
+      picture.rest();
+    }
   }
 
   private void setupBindings() {
-    picture.visibleProperty().bind(shown);
-    picture.managedProperty().bind(shown);
-    picture.fitWidthProperty().bind(enlarged.map(large -> large ? LARGE : SMALL));
+    frame.visibleProperty().bind(shown);
+    frame.managedProperty().bind(shown);
+    enlarged.subscribe(large -> setPictureWidth(large ? LARGE : SMALL));
+    ObservableValue<Boolean> filming =
+        simulation.selectedProperty().flatMap(FxDroneModel::filmingProperty);
+    live.textProperty().bind(messages.text("inset.live"));
+    live.visibleProperty()
+        .bind(
+            Bindings.createBooleanBinding(() -> shown.get() && filming.getValue(), shown, filming));
     enlarge.visibleProperty().bind(shown);
     enlarge.managedProperty().bind(shown);
     shown.subscribe(
@@ -129,6 +168,23 @@ final class DroneCameraInset extends StackPane {
                 enlarge,
                 now ? Feather.MINIMIZE_2 : Feather.MAXIMIZE_2,
                 now ? "inset.reduce" : "inset.enlarge"));
+  }
+
+  private void setPictureWidth(double width) {
+    frame.setPrefSize(width, width * FORM);
+    picture.setFitWidth(width);
+    picture.setFitHeight(width * FORM);
+  }
+
+  private String described(VideoFigures now) {
+    return now.bitsPerSecond() > 0
+        ? messages.now(
+            "inset.figures",
+            now.framesPerSecond(),
+            now.bitsPerSecond() / MEGABIT,
+            now.filmMs(),
+            now.encodeMs())
+        : messages.now("inset.preview", now.framesPerSecond(), now.filmMs());
   }
 
   private void describe(Button button, Feather icon, String key) {

@@ -7,6 +7,7 @@ import javafx.scene.SceneAntialiasing;
 import javafx.scene.SubScene;
 import javafx.scene.transform.Affine;
 import tellosimulator.math.Pose;
+import tellosimulator.video.camera.DroneOptics;
 import tellosimulator.view.FxFrames;
 import tellosimulator.view.FxSimulation;
 
@@ -34,8 +35,8 @@ final class ScenePicture {
     orbiting.setFieldOfView(SimulatorCamera.FIELD_OF_VIEW_DEG);
     orbiting.getTransforms().add(orbitingPlace);
     onDrone.setVerticalFieldOfView(false);
-    onDrone.setFieldOfView(DroneCamera.FIELD_OF_VIEW_DEG);
-    onDrone.setNearClip(DroneCamera.NEAR);
+    onDrone.setFieldOfView(Math.toDegrees(droneCamera.optics().fieldOfView()));
+    onDrone.setNearClip(DroneOptics.NEAR);
     onDrone.getTransforms().add(onDronePlace);
     world.getChildren().addAll(orbiting, onDrone);
     content.getChildren().addAll(world.lights(), world);

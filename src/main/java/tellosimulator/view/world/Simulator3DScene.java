@@ -12,6 +12,7 @@ import javafx.geometry.VPos;
 import javafx.scene.SubScene;
 import javafx.scene.control.Label;
 import javafx.scene.layout.Region;
+import tellosimulator.video.camera.DroneOptics;
 import tellosimulator.view.ViewContext;
 import tellosimulator.view.text.Messages;
 
@@ -36,12 +37,12 @@ public final class Simulator3DScene extends Region {
   public Simulator3DScene(ViewContext context) {
     messages = context.language().messages(Simulator3DScene.class);
     camera = new SimulatorCamera(context.simulation());
-    droneCamera = new DroneCamera(context.simulation());
+    droneCamera = new DroneCamera(context.simulation(), context.video().optics());
     picture =
         Platform.isSupported(ConditionalFeature.SCENE3D)
             ? Optional.of(new ScenePicture(context.simulation(), camera, droneCamera))
             : Optional.empty();
-    inset = new DroneCameraInset(messages);
+    inset = new DroneCameraInset(context);
     initializeSelf();
     initializeParts();
     layoutParts();
@@ -80,6 +81,11 @@ public final class Simulator3DScene extends Region {
     return antialiasing;
   }
 
+  /** Looks at no more video. */
+  public void rest() {
+    inset.rest();
+  }
+
   private void initializeSelf() {
     setId("scene-3d");
     getStyleClass().add("scene-3d");
@@ -92,7 +98,6 @@ public final class Simulator3DScene extends Region {
     noThreeD.setId("no-3d");
     noThreeD.setWrapText(true);
     noThreeD.setVisible(picture.isEmpty());
-    inset.setVisible(picture.isPresent());
   }
 
   private void layoutParts() {
@@ -131,11 +136,8 @@ public final class Simulator3DScene extends Region {
 
   private void advance(long nanos) {
     camera.advance(nanos);
-    picture.ifPresent(
-        shown -> {
-          shown.advance(nanos);
-          inset.advance(nanos, shown);
-        });
+    picture.ifPresent(shown -> shown.advance(nanos));
+    inset.advance(nanos);
   }
 
   @Override
@@ -159,7 +161,7 @@ public final class Simulator3DScene extends Region {
 
   /** The picture of the drone's camera keeps its form; the other fills everything. */
   private void layOut(ScenePicture shown) {
-    double ratio = (double) DroneCamera.WIDTH / DroneCamera.HEIGHT;
+    double ratio = (double) DroneOptics.WIDTH / DroneOptics.HEIGHT;
     boolean drones = viewCamera.get() == ViewCamera.DRONE;
     double width = drones ? Math.min(getWidth(), getHeight() * ratio) : getWidth();
     double height = drones ? width / ratio : getHeight();

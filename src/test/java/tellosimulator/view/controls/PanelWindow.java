@@ -34,8 +34,10 @@ import tellosimulator.sim.SimConfig;
 import tellosimulator.sim.SimSnapshot;
 import tellosimulator.sim.SimSnapshot.DroneSnapshot;
 import tellosimulator.sim.Swarm;
+import tellosimulator.video.camera.DroneOptics;
 import tellosimulator.view.ViewContext;
 import tellosimulator.view.text.Language;
+import tellosimulator.view.video.WindowVideo;
 import tellosimulator.world.Room;
 
 /** A panel on a running simulation of its own, whose drones listen where the system chooses. */
@@ -58,7 +60,7 @@ final class PanelWindow implements AutoCloseable {
             AddressPlan.of(Collections.nCopies(drones, loopback), 0),
             OptionalInt.empty(),
             List.of());
-    context = ViewContext.of(simulation, language);
+    context = ViewContext.of(simulation, language, WindowVideo.of(simulation, DroneOptics.DEFAULT));
   }
 
   /** On the JavaFX thread. */
@@ -157,6 +159,7 @@ final class PanelWindow implements AutoCloseable {
   @Override
   public void close() {
     robot.interact(() -> context.pulse().stop());
+    context.video().close();
     simulation.close();
   }
 }

@@ -42,8 +42,10 @@ import tellosimulator.sim.SimConfig;
 import tellosimulator.sim.SimEvent;
 import tellosimulator.sim.Swarm;
 import tellosimulator.time.SimTime;
+import tellosimulator.video.camera.DroneOptics;
 import tellosimulator.view.ViewContext;
 import tellosimulator.view.text.Language;
+import tellosimulator.view.video.WindowVideo;
 import tellosimulator.words.Phrase;
 import tellosimulator.world.Room;
 import tellosimulator.world.Surface;
@@ -69,7 +71,11 @@ class LogBoxFxTest {
             AddressPlan.portPerDrone(2, List.of(address("127.0.0.1", 0).getAddress()), 0),
             OptionalInt.empty(),
             List.of());
-    context = ViewContext.of(simulation, new Language(Locale.ENGLISH));
+    context =
+        ViewContext.of(
+            simulation,
+            new Language(Locale.ENGLISH),
+            WindowVideo.of(simulation, DroneOptics.DEFAULT));
     box = new LogBox(context, feed);
     stage.setScene(new Scene(box, 1280, 170));
     stage.show();
@@ -78,6 +84,7 @@ class LogBoxFxTest {
 
   @AfterEach
   void close() {
+    context.video().close();
     simulation.close();
   }
 

@@ -18,8 +18,10 @@ import tellosimulator.sim.SimConfig.Outlets;
 import tellosimulator.sim.SimEvent;
 import tellosimulator.sim.SimListener;
 import tellosimulator.time.Threads;
+import tellosimulator.video.camera.DroneOptics;
 import tellosimulator.view.ViewContext;
 import tellosimulator.view.text.Language;
+import tellosimulator.view.video.WindowVideo;
 
 /** A running simulation with real sockets on free ports, and the context of a window on it. */
 public final class FlownWindow implements AutoCloseable {
@@ -49,7 +51,11 @@ public final class FlownWindow implements AutoCloseable {
                 config.starts().size(), List.of(address("127.0.0.1", 0).getAddress()), 0),
             OptionalInt.empty(),
             List.of(listener));
-    context = ViewContext.of(simulation, new Language(Locale.ENGLISH));
+    context =
+        ViewContext.of(
+            simulation,
+            new Language(Locale.ENGLISH),
+            WindowVideo.of(simulation, DroneOptics.DEFAULT));
   }
 
   public ViewContext context() {
@@ -101,6 +107,7 @@ public final class FlownWindow implements AutoCloseable {
 
   @Override
   public void close() {
+    context.video().close();
     simulation.close();
   }
 }

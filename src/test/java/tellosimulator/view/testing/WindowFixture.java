@@ -24,8 +24,10 @@ import tellosimulator.network.AddressPlan;
 import tellosimulator.network.OnlineSimulation;
 import tellosimulator.sim.SimConfig;
 import tellosimulator.sim.SimConfig.Outlets;
+import tellosimulator.video.camera.DroneOptics;
 import tellosimulator.view.ViewContext;
 import tellosimulator.view.text.Language;
+import tellosimulator.view.video.WindowVideo;
 
 /**
  * A view in a stage of its own, on a simulation that runs with its drones at free ports of
@@ -50,6 +52,7 @@ public final class WindowFixture implements BeforeEachCallback, AfterEachCallbac
   private final Function<ViewContext, ? extends Parent> viewMaker;
   private final FxRobot robot = new FxRobot();
   private OnlineSimulation simulation;
+  private WindowVideo video;
   private ViewContext context;
   private Parent view;
   private Stage stage;
@@ -82,10 +85,11 @@ public final class WindowFixture implements BeforeEachCallback, AfterEachCallbac
             AddressPlan.portPerDrone(config.starts().size(), LOOPBACK, 0),
             OptionalInt.empty(),
             List.of());
+    video = WindowVideo.of(simulation, DroneOptics.DEFAULT);
     onFxThread(
         () -> {
           Application.setUserAgentStylesheet(new PrimerLight().getUserAgentStylesheet());
-          context = ViewContext.of(simulation, new Language(Locale.ENGLISH));
+          context = ViewContext.of(simulation, new Language(Locale.ENGLISH), video);
           view = viewMaker.apply(context);
           stage = new Stage();
           stage.setScene(new Scene(view));
@@ -104,6 +108,7 @@ public final class WindowFixture implements BeforeEachCallback, AfterEachCallbac
           stage.close();
           return stage;
         });
+    video.close();
     simulation.close();
     WaitForAsyncUtils.clearExceptions();
   }

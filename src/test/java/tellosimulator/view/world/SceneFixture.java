@@ -15,6 +15,7 @@ import javafx.scene.Node;
 import javafx.scene.Scene;
 import javafx.scene.SubScene;
 import javafx.scene.image.Image;
+import javafx.scene.image.ImageView;
 import javafx.scene.paint.Color;
 import javafx.stage.Stage;
 import javafx.stage.StageStyle;
@@ -32,10 +33,12 @@ import tellosimulator.sim.SimSnapshot;
 import tellosimulator.sim.SimSnapshot.DroneSnapshot;
 import tellosimulator.sim.Simulation;
 import tellosimulator.time.SimTime;
+import tellosimulator.video.camera.DroneOptics;
 import tellosimulator.view.FxSimulation;
 import tellosimulator.view.Pulse;
 import tellosimulator.view.ViewContext;
 import tellosimulator.view.text.Language;
+import tellosimulator.view.video.WindowVideo;
 import tellosimulator.world.Decor;
 import tellosimulator.world.Walls;
 
@@ -50,8 +53,9 @@ final class SceneFixture implements BeforeEachCallback, AfterEachCallback {
   static final int HEIGHT = 360;
 
   private final SimConfig config;
-  private SimSnapshot snapshot;
+  private volatile SimSnapshot snapshot;
   private FxSimulation simulation;
+  private WindowVideo video;
   private Language language;
   private Pulse pulse;
   private Simulator3DScene scene;
@@ -71,13 +75,14 @@ final class SceneFixture implements BeforeEachCallback, AfterEachCallback {
     FxToolkit.registerPrimaryStage();
     snapshot =
         new Simulation(config, drone -> (peer, text) -> {}, report -> {}, List.of()).snapshot();
+    video = new WindowVideo(() -> snapshot, DroneOptics.DEFAULT);
     onFxThread(
         () -> {
           Application.setUserAgentStylesheet(new PrimerLight().getUserAgentStylesheet());
           simulation = new FxSimulation(snapshot);
           language = new Language(Locale.ENGLISH);
           pulse = new Pulse(() -> simulation.update(snapshot));
-          scene = new Simulator3DScene(new ViewContext(simulation, null, language, pulse));
+          scene = new Simulator3DScene(new ViewContext(simulation, null, language, pulse, video));
           scene.setPrefSize(WIDTH, HEIGHT);
           stage = new Stage(StageStyle.UNDECORATED);
           stage.setScene(new Scene(scene, WIDTH, HEIGHT));
@@ -97,6 +102,7 @@ final class SceneFixture implements BeforeEachCallback, AfterEachCallback {
           stage.close();
           return stage;
         });
+    video.close();
   }
 
   Simulator3DScene scene() {
@@ -178,6 +184,20 @@ final class SceneFixture implements BeforeEachCallback, AfterEachCallback {
   /** What the window shows. */
   Image picture() {
     return onFxThread(() -> stage.getScene().snapshot(null));
+  }
+
+  /** The next picture in the inset, which is shown for it. */
+  Image insetPicture() {
+    ImageView inset = (ImageView) scene.lookup("#inset-picture");
+    change(() -> scene.insetVisibleProperty().set(false));
+    change(() -> scene.insetVisibleProperty().set(true));
+    waitUntil(
+        () -> {
+          nanos += 1_000_000;
+          pulse.beat(nanos);
+          return inset.getImage() != null;
+        });
+    return inset.getImage();
   }
 
   /** Mean brightness of a square of a picture around a pixel, 0 to 1. */

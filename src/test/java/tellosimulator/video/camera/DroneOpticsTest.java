@@ -1,4 +1,4 @@
-package tellosimulator.view.world;
+package tellosimulator.video.camera;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
@@ -8,13 +8,15 @@ import tellosimulator.math.Attitude;
 import tellosimulator.math.Pose;
 import tellosimulator.math.Vec3;
 
-class DroneCameraTest {
+class DroneOpticsTest {
+
+  private static final DroneOptics OPTICS = DroneOptics.DEFAULT;
 
   @Test
   void onALevelDroneItLooksAheadAndFifteenDegreesDown() {
     Attitude attitude = Attitude.ofHeading(Math.toRadians(90));
 
-    Pose camera = DroneCamera.pose(new Pose(new Vec3(1, 1, 1), attitude));
+    Pose camera = OPTICS.nose(new Pose(new Vec3(1, 1, 1), attitude));
 
     assertThat(Math.toDegrees(camera.attitude().elevation())).isCloseTo(-15, within(1e-9));
     assertThat(Math.toDegrees(camera.attitude().heading())).isCloseTo(90, within(1e-9));
@@ -28,8 +30,8 @@ class DroneCameraTest {
     Attitude noseDown = new Attitude(Math.cos(half), 0, Math.sin(half), 0);
     Attitude rightDown = new Attitude(Math.cos(half), Math.sin(half), 0, 0);
 
-    Attitude pitched = DroneCamera.pose(new Pose(Vec3.ZERO, noseDown)).attitude();
-    Attitude rolled = DroneCamera.pose(new Pose(Vec3.ZERO, rightDown)).attitude();
+    Attitude pitched = OPTICS.nose(new Pose(Vec3.ZERO, noseDown)).attitude();
+    Attitude rolled = OPTICS.nose(new Pose(Vec3.ZERO, rightDown)).attitude();
 
     assertThat(Math.toDegrees(pitched.elevation())).isCloseTo(-25, within(1e-9));
     assertThat(rolled.toRoom(new Vec3(0, 1, 0)).z()).as("left edge of the picture").isPositive();
