@@ -89,7 +89,8 @@ public final class Main {
       Options options, Settings settings, WindowState state, PrintStream out)
       throws InterruptedException, PortTakenException {
     try (SimulatorApp app =
-        new SimulatorApp(options.simConfig(), options.addressPlan(), options.replyPort())) {
+        new SimulatorApp(
+            options.simConfig(), options.addressPlan(), options.replyPort(), options.optics())) {
       Runtime.getRuntime().addShutdownHook(new Thread(app::close, "shutdown"));
       if (options.on()) {
         app.switchAllOn();

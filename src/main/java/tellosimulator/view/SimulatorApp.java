@@ -34,10 +34,12 @@ public final class SimulatorApp implements AutoCloseable {
    * Starts the simulation; all drones are off.
    *
    * @param replyPort port to which all replies go; empty for the port each command came from
+   * @param optics of the drones' cameras
    */
-  public SimulatorApp(SimConfig config, AddressPlan plan, OptionalInt replyPort) {
+  public SimulatorApp(
+      SimConfig config, AddressPlan plan, OptionalInt replyPort, DroneOptics optics) {
     simulation = new OnlineSimulation(config, plan, replyPort, List.of(feed));
-    video = WindowVideo.of(simulation, DroneOptics.DEFAULT);
+    video = WindowVideo.of(simulation, optics);
   }
 
   /**
