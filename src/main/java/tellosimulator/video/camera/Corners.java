@@ -45,8 +45,9 @@ final class Corners {
               | (y < 0 ? ABOVE : 0)
               | (y > projection.height() * distance ? BELOW : 0)
               | (distance < projection.near() ? NEAR : 0);
-      placed[2 * i] = x / distance;
-      placed[2 * i + 1] = y / distance;
+      double nearness = 1 / distance;
+      placed[2 * i] = x * nearness;
+      placed[2 * i + 1] = y * nearness;
     }
   }
 

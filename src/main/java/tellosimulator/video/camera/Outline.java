@@ -18,30 +18,41 @@ final class Outline {
     return corners;
   }
 
-  /** Takes a triangle of which all is in front of the camera. */
-  void whole(Corners all, int[] triangle) {
-    corners = 0;
-    for (int point : triangle) {
-      add(all.placed[2 * point], all.placed[2 * point + 1]);
-    }
-  }
-
   /**
-   * Whether a triangle that was taken as a whole is seen from outside and so large that it may have
-   * a pixel. Quick, as of a mesh that is far away most triangles have none.
+   * Takes a triangle of which all is in front of the camera, if it is seen from outside and so
+   * large that it may have a pixel. Quick, as of a mesh that is far away most triangles have none.
+   *
+   * @return whether it was taken
    */
-  boolean hasPixels() {
-    double[] p = places;
-    double area = (p[2] - p[0]) * (p[5] - p[1]) - (p[4] - p[0]) * (p[3] - p[1]);
-    if (area >= 0) {
+  boolean whole(Corners all, int[] triangle) {
+    double[] placed = all.placed;
+    int a = 2 * triangle[0];
+    int b = 2 * triangle[1];
+    int c = 2 * triangle[2];
+    double ax = placed[a];
+    double ay = placed[a + 1];
+    double bx = placed[b];
+    double by = placed[b + 1];
+    double cx = placed[c];
+    double cy = placed[c + 1];
+    if ((bx - ax) * (cy - ay) >= (cx - ax) * (by - ay)) {
       return false; // y points down in the picture, so counter-clockwise is negative
     }
-    double top = Math.min(p[1], Math.min(p[3], p[5]));
-    double bottom = Math.max(p[1], Math.max(p[3], p[5]));
-    double left = Math.min(p[0], Math.min(p[2], p[4]));
-    double right = Math.max(p[0], Math.max(p[2], p[4]));
-    return Math.ceil(top - 0.5) < Math.ceil(bottom - 0.5)
-        && Math.ceil(left - 0.5) < Math.ceil(right - 0.5);
+    if (!hasMiddle(ay, by, cy) || !hasMiddle(ax, bx, cx)) {
+      return false;
+    }
+    corners = 0;
+    add(ax, ay);
+    add(bx, by);
+    add(cx, cy);
+    return true;
+  }
+
+  /** Whether the middle of a row or column of pixels is between the least and the largest. */
+  private static boolean hasMiddle(double a, double b, double c) {
+    double least = Math.min(a, Math.min(b, c));
+    double largest = Math.max(a, Math.max(b, c));
+    return Math.ceil(least - 0.5) < Math.ceil(largest - 0.5);
   }
 
   /** Takes the part of a triangle that is in front of the plane before the camera. */

@@ -120,11 +120,8 @@ public final class SoftwareCamera {
     triangle[2] = c;
     if (((outside[a] | outside[b] | outside[c]) & Corners.NEAR) != 0) {
       outline.cut(corners, triangle, projection.near());
-    } else {
-      outline.whole(corners, triangle);
-      if (!outline.hasPixels()) {
-        return false;
-      }
+    } else if (!outline.whole(corners, triangle)) {
+      return false;
     }
     return slopes.face(corners.seen, triangle);
   }
