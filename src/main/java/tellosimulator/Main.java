@@ -28,6 +28,7 @@ public final class Main {
 
   /** Ends the process with 0, or 1 if something could not be had, or 2 if options are wrong. */
   public static void main(String[] args) {
+    System.setProperty("java.awt.headless", "true"); // posters are read, nothing is drawn
     int status = run(args, System.out, System.err);
     LogSetup.flush();
     System.exit(status);

@@ -5,6 +5,7 @@ import java.net.UnknownHostException;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Map;
 import java.util.OptionalInt;
 import java.util.function.Function;
 import java.util.regex.Matcher;
@@ -18,7 +19,10 @@ import tellosimulator.profile.Behaviour;
 import tellosimulator.profile.Profile;
 import tellosimulator.time.TimeFactor;
 import tellosimulator.video.camera.DroneOptics;
+import tellosimulator.world.Poster;
 import tellosimulator.world.Room;
+import tellosimulator.world.Surface;
+import tellosimulator.world.Walls;
 
 /** How words of the command line are read; each mistake is a sentence. */
 final class OptionTypes {
@@ -172,6 +176,45 @@ final class OptionTypes {
         return new Room(metres(sizes, 1), metres(sizes, 2), metres(sizes, 3));
       } catch (IllegalArgumentException e) {
         throw mistake("width, depth and height from 100 to 20000 cm", word);
+      }
+    }
+  }
+
+  static final class WallsName implements ITypeConverter<Walls> {
+    @Override
+    public Walls convert(String word) {
+      return byName(word, List.of(Walls.values()), Walls::option);
+    }
+  }
+
+  static final class PosterOnWall implements ITypeConverter<Poster> {
+    private static final Pattern FORM =
+        Pattern.compile("([a-z]+)," + NUMBER + "," + NUMBER + "," + NUMBER + ",(.+)");
+
+    private static final Map<String, Surface> WALLS =
+        Map.of(
+            "front", Surface.FRONT_WALL,
+            "back", Surface.BACK_WALL,
+            "left", Surface.LEFT_WALL,
+            "right", Surface.RIGHT_WALL,
+            "floor", Surface.FLOOR,
+            "ceiling", Surface.CEILING);
+
+    @Override
+    public Poster convert(String word) {
+      Matcher parts = FORM.matcher(word);
+      if (!parts.matches()) {
+        throw mistake("WALL,ALONG,HEIGHT,WIDTH,FILE such as front,0,120,30,face.png", word);
+      }
+      Surface wall = WALLS.get(parts.group(1));
+      if (wall == null) {
+        throw mistake("front, back, left, right, floor or ceiling", parts.group(1));
+      }
+      try {
+        return new Poster(
+            wall, metres(parts, 2), metres(parts, 3), metres(parts, 4), parts.group(5));
+      } catch (IllegalArgumentException e) {
+        throw mistake("a width from 1 to 20000 cm", parts.group(4));
       }
     }
   }

@@ -1,5 +1,6 @@
 package tellosimulator;
 
+import java.io.IOException;
 import java.net.InetAddress;
 import java.util.List;
 import java.util.Locale;
@@ -10,6 +11,7 @@ import picocli.CommandLine.Option;
 import tellosimulator.network.AddressPlan;
 import tellosimulator.profile.Behaviour;
 import tellosimulator.profile.Profile;
+import tellosimulator.scenery.room.PictureFile;
 import tellosimulator.sim.SimConfig;
 import tellosimulator.sim.SimConfig.Outlets;
 import tellosimulator.sim.SimConfig.Product;
@@ -17,7 +19,9 @@ import tellosimulator.sim.Swarm;
 import tellosimulator.time.TimeFactor;
 import tellosimulator.video.camera.DroneOptics;
 import tellosimulator.world.Decor;
+import tellosimulator.world.Poster;
 import tellosimulator.world.Room;
+import tellosimulator.world.Walls;
 
 /** What can be chosen on the command line, and what follows from it. */
 @Command(
@@ -148,6 +152,27 @@ final class Options {
   private Room room;
 
   @Option(
+      names = "--walls",
+      paramLabel = "textured|plain",
+      defaultValue = "textured",
+      converter = OptionTypes.WallsName.class,
+      description =
+          "textured: walls and floor with patterns that cameras can see. plain: even colours."
+              + " Default: textured.")
+  private Walls walls;
+
+  @Option(
+      names = "--poster",
+      paramLabel = "WALL,ALONG,HEIGHT,WIDTH,FILE",
+      converter = OptionTypes.PosterOnWall.class,
+      description =
+          "Hang an image file (PNG, JPEG, GIF or BMP) on a wall: front, back, left, right, floor or"
+              + " ceiling. ALONG is from the middle of the wall to the right, HEIGHT from the floor"
+              + " to the middle of the image (on floor and ceiling: from the middle upwards), and"
+              + " WIDTH that of the image, all in cm. Can be given several times.")
+  private List<Poster> posters = List.of();
+
+  @Option(
       names = "--start",
       paramLabel = "X,Y",
       defaultValue = "0,0",
@@ -214,6 +239,13 @@ final class Options {
   void check() {
     Objects.requireNonNull(simConfig());
     Objects.requireNonNull(addressPlan());
+    for (Poster poster : posters) {
+      try {
+        Objects.requireNonNull(PictureFile.read(poster.picture()));
+      } catch (IOException e) {
+        throw new IllegalArgumentException(e.getMessage(), e);
+      }
+    }
   }
 
   /**
@@ -225,7 +257,7 @@ final class Options {
     return new SimConfig(
         new Product(profile, behaviour),
         room,
-        Decor.DEFAULT,
+        Decor.DEFAULT.withWalls(walls).withPosters(posters),
         Swarm.row(droneCount(), start.inMetres(), room),
         timeFactor,
         seed,

@@ -158,7 +158,20 @@ class ArchitectureTest {
         .resideOutsideOfPackage(inside("view"))
         .should()
         .dependOnClassesThat()
-        .resideInAnyPackage("javafx..", "com.sun.javafx..", "java.awt..", "javax.swing..")
+        .resideInAnyPackage("javafx..", "com.sun.javafx..", "javax.swing..")
+        .check(CLASSES);
+  }
+
+  @Test
+  void nobodyDrawsWithAwtAndOnlyPostersAreReadWithIt() {
+    noClasses().should().dependOnClassesThat().resideInAPackage("java.awt").check(CLASSES);
+    noClasses()
+        .that()
+        .doNotHaveFullyQualifiedName(ROOT + ".scenery.room.PictureFile")
+        .should()
+        .dependOnClassesThat()
+        .resideInAnyPackage("java.awt..", "javax.imageio..")
+        .because("the JDK's readers of image files give their images as java.awt.image has them")
         .check(CLASSES);
   }
 

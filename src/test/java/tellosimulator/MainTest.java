@@ -37,7 +37,7 @@ class MainTest {
         CommandSpec.forAnnotatedObject(new Options()).options().stream()
             .map(OptionSpec::longestName)
             .toList();
-    assertThat(options).hasSize(16);
+    assertThat(options).hasSize(18);
     assertThat(lines(out)).contains(options).contains("--help", "--version");
     assertThat(lines(out).lines()).allMatch(printed -> printed.length() <= 80);
     assertThat(lines(err)).isEmpty();
@@ -63,6 +63,8 @@ class MainTest {
           --drones 0        | Invalid value for option '--drones': expected a number from 1 to 250, found 0. Try --help.
           --profile=        | Invalid value for option '--profile': expected one of edu, tello, tt, found nothing. Try --help.
           --drones 1 --drones 2 | Option '--drones' (N) should be specified only once. Try --help.
+          --poster front,0,120,30,no-such.png | There is no file no-such.png. Try --help.
+          --poster front,0,120,30,pom.xml | The file pom.xml is not an image that can be read (PNG, JPEG, GIF or BMP). Try --help.
           --start 9999,0    | Drone 1 does not fit into the room: its start would be at x 9999, y 0 cm. Try --help.
           """)
   void wrongOptionsAreOneSentenceAndExitCodeTwo(String line, String sentence) {

@@ -20,7 +20,10 @@ import tellosimulator.sim.SimConfig;
 import tellosimulator.sim.SimConfig.Outlets;
 import tellosimulator.sim.SimConfig.Product;
 import tellosimulator.time.TimeFactor;
+import tellosimulator.world.Poster;
 import tellosimulator.world.Room;
+import tellosimulator.world.Surface;
+import tellosimulator.world.Walls;
 
 class OptionsTest {
 
@@ -115,6 +118,40 @@ class OptionsTest {
   }
 
   @Test
+  void wallsAreTexturedOrPlain() {
+    assertThat(options("").simConfig().decor().walls()).isEqualTo(Walls.TEXTURED);
+    assertThat(options("--walls textured").simConfig().decor().walls()).isEqualTo(Walls.TEXTURED);
+    assertThat(options("--walls plain").simConfig().decor().walls()).isEqualTo(Walls.PLAIN);
+  }
+
+  @ParameterizedTest
+  @CsvSource({
+    "front, FRONT_WALL",
+    "back, BACK_WALL",
+    "left, LEFT_WALL",
+    "right, RIGHT_WALL",
+    "floor, FLOOR",
+    "ceiling, CEILING"
+  })
+  void postersHangOnAnySideOfTheRoom(String word, Surface surface) {
+    List<Poster> posters =
+        options("--poster " + word + ",-50,120,29.7,a,b.png").simConfig().decor().posters();
+
+    assertThat(posters).containsExactly(new Poster(surface, -0.5, 1.2, 0.297, "a,b.png"));
+  }
+
+  @Test
+  void severalPostersHangInTheirOrder() {
+    List<Poster> posters =
+        options("--poster front,0,120,30,a.png --poster front,10,120,30,b.png")
+            .simConfig()
+            .decor()
+            .posters();
+
+    assertThat(posters).extracting(Poster::picture).containsExactly("a.png", "b.png");
+  }
+
+  @Test
   void eachFurtherDroneTakesTheNextLoopbackAddress() {
     List<List<InetSocketAddress>> drones = options("--drones 3").addressPlan().drones();
 
@@ -169,6 +206,7 @@ class OptionsTest {
           --behaviour    | real      | expected one of report, measured, found real
           --room         | 500x500   | expected width, depth and height in cm such as 500x500x300, found 500x500
           --room         | 5x5x3     | expected width, depth and height from 100 to 20000 cm, found 5x5x3
+          --walls        | brick     | expected one of plain, textured, found brick
           --start        | 100       | expected X,Y in cm such as 100,-50, found 100
           --start        | NaN,0     | expected X,Y in cm such as 100,-50, found NaN,0
           --time-factor  | fast      | expected a number from 0.01 to 5000, or max, found fast
@@ -182,6 +220,21 @@ class OptionsTest {
     assertThatThrownBy(() -> options(option + " " + value))
         .isInstanceOf(ParameterException.class)
         .hasMessage("Invalid value for option '" + option + "': " + sentence);
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      textBlock =
+          """
+          front,0,120,a.png     | expected WALL,ALONG,HEIGHT,WIDTH,FILE such as front,0,120,30,face.png, found front,0,120,a.png
+          door,0,120,30,a.png   | expected front, back, left, right, floor or ceiling, found door
+          front,0,120,0.3,a.png | expected a width from 1 to 20000 cm, found 0.3
+          """)
+  void aWrongPosterIsNamedWithWhatWasExpected(String value, String sentence) {
+    assertThatThrownBy(() -> options("--poster " + value))
+        .isInstanceOf(ParameterException.class)
+        .hasMessageEndingWith(": " + sentence);
   }
 
   @ParameterizedTest

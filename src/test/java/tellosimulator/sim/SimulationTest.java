@@ -16,7 +16,11 @@ import tellosimulator.model.DroneState;
 import tellosimulator.model.FlightPhase;
 import tellosimulator.time.SimTime;
 import tellosimulator.time.TimeFactor;
+import tellosimulator.world.Decor;
+import tellosimulator.world.Poster;
 import tellosimulator.world.Room;
+import tellosimulator.world.Surface;
+import tellosimulator.world.Walls;
 
 class SimulationTest {
 
@@ -50,6 +54,19 @@ class SimulationTest {
 
     assertThat(steps).containsExactly(new SimTime(5_000_000), new SimTime(10_000_000));
     assertThat(simulation.snapshot().time()).isEqualTo(new SimTime(10_000_000));
+  }
+
+  @Test
+  void otherLooksOfTheRoomAreInTheNextSnapshot() {
+    assertThat(simulation.snapshot().decor()).isEqualTo(Decor.DEFAULT);
+    Poster poster = new Poster(Surface.LEFT_WALL, 0.5, 1.5, 0.3, "face.png");
+    Decor other = Decor.DEFAULT.withWalls(Walls.PLAIN).withGrid(1).withPosters(List.of(poster));
+
+    simulation.control(new Control.Decorate(other));
+    simulation.drain();
+
+    assertThat(simulation.snapshot().decor()).isEqualTo(other);
+    assertThat(simulation.snapshot().time()).isEqualTo(SimTime.ZERO);
   }
 
   @Test

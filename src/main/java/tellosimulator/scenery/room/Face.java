@@ -41,7 +41,12 @@ record Face(Vec3 origin, Vec3 right, Vec3 up, double width, double height, doubl
 
   /** All of it. */
   Quad whole() {
-    return band(bottom, height);
+    return part(area());
+  }
+
+  /** Where all of it is. */
+  Area area() {
+    return new Area(-width / 2, bottom, width, height);
   }
 
   /** As wide as the face. */
@@ -57,7 +62,23 @@ record Face(Vec3 origin, Vec3 right, Vec3 up, double width, double height, doubl
    * @param width metres
    * @param height metres
    */
-  record Area(double left, double lower, double width, double height) {}
+  record Area(double left, double lower, double width, double height) {
+
+    /** Of its upper edge [m]. */
+    double upper() {
+      return lower + height;
+    }
+
+    /** What it shares with another one; without width or height if that is nothing. */
+    Area within(Area other) {
+      double newLeft = Math.max(left, other.left);
+      double newLower = Math.max(lower, other.lower);
+      double right = Math.min(left + width, other.left + other.width);
+      double newUpper = Math.min(upper(), other.upper());
+      return new Area(
+          newLeft, newLower, Math.max(0, right - newLeft), Math.max(0, newUpper - newLower));
+    }
+  }
 
   Quad part(Area area) {
     Vec3 corner = origin.plusScaled(right, area.left).plusScaled(up, area.lower);

@@ -24,6 +24,7 @@ public final class Interior {
   /** The wall's uppermost pixels, of which a plain ceiling is. */
   private static final Patch CEILING = new Patch(0, 0, 1, 0.001);
 
+  private final Gallery gallery = new Gallery();
   private final Latest<Double, Texture> plainFloor = new Latest<>(PlainSurface::floor);
   private final Latest<Double, Texture> parquet = new Latest<>(Parquet::texture);
   private final Latest<Double, Texture> plainWall =
@@ -36,6 +37,7 @@ public final class Interior {
     boolean plain = decor.walls() == Walls.PLAIN;
     List<Part> parts = new ArrayList<>(plain ? plain(room, decor) : textured(room, decor));
     parts.add(MetreMarks.part(room, decor.walls()));
+    parts.addAll(gallery.parts(room, decor.posters()));
     return List.copyOf(parts);
   }
 

@@ -1,0 +1,84 @@
+package tellosimulator.scenery;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.List;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import tellosimulator.math.Attitude;
+import tellosimulator.math.Vec3;
+import tellosimulator.sim.SimConfig;
+import tellosimulator.sim.SimSnapshot;
+import tellosimulator.sim.Simulation;
+
+/** Whether there is something to be seen wherever a drone looks. */
+class DetailTest {
+
+  /** A coarse picture of the camera's form; what is finer than this does not count here. */
+  private static final int WIDTH = 64;
+
+  private static final int HEIGHT = 48;
+
+  /** Rays to a pixel, in a row and in a column. */
+  private static final int RAYS = 3;
+
+  /** From the camera to a picture of width 1: a field of view of 55 degrees. */
+  private static final double FOCAL_LENGTH = 0.5 / Math.tan(Math.toRadians(55) / 2);
+
+  private static final double TILT = Math.toRadians(15);
+
+  @ParameterizedTest
+  @CsvSource({
+    // height [m], heading [degrees], metres from the middle of the room to where one looks
+    "0.02, 0, 0",
+    "0.8, 90, 0",
+    "1.5, 45, -2",
+    "1.5, 0, 2.1",
+    "1, 90, 2.1",
+    "1.5, 180, 2.1",
+    "0.5, 270, 2.1",
+    "2.5, 270, 0"
+  })
+  void pictureHasContrastsNearAndFar(double height, double headingDeg, double ahead) {
+    SimSnapshot snapshot =
+        new Simulation(SimConfig.DEFAULT, drone -> (peer, text) -> {}, report -> {}, List.of())
+            .snapshot();
+    Eye eye = new Eye(new Stage().scene(snapshot, 1));
+    double heading = Math.toRadians(headingDeg);
+    Vec3 place = new Vec3(ahead, 0, height).turned(heading);
+    Attitude down = new Attitude(Math.cos(TILT / 2), 0, Math.sin(TILT / 2), 0);
+
+    double[] luma = picture(eye, place, Attitude.ofHeading(heading).after(down));
+
+    assertThat(standardDeviation(luma)).isGreaterThan(25);
+  }
+
+  private static double[] picture(Eye eye, Vec3 place, Attitude attitude) {
+    double[] luma = new double[WIDTH * HEIGHT];
+    for (int y = 0; y < RAYS * HEIGHT; y++) {
+      for (int x = 0; x < RAYS * WIDTH; x++) {
+        double left = 0.5 - (x + 0.5) / (RAYS * WIDTH);
+        double up = (0.5 * HEIGHT - (y + 0.5) / RAYS) / WIDTH;
+        Vec3 ray = attitude.toRoom(new Vec3(FOCAL_LENGTH, left, up).normalized());
+        luma[y / RAYS * WIDTH + x / RAYS] += luma(eye.look(place, ray)) / (RAYS * RAYS);
+      }
+    }
+    return luma;
+  }
+
+  /** ITU-R BT.601, 16 to 235. */
+  private static double luma(Rgb color) {
+    return 16 + 219 * (0.299 * color.red() + 0.587 * color.green() + 0.114 * color.blue()) / 255;
+  }
+
+  private static double standardDeviation(double[] values) {
+    double sum = 0;
+    double squares = 0;
+    for (double value : values) {
+      sum += value;
+      squares += value * value;
+    }
+    double mean = sum / values.length;
+    return Math.sqrt(squares / values.length - mean * mean);
+  }
+}

@@ -1,0 +1,236 @@
+package tellosimulator.scenery.room;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.awt.image.BufferedImage;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.stream.IntStream;
+import javax.imageio.ImageIO;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
+import tellosimulator.math.Attitude;
+import tellosimulator.math.Pose;
+import tellosimulator.math.Vec3;
+import tellosimulator.scenery.Eye;
+import tellosimulator.scenery.Finish;
+import tellosimulator.scenery.Part;
+import tellosimulator.scenery.Placed;
+import tellosimulator.scenery.Rgb;
+import tellosimulator.scenery.Scene;
+import tellosimulator.world.Decor;
+import tellosimulator.world.Poster;
+import tellosimulator.world.Room;
+import tellosimulator.world.Surface;
+import tellosimulator.world.Walls;
+
+class InteriorTest {
+
+  private static final Room ROOM = new Room(4, 6, 3);
+  private static final Decor PLAIN = Decor.DEFAULT.withWalls(Walls.PLAIN);
+  private static final Vec3 EYE = new Vec3(0.3, 0.2, 1.4);
+
+  private static final Rgb RED = Rgb.of(0xff0000);
+  private static final Rgb GREEN = Rgb.of(0x00ff00);
+  private static final Rgb BLUE = Rgb.of(0x0000ff);
+  private static final Rgb YELLOW = Rgb.of(0xffff00);
+
+  @TempDir private Path folder;
+  private final Interior interior = new Interior();
+
+  /** Where a poster is, 0.5 m to the right of a wall's middle and 1.2 m high. */
+  private record Place(Vec3 middle, Vec3 right, Vec3 up) {}
+
+  /** The room is 4 m wide (along y, which leads to the left) and 6 m deep (along x). */
+  private static Place place(Surface wall) {
+    Vec3 x = new Vec3(1, 0, 0);
+    Vec3 y = new Vec3(0, 1, 0);
+    return switch (wall) {
+      case FRONT_WALL -> new Place(new Vec3(3, -0.5, 1.2), y.times(-1), Vec3.UP);
+      case BACK_WALL -> new Place(new Vec3(-3, 0.5, 1.2), y, Vec3.UP);
+      case LEFT_WALL -> new Place(new Vec3(0.5, 2, 1.2), x, Vec3.UP);
+      case RIGHT_WALL -> new Place(new Vec3(-0.5, -2, 1.2), x.times(-1), Vec3.UP);
+      case FLOOR -> new Place(new Vec3(1.2, -0.5, 0), y.times(-1), x);
+      case CEILING -> new Place(new Vec3(-1.2, -0.5, 3), y.times(-1), x.times(-1));
+    };
+  }
+
+  @ParameterizedTest
+  @EnumSource(Surface.class)
+  void aPosterHangsAtItsPlaceUprightAndTheRightWayRound(Surface wall) throws IOException {
+    Vec3 middle = place(wall).middle;
+    Vec3 right = place(wall).right;
+    Vec3 up = place(wall).up;
+    // twice as wide as high: 0.8 by 0.4 m
+    Eye eye = eye(PLAIN.withPosters(List.of(new Poster(wall, 0.5, 1.2, 0.8, fourColours()))));
+
+    assertThat(seen(eye, middle.plusScaled(right, -0.38).plusScaled(up, 0.18))).isEqualTo(RED);
+    assertThat(seen(eye, middle.plusScaled(right, 0.38).plusScaled(up, 0.18))).isEqualTo(GREEN);
+    assertThat(seen(eye, middle.plusScaled(right, -0.38).plusScaled(up, -0.18))).isEqualTo(BLUE);
+    assertThat(seen(eye, middle.plusScaled(right, 0.38).plusScaled(up, -0.18))).isEqualTo(YELLOW);
+    assertThat(List.of(RED, GREEN, BLUE, YELLOW))
+        .doesNotContain(seen(eye, middle.plusScaled(right, 0.42)))
+        .doesNotContain(seen(eye, middle.plusScaled(up, -0.22)));
+  }
+
+  @Test
+  void aPosterEndsWhereItsWallEnds() throws IOException {
+    // its left third is beyond the corner: the wall is 4 m wide, so that is at -2 m
+    Poster poster = new Poster(Surface.FRONT_WALL, -1.9, 1.2, 0.6, fourColours());
+    Eye eye = eye(PLAIN.withPosters(List.of(poster)));
+
+    assertThat(seen(eye, new Vec3(3, 1.99, 1.3))).isEqualTo(RED);
+    assertThat(seen(eye, new Vec3(3, 1.91, 1.3))).isEqualTo(RED);
+    assertThat(seen(eye, new Vec3(3, 1.89, 1.3))).isEqualTo(GREEN);
+    assertThat(seen(eye, new Vec3(2.99, 2, 1.3))).isNotEqualTo(RED);
+  }
+
+  @Test
+  void theLaterPosterIsInFront() throws IOException {
+    String picture = fourColours();
+    Poster first = new Poster(Surface.FRONT_WALL, 0, 1, 1, picture);
+    Poster second = new Poster(Surface.FRONT_WALL, 0.5, 1.2, 1, picture);
+    Eye eye = eye(PLAIN.withPosters(List.of(first, second)));
+
+    // right of the first one's middle, left of the second one's, in the upper half of both
+    assertThat(seen(eye, new Vec3(3, -0.3, 1.23))).isEqualTo(RED);
+  }
+
+  @Test
+  void aPosterWithoutAFileIsAGreyBoard() {
+    Poster poster = new Poster(Surface.FRONT_WALL, 0, 1, 0.5, "no-such.png");
+
+    Rgb color = seen(eye(PLAIN.withPosters(List.of(poster))), new Vec3(3, 0, 1));
+
+    assertThat(color).isEqualTo(Rgb.of(0x9a9a9a));
+  }
+
+  @ParameterizedTest
+  @EnumSource(Walls.class)
+  void gridLinesGoThroughTheMiddleOfTheRoom(Walls walls) {
+    Eye eye = eye(Decor.DEFAULT.withWalls(walls).withGrid(0.5));
+
+    for (double x : new double[] {-1, -0.5, 0, 0.5, 1}) {
+      // a line is about 14 mm wide: 7 mm and 1.5 % of the grid
+      Vec3 line = new Vec3(x, 0.17, 0);
+      double besides = brightness(seen(eye, line.plus(new Vec3(0.02, 0, 0))));
+      double before = brightness(seen(eye, line.minus(new Vec3(0.02, 0, 0))));
+      assertThat(brightness(seen(eye, line))).isLessThan(Math.max(besides, before) - 20);
+    }
+  }
+
+  @Test
+  void texturedWallsHaveALineAtEachMetreAndASkirtingBoard() {
+    Eye eye = eye(Decor.DEFAULT);
+
+    for (Surface wall :
+        List.of(Surface.FRONT_WALL, Surface.BACK_WALL, Surface.LEFT_WALL, Surface.RIGHT_WALL)) {
+      Face face = Face.of(ROOM, wall);
+      for (int metre : new int[] {1, 2}) {
+        assertThat(brightness(eye, face, metre))
+            .as("%s at %d m", wall, metre)
+            .isLessThan(brightness(eye, face, metre + 0.03) - 20);
+      }
+      assertThat(brightness(eye, face, 0.03)).isGreaterThan(200);
+    }
+  }
+
+  /** The mean of a wall at a height [m]. */
+  private static double brightness(Eye eye, Face wall, double height) {
+    return IntStream.range(-19, 20)
+        .mapToDouble(
+            i ->
+                brightness(
+                    seen(eye, wall.origin().plusScaled(wall.right(), 0.1 * i).withZ(height))))
+        .average()
+        .orElseThrow();
+  }
+
+  @Test
+  void eachWallHasAHueOfItsOwn() {
+    Eye eye = eye(Decor.DEFAULT);
+
+    Vec3 front = mean(eye, Surface.FRONT_WALL);
+    Vec3 back = mean(eye, Surface.BACK_WALL);
+    Vec3 left = mean(eye, Surface.LEFT_WALL);
+    Vec3 right = mean(eye, Surface.RIGHT_WALL);
+    assertThat(front.x()).as("red bricks").isGreaterThan(1.2 * front.y());
+    assertThat(back.z()).as("blue tiles").isGreaterThan(1.2 * back.x());
+    assertThat(left.y()).as("green boards").isGreaterThan(1.1 * left.x());
+    assertThat(right.x()).as("ochre paper").isGreaterThan(1.2 * right.z());
+    assertThat(right.y()).as("not as red as bricks").isGreaterThan(1.2 * front.y());
+  }
+
+  @ParameterizedTest
+  @EnumSource(Walls.class)
+  void fromOutsideOneSeesThroughItsWalls(Walls walls) {
+    Eye eye = eye(Decor.DEFAULT.withWalls(walls));
+
+    Rgb frontThroughTheBack = eye.look(new Vec3(-9, 0.2, 1.4), new Vec3(1, 0, 0));
+
+    assertThat(frontThroughTheBack).isEqualTo(eye.look(EYE, new Vec3(1, 0, 0)));
+    assertThat(frontThroughTheBack).isNotEqualTo(Rgb.BLACK);
+  }
+
+  @Test
+  void allDecalsComeAfterWhatTheyAreOn() {
+    List<Finish> order = interior.parts(ROOM, Decor.DEFAULT).stream().map(Part::finish).toList();
+
+    assertThat(order).containsOnly(Finish.PAINTED, Finish.DECAL);
+    assertThat(order.lastIndexOf(Finish.PAINTED)).isLessThan(order.indexOf(Finish.DECAL));
+  }
+
+  @Test
+  void picturesAreKeptWhileOnlyTheSizeChanges() {
+    List<Part> before = interior.parts(ROOM, Decor.DEFAULT);
+    List<Part> after = interior.parts(new Room(9, 9, 3), Decor.DEFAULT);
+
+    assertThat(after)
+        .extracting(Part::texture)
+        .isEqualTo(before.stream().map(Part::texture).toList());
+  }
+
+  private Eye eye(Decor decor) {
+    Pose origin = new Pose(Vec3.ZERO, Attitude.LEVEL);
+    return new Eye(
+        new Scene(
+            interior.parts(ROOM, decor).stream().map(part -> new Placed(part, origin)).toList()));
+  }
+
+  private static Rgb seen(Eye eye, Vec3 place) {
+    return eye.look(EYE, place.minus(EYE).normalized());
+  }
+
+  private static Vec3 mean(Eye eye, Surface wall) {
+    Face face = Face.of(ROOM, wall);
+    Vec3 sum = Vec3.ZERO;
+    int count = 0;
+    for (double along = -1.9; along < 1.9; along += 0.13) {
+      for (double height = 0.1; height < 2.9; height += 0.13) {
+        Rgb color = seen(eye, face.origin().plusScaled(face.right(), along).withZ(height));
+        sum = sum.plus(new Vec3(color.red(), color.green(), color.blue()));
+        count++;
+      }
+    }
+    return sum.times(1.0 / count);
+  }
+
+  private static double brightness(Rgb color) {
+    return 0.299 * color.red() + 0.587 * color.green() + 0.114 * color.blue();
+  }
+
+  /** An image of 4 by 2 pixels: red, green, and below them blue, yellow. */
+  private String fourColours() throws IOException {
+    BufferedImage image = new BufferedImage(4, 2, BufferedImage.TYPE_INT_RGB);
+    for (int x = 0; x < 4; x++) {
+      image.setRGB(x, 0, (x < 2 ? RED : GREEN).argb());
+      image.setRGB(x, 1, (x < 2 ? BLUE : YELLOW).argb());
+    }
+    Path file = folder.resolve("four.png");
+    ImageIO.write(image, "png", file.toFile());
+    return file.toString();
+  }
+}
