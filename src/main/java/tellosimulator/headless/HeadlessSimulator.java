@@ -19,7 +19,6 @@ import tellosimulator.video.codec.H264Encoder;
 public final class HeadlessSimulator implements AutoCloseable {
 
   private final OnlineSimulation simulation;
-  private final SoftwareCameras cameras;
   private final VideoStreams video;
 
   /**
@@ -32,9 +31,10 @@ public final class HeadlessSimulator implements AutoCloseable {
   public HeadlessSimulator(
       SimConfig config, AddressPlan plan, OptionalInt replyPort, DroneOptics optics)
       throws PortTakenException {
-    cameras = new SoftwareCameras(optics);
+    SoftwareCameras cameras = new SoftwareCameras(optics);
     simulation = new OnlineSimulation(config, plan, replyPort, List.of(new EventLog()));
     video = VideoStreams.of(simulation, cameras, H264Encoder::new);
+    video.warmUp(cameras.get());
     try {
       simulation.switchAllOn();
     } catch (PortTakenException e) {
@@ -51,7 +51,6 @@ public final class HeadlessSimulator implements AutoCloseable {
     shrinkHeap();
     out.println(simulation.ready());
     out.flush();
-    video.warmUp(cameras.get());
     if (!new Console(simulation::snapshot, simulation::carryOut, in, out).run()) {
       new CountDownLatch(1).await();
     }

@@ -64,7 +64,11 @@ public final class Sketch {
    * @param width of the stroke [pixels]
    */
   public Sketch stroke(List<Point> way, double width) {
-    soak(way, width / 2, pixel -> width / 2 - distance(way, pixel));
+    for (int i = 1; i < way.size(); i++) { // piece by piece: each touches only a few pixels
+      Point from = way.get(i - 1);
+      Point to = way.get(i);
+      soak(List.of(from, to), width / 2, pixel -> width / 2 - distance(from, to, pixel));
+    }
     return this;
   }
 

@@ -16,8 +16,8 @@ final class Parquet {
 
   private static final long SEED = 71;
 
-  /** Edge of the tile [pixels]. Decided: finer than walls, because drones stand on it. */
-  private static final int SIZE = 1024;
+  /** Edge of the tile [pixels]. Decided: made quickly, as the first picture waits for it. */
+  private static final int SIZE = 512;
 
   /** Strips side by side, each with its pieces one after the other. */
   private static final int STRIPS = 16;
@@ -25,7 +25,7 @@ final class Parquet {
   private static final int PIECES = 3;
 
   /** Half the width of a gap [pixels]. Decided: by eye. */
-  private static final double HALF_GAP = 1.2;
+  private static final double HALF_GAP = 0.8;
 
   private static final Shades OAK = new Shades(Rgb.of(0x6f4c2e), Rgb.of(0xe6c9a0));
   private static final int GAP = Rgb.of(0x4a3626).argb();
