@@ -3,6 +3,7 @@ package tellosimulator.video;
 import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.channels.FileChannel;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
 import java.util.Arrays;
@@ -18,6 +19,7 @@ import org.jcodec.common.model.Size;
 import org.jcodec.containers.mp4.muxer.MP4Muxer;
 import tellosimulator.video.codec.EncodedPicture;
 import tellosimulator.video.picture.Picture;
+import tellosimulator.words.Phrase;
 
 /**
  * A stream that is kept as an MP4 file, picture by picture as it is sent. It begins with the next
@@ -37,7 +39,7 @@ public final class Recording implements VideoWatcher, AutoCloseable {
   private final MP4Muxer muxer;
   private Optional<MuxerTrack> track = Optional.empty();
   private Optional<Kept> kept = Optional.empty();
-  private Optional<String> failure = Optional.empty();
+  private Optional<Phrase> failure = Optional.empty();
   private Size size = new Size(0, 0);
   private long begun;
   private int count;
@@ -73,8 +75,8 @@ public final class Recording implements VideoWatcher, AutoCloseable {
     return count;
   }
 
-  /** Why it ended by itself, in a sentence; empty while it goes on, or if it was closed. */
-  public synchronized Optional<String> failure() {
+  /** Why it ended by itself; empty while it goes on, or if it was closed. */
+  public synchronized Optional<Phrase> failure() {
     return failure;
   }
 
@@ -91,7 +93,7 @@ public final class Recording implements VideoWatcher, AutoCloseable {
     try {
       add(filmed.picture(), filmed.encoded().get(), filmed.nanos());
     } catch (IOException e) {
-      fail("The recording " + file + " ended, because it cannot be written: " + e.getMessage());
+      fail(Phrase.of("the recording %s ended, because it cannot be written: %s", file, why(e)));
     }
   }
 
@@ -105,7 +107,7 @@ public final class Recording implements VideoWatcher, AutoCloseable {
       track = Optional.of(muxer.addVideoTrack(Codec.H264, meta));
       begun = nanos;
     } else if (picture.width() != size.getWidth() || picture.height() != size.getHeight()) {
-      fail("The recording " + file + " ended, because the pictures have another size now.");
+      fail(Phrase.of("the recording %s ended, because the pictures have another size now", file));
       return;
     }
     long ticks = Math.round((nanos - begun) * 1e-9 * TIMESCALE);
@@ -133,18 +135,21 @@ public final class Recording implements VideoWatcher, AutoCloseable {
     }
   }
 
-  private void fail(String sentence) {
+  private void fail(Phrase reason) {
+    failure = Optional.of(reason);
     try {
       close();
     } catch (IOException e) {
-      failure = Optional.of(sentence + " What was recorded is lost: " + e.getMessage());
-      return;
+      failure = Optional.of(Phrase.of("%s; what was recorded is lost: %s", reason, why(e)));
     }
-    failure = Optional.of(sentence);
+  }
+
+  private static String why(IOException e) {
+    return e.getMessage() == null ? e.toString() : e.getMessage();
   }
 
   /**
-   * Ends the file; does nothing if it has ended.
+   * Ends the file, which is deleted if there is no picture in it; does nothing if it has ended.
    *
    * @throws IOException if the end cannot be written
    */
@@ -159,6 +164,9 @@ public final class Recording implements VideoWatcher, AutoCloseable {
         write(kept.get().ticks + LAST);
         muxer.finish();
       }
+    }
+    if (kept.isEmpty()) {
+      Files.deleteIfExists(file);
     }
   }
 }

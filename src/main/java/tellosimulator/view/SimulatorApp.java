@@ -15,6 +15,7 @@ import tellosimulator.view.layout.WindowState;
 import tellosimulator.view.log.LogFeed;
 import tellosimulator.view.settings.Settings;
 import tellosimulator.view.text.Language;
+import tellosimulator.view.video.Album;
 import tellosimulator.view.video.WindowVideo;
 
 /** The program with a window. */
@@ -39,7 +40,7 @@ public final class SimulatorApp implements AutoCloseable {
   public SimulatorApp(
       SimConfig config, AddressPlan plan, OptionalInt replyPort, DroneOptics optics) {
     simulation = new OnlineSimulation(config, plan, replyPort, List.of(feed));
-    video = WindowVideo.of(simulation, optics);
+    video = WindowVideo.of(simulation, optics, Album.ofUser());
   }
 
   /**

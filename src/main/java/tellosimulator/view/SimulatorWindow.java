@@ -21,10 +21,12 @@ import tellosimulator.view.layout.WindowKeys;
 import tellosimulator.view.layout.WindowState;
 import tellosimulator.view.log.LogBox;
 import tellosimulator.view.log.LogFeed;
+import tellosimulator.view.log.LogLevel;
 import tellosimulator.view.pilot.PilotControls;
 import tellosimulator.view.settings.Codec;
 import tellosimulator.view.settings.Settings;
 import tellosimulator.view.settings.WindowPlacement;
+import tellosimulator.view.video.Keeper;
 import tellosimulator.view.world.Simulator3DScene;
 import tellosimulator.view.world.ViewCamera;
 import tellosimulator.world.Decor;
@@ -73,6 +75,14 @@ public final class SimulatorWindow implements AutoCloseable {
     setupKeys();
     setupBindings();
     context.actions().onRefused((refusal, drone) -> feed.cannotSwitchOn(drone, refusal));
+    context
+        .video()
+        .onReport(
+            report ->
+                feed.say(
+                    report.good() ? LogLevel.INFO : LogLevel.ERROR,
+                    report.drone(),
+                    report.phrase()));
     stage.setScene(scene);
     stage.setTitle("Tello Simulator");
     stage.setFullScreenExitHint("");
@@ -98,6 +108,8 @@ public final class SimulatorWindow implements AutoCloseable {
         .on(WindowKey.NETWORK_CONTROLS, () -> toggle(state.networkControlsShownProperty()))
         .on(WindowKey.LOG, () -> toggle(state.logShownProperty()))
         .on(WindowKey.INSET, () -> toggle(world.insetVisibleProperty()))
+        .on(WindowKey.STILL, () -> keeper().saveStill())
+        .on(WindowKey.RECORD, () -> keeper().toggleRecording())
         .on(WindowKey.TRAIL, () -> toggle(world.trailVisibleProperty()))
         .on(WindowKey.PAUSE, this::togglePause)
         .on(WindowKey.FULL_SCREEN, () -> toggle(state.fullScreenProperty()))
@@ -118,6 +130,11 @@ public final class SimulatorWindow implements AutoCloseable {
 
   private void togglePause() {
     context.actions().carryOut(new Control.Pause(!context.actions().paused()));
+  }
+
+  /** Keeps pictures of the selected drone. */
+  private Keeper keeper() {
+    return context.video().keeper(context.simulation().selected().number());
   }
 
   private void switchCamera() {

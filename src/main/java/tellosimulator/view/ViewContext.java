@@ -24,6 +24,7 @@ public record ViewContext(
   public static ViewContext of(OnlineSimulation online, Language language, WindowVideo video) {
     FxSimulation simulation = new FxSimulation(online.snapshot());
     Pulse pulse = new Pulse(() -> simulation.update(online.snapshot()));
+    pulse.onBeat(nanos -> video.advance());
     return new ViewContext(simulation, new SimulatorActions(online), language, pulse, video);
   }
 }

@@ -23,6 +23,7 @@ import org.junit.jupiter.api.io.TempDir;
 import tellosimulator.video.codec.EncodedPicture;
 import tellosimulator.video.codec.H264Encoder;
 import tellosimulator.video.picture.Picture;
+import tellosimulator.words.Phrase;
 
 class RecordingTest {
 
@@ -82,10 +83,18 @@ class RecordingTest {
     encoder = new H264Encoder(32, 32);
     film(32, 32, 100, true);
 
-    assertThat(recording.failure())
-        .contains("The recording " + file + " ended, because the pictures have another size now.");
+    assertThat(recording.failure().map(Phrase::english))
+        .contains("the recording " + file + " ended, because the pictures have another size now");
     assertThat(recording.pictures()).isEqualTo(2);
     assertThat(brightness(1)).isCloseTo(100, Offset.offset(4));
+  }
+
+  @Test
+  void aRecordingOfNothingLeavesNoFile() throws IOException {
+    recording.close();
+
+    assertThat(recording.pictures()).isZero();
+    assertThat(file).doesNotExist();
   }
 
   @Test

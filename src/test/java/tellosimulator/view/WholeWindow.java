@@ -41,6 +41,7 @@ import tellosimulator.view.layout.WindowState;
 import tellosimulator.view.log.LogFeed;
 import tellosimulator.view.settings.Settings;
 import tellosimulator.view.text.Language;
+import tellosimulator.view.video.Album;
 import tellosimulator.view.video.WindowVideo;
 import tellosimulator.view.world.Simulator3DScene;
 
@@ -75,7 +76,7 @@ final class WholeWindow implements AutoCloseable {
             AddressPlan.portPerDrone(config.starts().size(), loopback, firstPort),
             OptionalInt.empty(),
             List.of(feed));
-    video = WindowVideo.of(simulation, DroneOptics.DEFAULT);
+    video = WindowVideo.of(simulation, DroneOptics.DEFAULT, new Album(file.getParent()));
   }
 
   /**

@@ -39,6 +39,20 @@ public final class Picture {
     Arrays.fill(v, (byte) 128);
   }
 
+  /** A picture of its own that looks the same. */
+  public Picture copy() {
+    Picture copy = new Picture(width, height);
+    copy.set(this);
+    return copy;
+  }
+
+  /** Takes over how another picture of the same size looks. */
+  public void set(Picture other) {
+    System.arraycopy(other.y, 0, y, 0, y.length);
+    System.arraycopy(other.u, 0, u, 0, u.length);
+    System.arraycopy(other.v, 0, v, 0, v.length);
+  }
+
   public int width() {
     return width;
   }

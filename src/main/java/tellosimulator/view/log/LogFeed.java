@@ -10,6 +10,7 @@ import tellosimulator.sim.SimEvent;
 import tellosimulator.sim.SimListener;
 import tellosimulator.sim.SimSnapshot;
 import tellosimulator.time.SimTime;
+import tellosimulator.words.Phrase;
 
 /**
  * Where lines for the log wait until the window's next pulse. For any thread; nobody who writes
@@ -45,6 +46,15 @@ public final class LogFeed implements SimListener {
    */
   public void note(LogLevel level, String key, Object... values) {
     note(level, 0, key, values);
+  }
+
+  /**
+   * Writes what the window has to say of a drone.
+   *
+   * @param drone its number, from 1
+   */
+  public void say(LogLevel level, int drone, Phrase phrase) {
+    add(new LogLine(now, level, drone, language -> language.say(phrase)));
   }
 
   /** Says why a drone stays off. */

@@ -42,9 +42,7 @@ final class NewestPicture implements VideoWatcher {
     if (copy.width() != source.width() || copy.height() != source.height()) {
       copy = new Picture(source.width(), source.height());
     }
-    System.arraycopy(source.y(), 0, copy.y(), 0, copy.y().length);
-    System.arraycopy(source.u(), 0, copy.u(), 0, copy.u().length);
-    System.arraycopy(source.v(), 0, copy.v(), 0, copy.v().length);
+    copy.set(source);
     written = between.getAndSet(new Kept(copy, filmed.figures(), true));
   }
 

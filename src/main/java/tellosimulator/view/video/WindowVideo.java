@@ -1,6 +1,9 @@
 package tellosimulator.view.video;
 
+import java.util.List;
+import java.util.function.Consumer;
 import java.util.function.Supplier;
+import tellosimulator.model.FlightPhase;
 import tellosimulator.network.OnlineSimulation;
 import tellosimulator.sim.SimSnapshot;
 import tellosimulator.video.SoftwareCameras;
@@ -12,27 +15,47 @@ import tellosimulator.video.codec.H264Encoder;
 /** The video of all drones, as a window shows and keeps it. For any thread. */
 public final class WindowVideo implements AutoCloseable {
 
+  private final Supplier<SimSnapshot> snapshots;
   private final DroneOptics optics;
   private final SoftwareCameras cameras;
   private final VideoStreams streams;
+  private final List<Keeper> keepers;
+  private volatile Consumer<VideoReport> reports = report -> {};
 
   /**
    * Films nothing before somebody wants pictures.
    *
    * @param snapshots the newest one
    * @param optics of the drones' cameras
+   * @param album where pictures are kept
    */
-  public WindowVideo(Supplier<SimSnapshot> snapshots, DroneOptics optics) {
+  public WindowVideo(Supplier<SimSnapshot> snapshots, DroneOptics optics, Album album) {
+    this.snapshots = snapshots;
     this.optics = optics;
     cameras = new SoftwareCameras(optics);
     streams = new VideoStreams(snapshots, cameras, H264Encoder::new);
+    keepers =
+        snapshots.get().drones().stream()
+            .map(drone -> keeper(drone.state().drone(), album))
+            .toList();
   }
 
   /** The video of a running simulation, whose drones film when they are told to. */
-  public static WindowVideo of(OnlineSimulation simulation, DroneOptics optics) {
-    WindowVideo video = new WindowVideo(simulation::snapshot, optics);
+  public static WindowVideo of(OnlineSimulation simulation, DroneOptics optics, Album album) {
+    WindowVideo video = new WindowVideo(simulation::snapshot, optics, album);
     simulation.listen(video.streams);
     return video;
+  }
+
+  private Keeper keeper(int drone, Album album) {
+    return new Keeper(
+        new Keeper.Source(drone, stream(drone), () -> powered(drone)),
+        album,
+        report -> reports.accept(report));
+  }
+
+  private boolean powered(int drone) {
+    return snapshots.get().drones().get(drone - 1).state().phase() != FlightPhase.OFF;
   }
 
   /** The video of a drone. */
@@ -40,9 +63,19 @@ public final class WindowVideo implements AutoCloseable {
     return streams.stream(drone);
   }
 
+  /** Keeps pictures of a drone. */
+  public Keeper keeper(int drone) {
+    return keepers.get(drone - 1);
+  }
+
   /** The optics of the drones' cameras. */
   public DroneOptics optics() {
     return optics;
+  }
+
+  /** Tells somebody what became of pictures that were to be kept, on any thread. */
+  public void onReport(Consumer<VideoReport> listener) {
+    reports = listener;
   }
 
   /** Lets the Java machine compile what filming takes, in the background. */
@@ -50,9 +83,15 @@ public final class WindowVideo implements AutoCloseable {
     streams.warmUp(cameras.get());
   }
 
-  /** Ends all streams, and waits until they have ended. */
+  /** Moves on what a window shows; called once a pulse, on the JavaFX thread. */
+  public void advance() {
+    keepers.forEach(Keeper::advance);
+  }
+
+  /** Ends all streams and films, and waits until they have ended. */
   @Override
   public void close() {
     streams.close();
+    keepers.forEach(Keeper::close);
   }
 }

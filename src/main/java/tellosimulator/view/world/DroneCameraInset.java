@@ -1,5 +1,7 @@
 package tellosimulator.view.world;
 
+import java.util.List;
+import java.util.Locale;
 import javafx.beans.binding.Bindings;
 import javafx.beans.property.BooleanProperty;
 import javafx.beans.property.SimpleBooleanProperty;
@@ -20,6 +22,7 @@ import tellosimulator.view.FxDroneModel;
 import tellosimulator.view.FxSimulation;
 import tellosimulator.view.ViewContext;
 import tellosimulator.view.text.Messages;
+import tellosimulator.view.video.Keeper;
 import tellosimulator.view.video.StreamView;
 import tellosimulator.view.video.WindowVideo;
 
@@ -29,6 +32,7 @@ import tellosimulator.view.video.WindowVideo;
  */
 final class DroneCameraInset extends StackPane {
 
+  private static final PseudoClass RECORDING = PseudoClass.getPseudoClass("recording");
   private static final PseudoClass SHOWN = PseudoClass.getPseudoClass("shown");
 
   /** Size of what is shown [pixels]. Decided: half and almost all of a picture's form. */
@@ -57,7 +61,9 @@ final class DroneCameraInset extends StackPane {
   private final Label live = new Label();
   private final Button toggle = button("inset-toggle");
   private final Button enlarge = button("inset-enlarge");
-  private final HBox buttons = new HBox(enlarge, toggle);
+  private final Button still = button("inset-still");
+  private final Button record = button("inset-record");
+  private final HBox buttons = new HBox(still, record, enlarge, toggle);
   private long describedNanos = Long.MIN_VALUE;
 
   DroneCameraInset(ViewContext context) {
@@ -133,8 +139,14 @@ final class DroneCameraInset extends StackPane {
   private void setupEventHandlers() {
     toggle.setOnAction(action -> shown.set(!shown.get()));
     enlarge.setOnAction(action -> enlarged.set(!enlarged.get()));
+    still.setOnAction(action -> keeper().saveStill());
+    record.setOnAction(action -> keeper().toggleRecording());
     shown.addListener((property, before, now) -> watch());
     simulation.selectedProperty().addListener((property, before, now) -> watch());
+  }
+
+  private Keeper keeper() {
+    return video.keeper(simulation.selected().number());
   }
 
   private void watch() {
@@ -155,8 +167,12 @@ final class DroneCameraInset extends StackPane {
     live.visibleProperty()
         .bind(
             Bindings.createBooleanBinding(() -> shown.get() && filming.getValue(), shown, filming));
-    enlarge.visibleProperty().bind(shown);
-    enlarge.managedProperty().bind(shown);
+    for (Button button : List.of(still, enlarge)) {
+      button.visibleProperty().bind(shown);
+      button.managedProperty().bind(shown);
+    }
+    describe(still, Feather.CAMERA, "inset.still");
+    bindRecord(simulation.selectedProperty().map(drone -> video.keeper(drone.number())));
     shown.subscribe(
         now -> {
           describe(toggle, now ? Feather.X : Feather.VIDEO, now ? "inset.hide" : "inset.show");
@@ -168,6 +184,40 @@ final class DroneCameraInset extends StackPane {
                 enlarge,
                 now ? Feather.MINIMIZE_2 : Feather.MAXIMIZE_2,
                 now ? "inset.reduce" : "inset.enlarge"));
+  }
+
+  /** While a film is recorded one sees that, though the inset be hidden. */
+  private void bindRecord(ObservableValue<Keeper> keeper) {
+    ObservableValue<Boolean> recording = keeper.flatMap(Keeper::recordingProperty);
+    ObservableValue<Number> seconds = keeper.flatMap(Keeper::secondsProperty);
+    recording.subscribe(
+        now -> {
+          describe(
+              record,
+              now ? Feather.STOP_CIRCLE : Feather.CIRCLE,
+              now ? "inset.recording" : "inset.record");
+          record.pseudoClassStateChanged(RECORDING, now);
+        });
+    record
+        .textProperty()
+        .bind(
+            Bindings.createStringBinding(
+                () -> recording.getValue() ? minutes(seconds.getValue().intValue()) : "",
+                recording,
+                seconds));
+    record
+        .visibleProperty()
+        .bind(
+            Bindings.createBooleanBinding(
+                () -> shown.get() || recording.getValue(), shown, recording));
+    record.managedProperty().bind(record.visibleProperty());
+    record
+        .disableProperty()
+        .bind(simulation.selectedProperty().flatMap(FxDroneModel::onProperty).map(on -> !on));
+  }
+
+  private static String minutes(int seconds) {
+    return String.format(Locale.ROOT, "%d:%02d", seconds / 60, seconds % 60);
   }
 
   private void setPictureWidth(double width) {

@@ -37,6 +37,7 @@ import tellosimulator.sim.Swarm;
 import tellosimulator.video.camera.DroneOptics;
 import tellosimulator.view.ViewContext;
 import tellosimulator.view.text.Language;
+import tellosimulator.view.video.Album;
 import tellosimulator.view.video.WindowVideo;
 import tellosimulator.world.Room;
 
@@ -60,7 +61,9 @@ final class PanelWindow implements AutoCloseable {
             AddressPlan.of(Collections.nCopies(drones, loopback), 0),
             OptionalInt.empty(),
             List.of());
-    context = ViewContext.of(simulation, language, WindowVideo.of(simulation, DroneOptics.DEFAULT));
+    context =
+        ViewContext.of(
+            simulation, language, WindowVideo.of(simulation, DroneOptics.DEFAULT, Album.ofUser()));
   }
 
   /** On the JavaFX thread. */

@@ -45,6 +45,7 @@ import tellosimulator.time.SimTime;
 import tellosimulator.video.camera.DroneOptics;
 import tellosimulator.view.ViewContext;
 import tellosimulator.view.text.Language;
+import tellosimulator.view.video.Album;
 import tellosimulator.view.video.WindowVideo;
 import tellosimulator.words.Phrase;
 import tellosimulator.world.Room;
@@ -75,7 +76,7 @@ class LogBoxFxTest {
         ViewContext.of(
             simulation,
             new Language(Locale.ENGLISH),
-            WindowVideo.of(simulation, DroneOptics.DEFAULT));
+            WindowVideo.of(simulation, DroneOptics.DEFAULT, Album.ofUser()));
     box = new LogBox(context, feed);
     stage.setScene(new Scene(box, 1280, 170));
     stage.show();

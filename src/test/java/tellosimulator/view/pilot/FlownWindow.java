@@ -21,6 +21,7 @@ import tellosimulator.time.Threads;
 import tellosimulator.video.camera.DroneOptics;
 import tellosimulator.view.ViewContext;
 import tellosimulator.view.text.Language;
+import tellosimulator.view.video.Album;
 import tellosimulator.view.video.WindowVideo;
 
 /** A running simulation with real sockets on free ports, and the context of a window on it. */
@@ -55,7 +56,7 @@ public final class FlownWindow implements AutoCloseable {
         ViewContext.of(
             simulation,
             new Language(Locale.ENGLISH),
-            WindowVideo.of(simulation, DroneOptics.DEFAULT));
+            WindowVideo.of(simulation, DroneOptics.DEFAULT, Album.ofUser()));
   }
 
   public ViewContext context() {

@@ -27,6 +27,7 @@ import tellosimulator.sim.SimConfig.Outlets;
 import tellosimulator.video.camera.DroneOptics;
 import tellosimulator.view.ViewContext;
 import tellosimulator.view.text.Language;
+import tellosimulator.view.video.Album;
 import tellosimulator.view.video.WindowVideo;
 
 /**
@@ -85,7 +86,7 @@ public final class WindowFixture implements BeforeEachCallback, AfterEachCallbac
             AddressPlan.portPerDrone(config.starts().size(), LOOPBACK, 0),
             OptionalInt.empty(),
             List.of());
-    video = WindowVideo.of(simulation, DroneOptics.DEFAULT);
+    video = WindowVideo.of(simulation, DroneOptics.DEFAULT, Album.ofUser());
     onFxThread(
         () -> {
           Application.setUserAgentStylesheet(new PrimerLight().getUserAgentStylesheet());

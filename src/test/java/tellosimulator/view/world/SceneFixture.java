@@ -38,6 +38,7 @@ import tellosimulator.view.FxSimulation;
 import tellosimulator.view.Pulse;
 import tellosimulator.view.ViewContext;
 import tellosimulator.view.text.Language;
+import tellosimulator.view.video.Album;
 import tellosimulator.view.video.WindowVideo;
 import tellosimulator.world.Decor;
 import tellosimulator.world.Walls;
@@ -75,7 +76,7 @@ final class SceneFixture implements BeforeEachCallback, AfterEachCallback {
     FxToolkit.registerPrimaryStage();
     snapshot =
         new Simulation(config, drone -> (peer, text) -> {}, report -> {}, List.of()).snapshot();
-    video = new WindowVideo(() -> snapshot, DroneOptics.DEFAULT);
+    video = new WindowVideo(() -> snapshot, DroneOptics.DEFAULT, Album.ofUser());
     onFxThread(
         () -> {
           Application.setUserAgentStylesheet(new PrimerLight().getUserAgentStylesheet());

@@ -1,0 +1,177 @@
+package tellosimulator.view.video;
+
+import java.io.IOException;
+import java.nio.file.AccessDeniedException;
+import java.nio.file.FileAlreadyExistsException;
+import java.nio.file.Path;
+import java.time.LocalDateTime;
+import java.time.ZoneId;
+import java.util.Optional;
+import java.util.Set;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.function.BooleanSupplier;
+import java.util.function.Consumer;
+import javafx.beans.property.ReadOnlyBooleanProperty;
+import javafx.beans.property.ReadOnlyBooleanWrapper;
+import javafx.beans.property.ReadOnlyIntegerProperty;
+import javafx.beans.property.ReadOnlyIntegerWrapper;
+import tellosimulator.time.Threads;
+import tellosimulator.video.Recording;
+import tellosimulator.video.VideoStream;
+import tellosimulator.video.picture.Picture;
+import tellosimulator.words.Phrase;
+
+/**
+ * Keeps pictures of a drone's video as files: one as PNG, or many as a film. For the JavaFX thread,
+ * but for {@link #close}.
+ */
+public final class Keeper implements AutoCloseable {
+
+  private static final double NANOS_PER_SECOND = 1e9;
+
+  private final Source source;
+  private final Album album;
+  private final Consumer<VideoReport> reports;
+  private final ReadOnlyBooleanWrapper recording = new ReadOnlyBooleanWrapper(this, "recording");
+  private final ReadOnlyIntegerWrapper seconds = new ReadOnlyIntegerWrapper(this, "seconds");
+  private final Set<Thread> writing = ConcurrentHashMap.newKeySet();
+  private volatile Optional<Recording> film = Optional.empty();
+  private long begunNanos;
+
+  /**
+   * What is kept.
+   *
+   * @param drone its number, from 1
+   * @param powered whether it is on
+   */
+  record Source(int drone, VideoStream stream, BooleanSupplier powered) {}
+
+  /**
+   * @param reports is told what became of pictures and films, on any thread
+   */
+  Keeper(Source source, Album album, Consumer<VideoReport> reports) {
+    this.source = source;
+    this.album = album;
+    this.reports = reports;
+  }
+
+  /** Whether a film is being recorded. */
+  public ReadOnlyBooleanProperty recordingProperty() {
+    return recording.getReadOnlyProperty();
+  }
+
+  /** How long it has been recorded [s]. */
+  public ReadOnlyIntegerProperty secondsProperty() {
+    return seconds.getReadOnlyProperty();
+  }
+
+  /** Saves the next picture. */
+  public void saveStill() {
+    LocalDateTime moment = LocalDateTime.now(ZoneId.systemDefault());
+    Still.take(
+        source.stream,
+        picture -> {
+          Thread writer = Threads.start("still", () -> save(picture, moment));
+          writing.removeIf(thread -> !thread.isAlive());
+          writing.add(writer);
+        });
+  }
+
+  private void save(Picture picture, LocalDateTime moment) {
+    try {
+      Path file = album.picture(source.drone, moment);
+      PngFile.write(picture, file);
+      say(true, Phrase.of("a picture was saved: %s", file));
+    } catch (IOException e) {
+      say(false, Phrase.of("a picture could not be saved: %s", why(e)));
+    }
+  }
+
+  /** Begins a film, or ends it. A drone that is off films nothing. */
+  public void toggleRecording() {
+    if (film.isPresent()) {
+      end();
+    } else if (!source.powered.getAsBoolean()) {
+      say(false, Phrase.of("is off, so there is nothing to record"));
+    } else {
+      begin();
+    }
+  }
+
+  private void begin() {
+    try {
+      Recording begun =
+          Recording.to(album.film(source.drone, LocalDateTime.now(ZoneId.systemDefault())));
+      film = Optional.of(begun);
+      begunNanos = System.nanoTime();
+      seconds.set(0);
+      recording.set(true);
+      source.stream.watch(begun);
+      say(true, Phrase.of("is being recorded: %s", begun.file()));
+    } catch (IOException e) {
+      say(false, Phrase.of("cannot be recorded: %s", why(e)));
+    }
+  }
+
+  /** Counts the seconds, and ends a film that does not go on; called once a pulse. */
+  void advance() {
+    if (film.isEmpty()) {
+      return;
+    }
+    if (film.get().failure().isPresent() || !source.powered.getAsBoolean()) {
+      end();
+    } else {
+      seconds.set((int) ((System.nanoTime() - begunNanos) / NANOS_PER_SECOND));
+    }
+  }
+
+  private void end() {
+    closeFilm();
+    recording.set(false);
+  }
+
+  /** Ends a film and waits until all pictures are saved. For any thread. */
+  @Override
+  public void close() {
+    closeFilm();
+    writing.forEach(Threads::join);
+  }
+
+  private synchronized void closeFilm() {
+    film.ifPresent(
+        ended -> {
+          film = Optional.empty();
+          source.stream.ignore(ended);
+          report(ended);
+        });
+  }
+
+  private void report(Recording ended) {
+    try {
+      ended.close();
+      if (ended.failure().isPresent()) {
+        say(false, ended.failure().get());
+      } else if (ended.pictures() == 0) {
+        say(false, Phrase.of("no picture came, so nothing was recorded"));
+      } else {
+        say(true, Phrase.of("was recorded, %d pictures: %s", ended.pictures(), ended.file()));
+      }
+    } catch (IOException e) {
+      say(false, Phrase.of("the recording %s is lost: %s", ended.file(), why(e)));
+    }
+  }
+
+  private void say(boolean good, Phrase phrase) {
+    reports.accept(new VideoReport(source.drone, good, phrase));
+  }
+
+  private static Object why(IOException e) {
+    if (e instanceof AccessDeniedException denied) {
+      return Phrase.of("you may not write to %s", denied.getFile());
+    }
+    if (e instanceof FileAlreadyExistsException there) {
+      return Phrase.of("%s is in the way", there.getFile());
+    }
+    return e.getMessage() == null ? e.toString() : e.getMessage();
+  }
+}
