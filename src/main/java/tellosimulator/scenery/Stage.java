@@ -27,18 +27,12 @@ public final class Stage {
 
   private static final Pose ORIGIN = new Pose(Vec3.ZERO, Attitude.LEVEL);
 
-  /** What belongs to a drone wherever it is. */
-  private record Figure(DroneParts parts, GroundMark marks) {
-    static Figure of(int number) {
-      return new Figure(new DroneParts(number), new GroundMark(number));
-    }
-  }
-
   /** The latest room. */
   private record Furnished(Room room, Decor decor, List<Placed> parts) {}
 
   private final Interior interior = new Interior();
-  private final Map<Integer, Figure> figures = new ConcurrentHashMap<>();
+  private final Map<Integer, DroneParts> figures = new ConcurrentHashMap<>();
+  private final Map<Integer, GroundMark> marks = new ConcurrentHashMap<>();
   private volatile Furnished furnished;
 
   /** Everything that can be seen at a moment. */
@@ -83,13 +77,13 @@ public final class Stage {
   }
 
   private void addMarks(List<Placed> parts, DroneSnapshot drone) {
-    GroundMark marks = figure(drone).marks;
-    parts.add(marks.start(drone.start()));
-    parts.add(marks.shadow(drone.state().motion().pose()));
+    GroundMark mark = marks.computeIfAbsent(drone.state().drone(), GroundMark::new);
+    parts.add(mark.start(drone.start()));
+    parts.add(mark.shadow(drone.state().motion().pose()));
   }
 
   private void addBody(List<Placed> parts, DroneSnapshot drone) {
-    DroneParts figure = figure(drone).parts;
+    DroneParts figure = figure(drone);
     DroneState state = drone.state();
     Pose pose = state.motion().pose();
     double seconds = state.time().seconds();
@@ -101,7 +95,7 @@ public final class Stage {
   }
 
   private void addPropellers(List<Placed> parts, DroneSnapshot drone) {
-    DroneParts figure = figure(drone).parts;
+    DroneParts figure = figure(drone);
     DroneState state = drone.state();
     Pose pose = state.motion().pose();
     double seconds = state.time().seconds();
@@ -116,7 +110,8 @@ public final class Stage {
     }
   }
 
-  private Figure figure(DroneSnapshot drone) {
-    return figures.computeIfAbsent(drone.state().drone(), Figure::of);
+  /** Made when it is first seen, which the camera on the only drone never does. */
+  private DroneParts figure(DroneSnapshot drone) {
+    return figures.computeIfAbsent(drone.state().drone(), DroneParts::new);
   }
 }
