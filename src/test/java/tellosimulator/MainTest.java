@@ -37,7 +37,7 @@ class MainTest {
         CommandSpec.forAnnotatedObject(new Options()).options().stream()
             .map(OptionSpec::longestName)
             .toList();
-    assertThat(options).hasSize(18);
+    assertThat(options).hasSize(20);
     assertThat(lines(out)).contains(options).contains("--help", "--version");
     assertThat(lines(out).lines()).allMatch(printed -> printed.length() <= 80);
     assertThat(lines(err)).isEmpty();

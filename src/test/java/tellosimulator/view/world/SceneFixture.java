@@ -110,6 +110,11 @@ final class SceneFixture implements BeforeEachCallback, AfterEachCallback {
     return scene;
   }
 
+  /** What the scene shows at the next beat. */
+  SimSnapshot snapshot() {
+    return snapshot;
+  }
+
   FxSimulation simulation() {
     return simulation;
   }

@@ -1,0 +1,142 @@
+package tellosimulator.view.world;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+import static tellosimulator.view.world.SceneFixture.HEIGHT;
+import static tellosimulator.view.world.SceneFixture.WIDTH;
+import static tellosimulator.view.world.SceneFixture.find;
+
+import java.awt.image.BufferedImage;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Locale;
+import java.util.function.Predicate;
+import javafx.scene.image.Image;
+import javafx.scene.image.PixelFormat;
+import javafx.scene.image.WritableImage;
+import javafx.scene.paint.Color;
+import javax.imageio.ImageIO;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.extension.RegisterExtension;
+import org.junit.jupiter.api.io.TempDir;
+import tellosimulator.math.Attitude;
+import tellosimulator.math.Pose;
+import tellosimulator.math.Vec3;
+import tellosimulator.model.FlightPhase;
+import tellosimulator.scenery.Stage;
+import tellosimulator.sim.SimConfig;
+import tellosimulator.sim.Swarm;
+import tellosimulator.video.camera.ColorSpace;
+import tellosimulator.video.camera.DroneOptics;
+import tellosimulator.video.camera.Props;
+import tellosimulator.video.camera.Raster;
+import tellosimulator.video.camera.SoftwareCamera;
+import tellosimulator.view.testing.NeedsDisplay;
+import tellosimulator.view.world.SceneFixture.Spot;
+import tellosimulator.world.Decor;
+import tellosimulator.world.Poster;
+import tellosimulator.world.Room;
+import tellosimulator.world.Surface;
+import tellosimulator.world.Walls;
+
+/** Whether window and software camera show a thing at the same pixel. */
+@NeedsDisplay
+class SameWorldDisplayTest {
+
+  /** The second drone, which is orange, stands 0.9 m ahead of the first one, a little aside. */
+  private static final List<Pose> STARTS =
+      List.of(
+          Swarm.row(1, Vec3.ZERO, Room.DEFAULT).get(0),
+          new Pose(new Vec3(0.9, -0.1, 0), Attitude.ofHeading(1)));
+
+  @RegisterExtension
+  final SceneFixture fixture =
+      new SceneFixture(
+          SimConfig.DEFAULT
+              .withRoom(Room.DEFAULT, STARTS)
+              .withDecor(Decor.DEFAULT.withWalls(Walls.PLAIN)));
+
+  @TempDir private Path folder;
+
+  @Test
+  void markersAndDronesAreAtTheSamePixelAlsoWhenTheDroneIsTilted() throws IOException {
+    List<Poster> posters =
+        List.of(
+            poster(Surface.FRONT_WALL, new Vec3(0.9, 0.9, 0.3), java.awt.Color.MAGENTA),
+            poster(Surface.FRONT_WALL, new Vec3(-0.7, 0.5, 0.2), java.awt.Color.GREEN),
+            poster(Surface.FLOOR, new Vec3(-0.3, 1.4, 0.2), java.awt.Color.CYAN));
+    fixture.decorate(decor -> decor.withPosters(posters));
+    fixture.change(() -> fixture.scene().viewCameraProperty().set(ViewCamera.DRONE));
+
+    for (double rollDeg : new double[] {0, 17}) {
+      double half = Math.toRadians(rollDeg) / 2;
+      Attitude rolled = new Attitude(Math.cos(half), Math.sin(half), 0, 0);
+      fixture.put(new Pose(new Vec3(-0.6, 0.1, 0.7), rolled), FlightPhase.FLYING);
+      Image window = fixture.settledPicture();
+      Image drawn = drawn();
+
+      // pictures of half the camera's width: within one pixel is within two of the camera's
+      assertSame(window, drawn, color -> isLike(color, Color.MAGENTA));
+      assertSame(window, drawn, color -> isLike(color, Color.LIME));
+      assertSame(window, drawn, color -> isLike(color, Color.CYAN));
+      assertSame(window, drawn, SameWorldDisplayTest::isOrange);
+    }
+  }
+
+  private static void assertSame(Image window, Image drawn, Predicate<Color> wanted) {
+    Spot expected = find(window, wanted);
+    Spot found = find(drawn, wanted);
+    assertThat(expected.count()).isGreaterThan(60);
+    assertThat(found.x()).isCloseTo(expected.x(), within(1.0));
+    assertThat(found.y()).isCloseTo(expected.y(), within(1.0));
+    assertThat((double) found.count())
+        .isCloseTo(expected.count(), within(0.1 * expected.count() + 10));
+  }
+
+  /** What the software camera sees from the first drone. */
+  private Image drawn() {
+    SoftwareCamera camera = new SoftwareCamera(new Props(ColorSpace.RGB));
+    Raster raster = new Raster(WIDTH, HEIGHT);
+    Pose pose = fixture.snapshot().drones().get(0).state().motion().pose();
+    camera.draw(
+        new Stage().scene(fixture.snapshot(), 1),
+        DroneOptics.DEFAULT.ahead(pose, WIDTH, HEIGHT),
+        raster);
+    int[] pixels = raster.pixels().clone();
+    for (int i = 0; i < pixels.length; i++) {
+      pixels[i] |= 0xff000000;
+    }
+    WritableImage image = new WritableImage(WIDTH, HEIGHT);
+    image
+        .getPixelWriter()
+        .setPixels(0, 0, WIDTH, HEIGHT, PixelFormat.getIntArgbInstance(), pixels, 0, WIDTH);
+    return image;
+  }
+
+  /**
+   * A square of one colour.
+   *
+   * @param place along the wall, height, and width [m]
+   */
+  private Poster poster(Surface wall, Vec3 place, java.awt.Color color) throws IOException {
+    BufferedImage image = new BufferedImage(8, 8, BufferedImage.TYPE_INT_RGB);
+    for (int i = 0; i < 64; i++) {
+      image.setRGB(i % 8, i / 8, color.getRGB());
+    }
+    Path file = folder.resolve(String.format(Locale.ROOT, "%x.png", color.getRGB()));
+    ImageIO.write(image, "png", file.toFile());
+    return new Poster(wall, place.x(), place.y(), place.z(), file.toString());
+  }
+
+  private static boolean isLike(Color color, Color wanted) {
+    return Math.abs(color.getRed() - wanted.getRed()) < 0.25
+        && Math.abs(color.getGreen() - wanted.getGreen()) < 0.25
+        && Math.abs(color.getBlue() - wanted.getBlue()) < 0.25;
+  }
+
+  /** As only the second drone's cover and its start mark are. */
+  private static boolean isOrange(Color color) {
+    return color.getRed() > 0.5 && color.getRed() > 2.2 * color.getBlue();
+  }
+}
