@@ -6,9 +6,7 @@ import tellosimulator.scenery.Texture;
 
 /**
  * A texture ready for drawing: in a colour space, sides powers of two, with ever smaller versions
- * of it, so that no more than about one of its pixels falls on one of the picture. Each version has
- * its first column and row once more behind its last, so that neighbours need no thought.
- * Immutable; for any thread.
+ * of it, so that about one of its pixels falls on one of the picture. Immutable; for any thread.
  */
 final class MipMaps {
 
@@ -22,44 +20,15 @@ final class MipMaps {
   private final double[] uScale;
   private final double[] vScale;
 
-  /** A version of the texture. */
-  static final class Level {
-
-    private final int width;
-    private final int height;
-    private final long[] texels;
-
-    Level(int width, int height, long[] texels) {
-      this.width = width;
-      this.height = height;
-      this.texels = texels;
-    }
-
-    /** A power of two. */
-    int width() {
-      return width;
-    }
-
-    /** A power of two. */
-    int height() {
-      return height;
-    }
-
-    /** {@link Lanes}, row by row, with a column and a row more; not a copy. */
-    long[] texels() {
-      return texels;
-    }
-  }
-
   /**
    * @param masked whether the texture's opacity counts; colours are then multiplied with it
    */
   MipMaps(Texture texture, ColorSpace space, boolean masked) {
-    Texels whole = Texels.of(texture, space, masked).resized(LARGEST);
-    List<Level> all = new ArrayList<>(List.of(whole.level()));
-    while (whole.width() > 1 || whole.height() > 1) {
-      whole = whole.halved();
-      all.add(whole.level());
+    Level next = Level.of(texture, space, masked).squared(LARGEST);
+    List<Level> all = new ArrayList<>(List.of(next));
+    while (next.width() > 1 || next.height() > 1) {
+      next = next.halved();
+      all.add(next);
     }
     levels = all.toArray(Level[]::new);
     uScale = all.stream().mapToDouble(level -> (double) ONE * level.width() / width()).toArray();
@@ -102,9 +71,6 @@ final class MipMaps {
 
   /** The colour at a place of the largest version, {@link Lanes}. */
   long color(float u, float v) {
-    Level largest = levels[0];
-    int x = (int) Math.floor(u * width()) & width() - 1;
-    int y = (int) Math.floor(v * height()) & height() - 1;
-    return largest.texels()[y * (width() + 1) + x];
+    return levels[0].at(u, v);
   }
 }

@@ -1,8 +1,8 @@
 package tellosimulator.video.camera;
 
 /**
- * Paints a texture. It does so in pieces of up to sixteen pixels: only at their ends it divides by
- * the distance, in between everything changes evenly.
+ * Paints a texture. It does so in pieces: only at their ends it divides by the distance, in between
+ * everything changes evenly.
  *
  * <p>What a piece starts with and how it changes are fields, not parameters, as there are tens of
  * thousands of pieces in a picture; whoever paints one copies them into variables first, which a
@@ -50,7 +50,7 @@ abstract class TextureBrush implements Brush {
   int lightStep;
 
   /** The version of the texture to paint with. */
-  MipMaps.Level level;
+  Level level;
 
   private MipMaps texture;
   private boolean lit;
@@ -85,7 +85,7 @@ abstract class TextureBrush implements Brush {
     double distance = 1 / near0;
     double u0 = (s.uAcross * x + s.uDown * y + s.u) * distance;
     double v0 = (s.vAcross * x + s.vDown * y + s.v) * distance;
-    double light0 = lit ? (s.lightAcross * x + s.lightDown * y + s.light) * distance : 1;
+    double light0 = lit ? light(x, y, distance) : 1;
     int start = row * width;
     int at = from;
     int piece = length(near0, near0 + s.nearAcross * (to - 1 - from));
@@ -110,8 +110,8 @@ abstract class TextureBrush implements Brush {
       uStep = (int) ((u1 - u0) * uScale * share);
       vStep = (int) ((v1 - v0) * vScale * share);
       if (lit) {
-        double light1 = (s.lightAcross * x1 + s.lightDown * y + s.light) * distance;
-        light = fixed(light0);
+        double light1 = light(x1, y, distance);
+        light = (int) (light0 * FULL_LIGHT);
         lightStep = (int) ((light1 - light0) * FULL_LIGHT * share);
         light0 = light1;
       }
@@ -160,8 +160,9 @@ abstract class TextureBrush implements Brush {
     return Math.max(0, Math.min(texture.levels() - 1, number));
   }
 
-  private static int fixed(double light) {
-    return (int) (Math.max(0, Math.min(1, light)) * FULL_LIGHT);
+  private double light(double x, double y, double distance) {
+    double light = slopes.lightAcross * x + slopes.lightDown * y + slopes.light;
+    return Math.max(0, Math.min(1, light * distance));
   }
 
   private static double[] shares() {

@@ -114,8 +114,7 @@ final class Sketches {
     parts.add(
         painted(
             chessboard(2, 512), new Sheet(corner.plus(x), y, x.times(-1), 5 * SQUARE, 6 * SQUARE)));
-    parts.add(
-        painted(noise(256, 3), new Sheet(corner.plus(z).plus(y), y.times(-1), x.times(1), 5, 6)));
+    parts.add(painted(noise(256, 3), new Sheet(corner.plus(z), y, x, 5, 6)));
     parts.add(painted(wall, new Sheet(corner.plus(x).plus(y), y.times(-1), z, 2.5, 1.5)));
     parts.add(painted(chessboard(16, 1024), new Sheet(corner, y, z, 2.5, 1.5)));
     parts.add(painted(noise(1024, 2), new Sheet(corner.plus(y), x, z, 3, 1.5)));
