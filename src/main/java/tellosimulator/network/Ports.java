@@ -41,8 +41,8 @@ public final class Ports {
   void send(InetSocketAddress from, byte[] bytes, InetSocketAddress to) {
     Open open = byAddress.get(from);
     if (open != null) {
+      open.traffic().countSent(); // first, so that who has a reply finds it counted
       open.port().send(bytes, to);
-      open.traffic().countSent();
     }
   }
 
