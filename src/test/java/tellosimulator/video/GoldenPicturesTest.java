@@ -1,0 +1,68 @@
+package tellosimulator.video;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Locale;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
+import tellosimulator.math.Attitude;
+import tellosimulator.math.Pose;
+import tellosimulator.math.Vec3;
+import tellosimulator.video.camera.Shot;
+
+/**
+ * Compares pictures of the software camera with kept ones. Where they shall look different, make
+ * them anew with {@code mvn test -Dtest=GoldenPicturesTest -Dupdate.golden=true}, and look at them.
+ */
+class GoldenPicturesTest {
+
+  private static final Path FOLDER = Path.of("src/test/resources/pictures");
+
+  /** Rounding of another processor or Java is far better, a shifted or other texture far worse. */
+  private static final double ALIKE_DB = 45;
+
+  private enum Golden {
+    START(false, new Pose(new Vec3(-2, 0, 0), Attitude.LEVEL)),
+    CORNER(false, new Pose(new Vec3(0, 0, 1.2), Attitude.ofHeading(0.9))),
+    BACK(false, new Pose(new Vec3(1, 0.5, 1.8), Attitude.ofHeading(3.5))),
+    LEANING(
+        false, new Pose(new Vec3(-1, 1, 0.8), new Attitude(0.96, 0.16, 0.1, -0.2).normalized())),
+    NEAR_THE_WALL(false, new Pose(new Vec3(0.2, 1.75, 1), Attitude.ofHeading(1.1))),
+    DRONE_AHEAD(
+        false,
+        new Pose(new Vec3(-1, 0, 1), Attitude.LEVEL),
+        new Pose(new Vec3(-0.4, 0.05, 0.9), Attitude.ofHeading(2.5))),
+    BELOW(true, new Pose(new Vec3(-2, 0, 1), Attitude.LEVEL));
+
+    private final boolean downward;
+    private final Pose[] drones;
+
+    Golden(boolean downward, Pose... drones) {
+      this.downward = downward;
+      this.drones = drones;
+    }
+
+    Path file() {
+      return FOLDER.resolve(name().toLowerCase(Locale.ROOT) + ".png");
+    }
+
+    Still take() {
+      return Still.of(Moments.flying(drones), new Shot(1, downward));
+    }
+  }
+
+  @ParameterizedTest
+  @EnumSource
+  void aPictureIsAsItWas(Golden golden) throws IOException {
+    Still still = golden.take();
+    if (Boolean.getBoolean("update.golden")) {
+      Files.createDirectories(FOLDER);
+      still.write(golden.file());
+    }
+
+    assertThat(still.likeness(Still.read(golden.file()))).isGreaterThan(ALIKE_DB);
+  }
+}
