@@ -1,0 +1,205 @@
+package tellosimulator.video.codec;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
+
+import com.sun.management.ThreadMXBean;
+import java.lang.management.ManagementFactory;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Random;
+import java.util.stream.Stream;
+import org.jcodec.common.model.Rect;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.Arguments;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.EnumSource;
+import org.junit.jupiter.params.provider.MethodSource;
+import tellosimulator.video.picture.Picture;
+
+class H264EncoderTest {
+
+  private static final int PICTURES = 8;
+
+  private static final List<Act> ACTS = List.of(Act.values());
+
+  private final Motif motif = new Motif(1);
+
+  @ParameterizedTest
+  @MethodSource("actsAndSizes")
+  void decodersSeeExactlyWhatTheEncoderBelievesTheySee(Act act, int width, int height) {
+    H264Encoder encoder = new H264Encoder(width, height);
+    ForeignDecoder decoder = new ForeignDecoder();
+    Picture picture = new Picture(width, height);
+    for (int i = 0; i < PICTURES; i++) {
+      act.play(motif, picture, i);
+      decoder.decode(encoder.encode(picture, i == 5));
+      assertThat(decoder.differences(encoder.coded())).as("picture %d", i).isZero();
+    }
+  }
+
+  /** All acts at sizes that are and are not whole macroblocks, some at the drone's own size. */
+  static Stream<Arguments> actsAndSizes() {
+    Stream<Arguments> small =
+        ACTS.stream()
+            .flatMap(act -> Stream.of(Arguments.of(act, 648, 478), Arguments.of(act, 320, 720)));
+    Stream<Arguments> whole =
+        Stream.of(Act.SLOW, Act.FAST, Act.CUT).map(act -> Arguments.of(act, 960, 720));
+    return Stream.concat(small, whole);
+  }
+
+  @ParameterizedTest
+  @CsvSource({"20000", "200000", "20000000", "500000000"})
+  void decodersSeeTheSameAtAnyRate(int bitsPerSecond) {
+    H264Encoder encoder = new H264Encoder(160, 112);
+    encoder.setRate(30, bitsPerSecond);
+    ForeignDecoder decoder = new ForeignDecoder();
+    Picture picture = new Picture(160, 112);
+    for (int i = 0; i < 60; i++) {
+      ACTS.get(i / 15).play(motif, picture, i);
+      decoder.decode(encoder.encode(picture, i % 20 == 0));
+      assertThat(decoder.differences(encoder.coded())).as("picture %d", i).isZero();
+    }
+  }
+
+  @Test
+  void decodersSeeTheSameWhateverIsFilmed() {
+    Random random = new Random(7);
+    for (int round = 0; round < 20; round++) {
+      int width = 16 + 2 * random.nextInt(80);
+      int height = 16 + 2 * random.nextInt(80);
+      H264Encoder encoder = new H264Encoder(width, height);
+      ForeignDecoder decoder = new ForeignDecoder();
+      Picture picture = new Picture(width, height);
+      for (int i = 0; i < 20; i++) {
+        encoder.setRate(1 + random.nextInt(30), 10_000 + random.nextInt(5_000_000));
+        ACTS.get(random.nextInt(ACTS.size())).play(motif, picture, random.nextInt(30));
+        decoder.decode(encoder.encode(picture, random.nextInt(10) == 0));
+        assertThat(decoder.differences(encoder.coded()))
+            .as("picture %d of round %d, %d by %d", i, round, width, height)
+            .isZero();
+      }
+    }
+  }
+
+  @Test
+  void whatIsBeyondTheEdgeOfThePictureIsCutOff() {
+    H264Encoder encoder = new H264Encoder(648, 478);
+    ForeignDecoder decoder = new ForeignDecoder();
+
+    decoder.decode(encoder.encode(new Picture(648, 478), true));
+
+    Rect shown = decoder.shown();
+    assertThat(List.of(shown.getX(), shown.getY(), shown.getWidth(), shown.getHeight()))
+        .containsExactly(0, 0, 648, 478);
+  }
+
+  @Test
+  void theFirstPictureIsAKeyPictureEvenWhereNoneIsAskedFor() {
+    EncodedPicture encoded = new H264Encoder(64, 48).encode(new Picture(64, 48), false);
+
+    assertThat(encoded.key()).isTrue();
+    assertThat(unitTypes(encoded)).containsExactly(7, 8, 5);
+  }
+
+  @Test
+  void parametersComeBeforeEachKeyPictureAndNowhereElse() {
+    H264Encoder encoder = new H264Encoder(64, 48);
+    List<List<Integer>> types = new ArrayList<>();
+    for (int i = 0; i < 4; i++) {
+      types.add(unitTypes(encoder.encode(new Picture(64, 48), i % 2 == 0)));
+    }
+
+    // Documented: H.264, table 7-1: 7 and 8 are parameters, 5 a key picture's slice, 1 another's.
+    assertThat(types).containsExactly(List.of(7, 8, 5), List.of(1), List.of(7, 8, 5), List.of(1));
+  }
+
+  @ParameterizedTest
+  @EnumSource
+  void startCodesAreWhereTheyAreSaidToBeAndNowhereElse(Act act) {
+    H264Encoder encoder = new H264Encoder(320, 240);
+    Picture picture = new Picture(320, 240);
+    for (int i = 0; i < PICTURES; i++) {
+      act.play(motif, picture, i);
+      EncodedPicture encoded = encoder.encode(picture, false);
+      List<Integer> expected = new ArrayList<>();
+      for (int unit = 0; unit < encoded.units(); unit++) {
+        expected.add(encoded.start(unit));
+      }
+      assertThat(startCodes(encoded)).isEqualTo(expected);
+      assertThat(encoded.start(encoded.units())).isEqualTo(encoded.size());
+    }
+  }
+
+  /** Where two zeros come that a decoder could take for the beginning of a unit. */
+  private static List<Integer> startCodes(EncodedPicture picture) {
+    byte[] bytes = picture.bytes();
+    List<Integer> starts = new ArrayList<>();
+    for (int i = 0; i + 2 < picture.size(); i++) {
+      if (bytes[i] == 0 && bytes[i + 1] == 0 && bytes[i + 2] >= 0 && bytes[i + 2] <= 2) {
+        starts.add(i);
+        assertThat(bytes[i + 2]).as("third byte of a start code").isZero();
+        assertThat(bytes[i + 3]).as("fourth byte of a start code").isEqualTo((byte) 1);
+        i += 3;
+      }
+    }
+    return starts;
+  }
+
+  private static List<Integer> unitTypes(EncodedPicture picture) {
+    List<Integer> types = new ArrayList<>();
+    for (int unit = 0; unit < picture.units(); unit++) {
+      types.add(picture.bytes()[picture.start(unit) + 4] & 0x1f);
+    }
+    return types;
+  }
+
+  @Test
+  void pictureWithoutChangeTakesHardlyAnything() {
+    H264Encoder encoder = new H264Encoder(960, 720);
+    Picture picture = new Picture(960, 720);
+    Act.STILL.play(motif, picture, 0);
+    int keySize = encoder.encode(picture, true).size();
+    int size = keySize;
+    for (int i = 0; i < 30; i++) {
+      size = encoder.encode(picture, false).size();
+    }
+
+    assertThat(size).isLessThan(keySize / 100);
+  }
+
+  @Test
+  void noMemoryIsTakenForAPictureAfterTheFirstOnes() {
+    H264Encoder encoder = new H264Encoder(320, 240);
+    List<Picture> pictures = new ArrayList<>();
+    for (int i = 0; i < 30; i++) {
+      Picture picture = new Picture(320, 240);
+      ACTS.get(i % ACTS.size()).play(motif, picture, i);
+      pictures.add(picture);
+    }
+    ThreadMXBean thread = (ThreadMXBean) ManagementFactory.getThreadMXBean();
+    encodeAll(encoder, pictures);
+    encodeAll(encoder, pictures);
+    long before = thread.getCurrentThreadAllocatedBytes();
+    encodeAll(encoder, pictures);
+    long taken = thread.getCurrentThreadAllocatedBytes() - before;
+
+    assertThat(taken / pictures.size()).as("bytes a picture").isLessThan(64);
+  }
+
+  private static void encodeAll(H264Encoder encoder, List<Picture> pictures) {
+    for (int i = 0; i < pictures.size(); i++) {
+      encoder.encode(pictures.get(i), i % 10 == 0);
+    }
+  }
+
+  @Test
+  void pictureOfAnotherSizeIsRefused() {
+    H264Encoder encoder = new H264Encoder(960, 720);
+
+    assertThatIllegalArgumentException()
+        .isThrownBy(() -> encoder.encode(new Picture(320, 240), false))
+        .withMessage("picture is 320 by 240, but the encoder's are 960 by 720");
+  }
+}

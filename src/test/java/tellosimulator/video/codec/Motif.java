@@ -1,0 +1,92 @@
+package tellosimulator.video.codec;
+
+import java.util.Arrays;
+import java.util.Random;
+import tellosimulator.video.picture.Picture;
+
+/**
+ * Something to be filmed that makes encoders work: a texture with coarse and fine detail that
+ * repeats itself in all directions. The same seed gives the same pictures.
+ */
+final class Motif {
+
+  /** Pixels after which the texture repeats itself; a power of 2. */
+  private static final int PERIOD = 1024;
+
+  /** Pixels between two points of the coarse detail. */
+  private static final int COARSE = 16;
+
+  private final int[] texture = new int[PERIOD * PERIOD];
+  private final Random random;
+
+  Motif(long seed) {
+    random = new Random(seed);
+    int[] points = random.ints(PERIOD / COARSE * PERIOD / COARSE, 40, 200).toArray();
+    for (int y = 0; y < PERIOD; y++) {
+      for (int x = 0; x < PERIOD; x++) {
+        texture[y * PERIOD + x] = coarse(points, x, y) + random.nextInt(-12, 13);
+      }
+    }
+  }
+
+  private static int coarse(int[] points, int x, int y) {
+    int columns = PERIOD / COARSE;
+    int column = x / COARSE;
+    int row = y / COARSE;
+    int beside = (column + 1) % columns;
+    int below = (row + 1) % columns;
+    int above = mix(points[row * columns + column], points[row * columns + beside], x % COARSE);
+    int under = mix(points[below * columns + column], points[below * columns + beside], x % COARSE);
+    return mix(above, under, y % COARSE);
+  }
+
+  private static int mix(int from, int to, int part) {
+    return from + (to - from) * part / COARSE;
+  }
+
+  /** A picture all of one brightness, without colour. */
+  static void flat(Picture picture, int brightness) {
+    Arrays.fill(picture.y(), (byte) brightness);
+    Arrays.fill(picture.u(), (byte) 128);
+    Arrays.fill(picture.v(), (byte) 128);
+  }
+
+  /** Every sample anything, and nothing as in the picture before. */
+  void noise(Picture picture) {
+    random.nextBytes(picture.y());
+    random.nextBytes(picture.u());
+    random.nextBytes(picture.v());
+  }
+
+  /**
+   * A part of the texture.
+   *
+   * @param left where the picture begins, in quarters of a pixel
+   * @param top where the picture begins, in quarters of a pixel
+   */
+  void textured(Picture picture, int left, int top) {
+    plane(picture.y(), picture.width(), left, top);
+    plane(picture.u(), picture.width() / 2, left / 2 + 4 * 100, top / 2);
+    plane(picture.v(), picture.width() / 2, left / 2, top / 2 + 4 * 200);
+  }
+
+  private void plane(byte[] plane, int width, int left, int top) {
+    for (int i = 0; i < plane.length; i++) {
+      plane[i] = (byte) at(left + 4 * (i % width), top + 4 * (i / width));
+    }
+  }
+
+  /** Between the points of the texture. */
+  private int at(int x, int y) {
+    int column = (x >> 2) & (PERIOD - 1);
+    int row = (y >> 2) & (PERIOD - 1);
+    int beside = (column + 1) & (PERIOD - 1);
+    int below = (row + 1) & (PERIOD - 1);
+    int partX = x & 3;
+    int above =
+        texture[row * PERIOD + column] * (4 - partX) + texture[row * PERIOD + beside] * partX;
+    int under =
+        texture[below * PERIOD + column] * (4 - partX) + texture[below * PERIOD + beside] * partX;
+    return (above * (4 - (y & 3)) + under * (y & 3) + 8) >> 4;
+  }
+}
