@@ -14,14 +14,13 @@ final class Interpolation {
   /** A multiple of 32 above 2550, so that no sum is below 0. */
   private static final int BIAS = 2560;
 
-  /** The bias and half of the 32 by which a sum is divided. */
-  private static final long BIASED_HALF = Words.lanes(BIAS + 16);
-
   /** Above 26520, the largest difference of two such sums of two, and a multiple of 4. */
   private static final long GAP_BIAS = Words.lanes(26624);
 
   /** What is left of the biases after dividing: ((26624 / 4 + 26624) / 4 + 2 * 2560) / 64. */
   private static final long CENTRE_BIAS = Words.lanes(210);
+
+  private static final long PIXEL_BIAS = Words.lanes(BIAS / 32);
 
   private static final long TOP = 0x8000_8000_8000_8000L;
 
@@ -72,26 +71,36 @@ final class Interpolation {
   void colour(Plane plane, int x, int y, byte[] to, int at) {
     int right = x & 7;
     int down = y & 7;
-    int from = plane.at(x >> 3, y >> 3);
     byte[] pixels = plane.bytes;
-    for (int i = at; i < Samples.STRIDE * 24; i += STRIDE) {
-      long here = Words.get(pixels, from);
-      if ((right | down) == 0) {
-        Words.put(to, i, here);
-      } else {
-        long beside = Words.get(pixels, from + 1);
-        long below = Words.get(pixels, from + plane.stride);
-        long across = Words.get(pixels, from + plane.stride + 1);
-        long even =
-            (even(here) * (8 - right) + even(beside) * right) * (8 - down)
-                + (even(below) * (8 - right) + even(across) * right) * down;
-        long odd =
-            (odd(here) * (8 - right) + odd(beside) * right) * (8 - down)
-                + (odd(below) * (8 - right) + odd(across) * right) * down;
-        Words.put(to, i, sixtyFourth(even) | (sixtyFourth(odd) << 8));
+    int from = plane.at(x >> 3, y >> 3);
+    if ((right | down) == 0) {
+      for (int i = at; i < Samples.STRIDE * 24; i += STRIDE) {
+        Words.put(to, i, Words.get(pixels, from));
+        from += plane.stride;
       }
-      from += plane.stride;
+      return;
     }
+    long here = Words.get(pixels, from);
+    long beside = Words.get(pixels, from + 1);
+    long even = eighths(even(here), even(beside), right);
+    long odd = eighths(odd(here), odd(beside), right);
+    for (int i = at; i < Samples.STRIDE * 24; i += STRIDE) {
+      from += plane.stride;
+      here = Words.get(pixels, from);
+      beside = Words.get(pixels, from + 1);
+      long evenBelow = eighths(even(here), even(beside), right);
+      long oddBelow = eighths(odd(here), odd(beside), right);
+      long evenSum = eighths(even, evenBelow, down);
+      long oddSum = eighths(odd, oddBelow, down);
+      Words.put(to, i, sixtyFourth(evenSum) | (sixtyFourth(oddSum) << 8));
+      even = evenBelow;
+      odd = oddBelow;
+    }
+  }
+
+  /** Eight times what lies between two. */
+  private static long eighths(long from, long to, int part) {
+    return (from << 3) + (to - from) * part;
   }
 
   private static long sixtyFourth(long sums) {
@@ -109,7 +118,7 @@ final class Interpolation {
     }
     centre(plane, at, first);
     if ((y & 1) != 0) {
-      along(plane, belowAt, second);
+      alongFromSums((y & 3) == 3 ? 3 : 2, second);
       average(first);
     } else if ((x & 1) != 0) {
       across(plane, rightAt, second);
@@ -146,7 +155,7 @@ final class Interpolation {
         long even =
             taps(even(before) + odd(after), odd(before) + even(after), even(here) + odd(here));
         long odd = taps(odd(before) + last, even(here) + odd(after), odd(here) + even(after));
-        Words.put(to, i + half, cut(even) | (cut(odd) << 8));
+        Words.put(to, i + half, cut(divide(even), divide(odd), PIXEL_BIAS));
       }
       row += plane.stride;
     }
@@ -167,7 +176,7 @@ final class Interpolation {
         long f = Words.get(pixels, from + 5 * stride);
         long even = taps(even(a) + even(f), even(b) + even(e), even(c) + even(d));
         long odd = taps(odd(a) + odd(f), odd(b) + odd(e), odd(c) + odd(d));
-        Words.put(to, i, cut(even) | (cut(odd) << 8));
+        Words.put(to, i, cut(divide(even), divide(odd), PIXEL_BIAS));
         from += stride;
         a = b;
         b = c;
@@ -184,7 +193,22 @@ final class Interpolation {
     for (int i = 0; i < 16; i++) {
       int row = 4 * i;
       for (int half = 0; half < 2; half++) {
-        Words.put(to, STRIDE * i + 8 * half, centre(row + half) | (centre(row + half + 2) << 8));
+        Words.put(
+            to,
+            STRIDE * i + 8 * half,
+            cut(centre(row + half), centre(row + half + 2), CENTRE_BIAS));
+      }
+    }
+  }
+
+  /** Half a pixel to the right, where {@link #centre} has left its sums. */
+  private void alongFromSums(int firstRow, byte[] to) {
+    for (int i = 0; i < 16; i++) {
+      int row = 4 * (i + firstRow);
+      for (int half = 0; half < 2; half++) {
+        long even = thirtySecond(sums[row + half]);
+        long odd = thirtySecond(sums[row + half + 2]);
+        Words.put(to, STRIDE * i + 8 * half, cut(even, odd, PIXEL_BIAS));
       }
     }
   }
@@ -212,9 +236,10 @@ final class Interpolation {
   }
 
   /**
-   * The six taps over sums, divided by 1024. As (outer - 5 middle + 20 inner) / 16 = ((outer -
-   * middle) / 4 + (inner - middle)) / 4 + inner holds with each division rounded down, lanes of 16
-   * bits suffice; the second division halves first, since its sum alone could be too large.
+   * The six taps over sums, divided by 1024, with a bias. As (outer - 5 middle + 20 inner) / 16 =
+   * ((outer - middle) / 4 + (inner - middle)) / 4 + inner holds with each division rounded down,
+   * lanes of 16 bits suffice; the second division halves first, since its sum alone could be too
+   * large.
    */
   private long centre(int index) {
     long outer = sums[index] + sums[index + 20];
@@ -224,7 +249,7 @@ final class Interpolation {
     long gap = inner + GAP_BIAS - middle;
     long half = (slope & gap) + (((slope ^ gap) >>> 1) & Words.lanes(0x7FFF));
     long sixteenth = ((half >>> 1) & Words.lanes(0x7FFF)) + inner;
-    return clip(((sixteenth + Words.lanes(32)) >>> 6) & Words.lanes(0x03FF), CENTRE_BIAS);
+    return ((sixteenth + Words.lanes(32)) >>> 6) & Words.lanes(0x03FF);
   }
 
   private static long even(long word) {
@@ -241,9 +266,23 @@ final class Interpolation {
     return outer + (four << 2) + four;
   }
 
-  /** Divides sums by 32. */
-  private static long cut(long sums) {
-    return clip(((sums + BIASED_HALF) >>> 5) & Words.lanes(0x07FF), Words.lanes(BIAS / 32));
+  /** Divides sums by 32; they have their bias then. */
+  private static long divide(long sums) {
+    return thirtySecond(sums + Words.lanes(BIAS));
+  }
+
+  private static long thirtySecond(long biased) {
+    return ((biased + Words.lanes(16)) >>> 5) & Words.lanes(0x07FF);
+  }
+
+  /** Puts even and odd lanes together. */
+  private static long cut(long even, long odd, long bias) {
+    long evenBytes = even - bias;
+    long oddBytes = odd - bias;
+    if (((evenBytes | oddBytes) & ~Words.LANES) != 0) {
+      return clip(even, bias) | (clip(odd, bias) << 8);
+    }
+    return evenBytes | (oddBytes << 8);
   }
 
   /** Takes the bias off and brings all between 0 and 255; without the bias they are below 512. */

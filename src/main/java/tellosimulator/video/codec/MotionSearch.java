@@ -6,18 +6,22 @@ package tellosimulator.video.codec;
  */
 final class MotionSearch {
 
-  /**
-   * Decided: a prediction may lie this far outside the picture; the rest of the border is to
-   * filter.
-   */
+  /** Decided: a prediction may lie this far outside the picture; the filter needs the rest. */
   private static final int OUTSIDE = Frame.BORDER - 8;
+
+  /** In pixels. Documented: H.264, table A-1: 512 up or down at level 4.0. */
+  private static final int LONGEST = 500;
 
   /** Decided: steps of one pixel that are gone downhill. */
   private static final int MOST_STEPS = 16;
 
+  /** The differences where no vector may point: more than there can be. */
+  private static final int NOWHERE = 1 << 16;
+
   private final MotionField field;
   private final Interpolation interpolation = new Interpolation();
   private Samples best = new Samples();
+  private Samples trial = new Samples();
   private Frame reference;
   private Macroblock macroblock;
   private int lowX;
@@ -25,11 +29,24 @@ final class MotionSearch {
   private int lowY;
   private int highY;
 
-  /** The best vector up to now in pixels, what it costs, and its differences. */
+  /** The best vector in whole pixels up to now, and what it costs. */
   private int pixelX;
 
   private int pixelY;
   private int pixelCost;
+
+  /** The differences at this vector and one pixel beside it. */
+  private int here;
+
+  private int left;
+  private int right;
+  private int above;
+  private int below;
+
+  /** The vectors in whole pixels that were tried before going downhill. */
+  private final int[] tried = new int[8];
+
+  private int tries;
 
   /** What was found, in quarters of a pixel. */
   int x;
@@ -46,47 +63,38 @@ final class MotionSearch {
     this.field = field;
   }
 
+  /** Goes on to the next macroblock; nothing is found yet. */
   void begin(Frame newReference, Macroblock newMacroblock) {
     reference = newReference;
     macroblock = newMacroblock;
-    lowX = -16 * macroblock.column - OUTSIDE;
-    highX = 16 * (reference.columns - 1 - macroblock.column) + OUTSIDE;
-    lowY = -16 * macroblock.row - OUTSIDE;
-    highY = 16 * (reference.rows - 1 - macroblock.row) + OUTSIDE;
+    lowX = Math.max(-16 * macroblock.column - OUTSIDE, -LONGEST);
+    highX = Math.min(16 * (reference.columns - 1 - macroblock.column) + OUTSIDE, LONGEST);
+    lowY = Math.max(-16 * macroblock.row - OUTSIDE, -LONGEST);
+    highY = Math.min(16 * (reference.rows - 1 - macroblock.row) + OUTSIDE, LONGEST);
+    cost = Integer.MAX_VALUE;
   }
 
-  /** Whether a vector in quarters of a pixel points to where there is something. */
-  boolean reachable(int vectorX, int vectorY) {
-    return vectorX >= 4 * lowX
-        && vectorX <= 4 * highX
-        && vectorY >= 4 * lowY
-        && vectorY <= 4 * highY;
+  /**
+   * Takes the vector of a skipped macroblock, if it points to where there is something.
+   *
+   * @return whether it does
+   */
+  boolean trySkip() {
+    if (!reachable(field.skipX, field.skipY)) {
+      return false;
+    }
+    tryPart(field.skipX, field.skipY);
+    predictColour();
+    return true;
   }
 
-  /** Predicts all of the macroblock. */
-  void predict(int vectorX, int vectorY, Samples to) {
-    predictLuma(vectorX, vectorY, to);
-    predictColour(vectorX, vectorY, to);
-  }
-
-  private void predictLuma(int vectorX, int vectorY, Samples to) {
-    interpolation.luma(
-        reference.luma, 64 * macroblock.column + vectorX, 64 * macroblock.row + vectorY, to);
-  }
-
-  void predictColour(int vectorX, int vectorY, Samples to) {
-    int fromX = 64 * macroblock.column + vectorX;
-    int fromY = 64 * macroblock.row + vectorY;
-    interpolation.colour(reference.blue, fromX, fromY, to.bytes, Samples.BLUE);
-    interpolation.colour(reference.red, fromX, fromY, to.bytes, Samples.RED);
-  }
-
-  /** Searches. */
+  /** Searches for something better. */
   void search() {
+    tries = 0;
     pixelCost = Integer.MAX_VALUE;
     int index = macroblock.row * field.columns + macroblock.column;
     tryQuarters(field.expectedX, field.expectedY);
-    tryPixel(0, 0);
+    tryQuarters(0, 0);
     if (macroblock.column > 0) {
       tryQuarters(field.x(index - 1), field.y(index - 1));
     }
@@ -98,48 +106,102 @@ final class MotionSearch {
       tryQuarters(field.earlierX(index + field.columns), field.earlierY(index + field.columns));
     }
     descend();
-    x = 4 * pixelX;
-    y = 4 * pixelY;
-    cost = pixelCost;
-    predictLuma(x, y, best);
-    difference = macroblock.source.lumaDifference(best);
+    refine();
   }
 
-  /** The prediction of what was found; luma only. */
+  /** The prediction of what was found, not a copy; only luma before {@link #predictColour}. */
   Samples found() {
     return best;
+  }
+
+  /** Predicts the colours too. */
+  void predictColour() {
+    int fromX = 64 * macroblock.column + x;
+    int fromY = 64 * macroblock.row + y;
+    interpolation.colour(reference.blue, fromX, fromY, best.bytes, Samples.BLUE);
+    interpolation.colour(reference.red, fromX, fromY, best.bytes, Samples.RED);
   }
 
   private void descend() {
     for (int step = 0; step < MOST_STEPS; step++) {
       int fromX = pixelX;
       int fromY = pixelY;
-      tryPixel(fromX - 1, fromY);
-      tryPixel(fromX + 1, fromY);
-      tryPixel(fromX, fromY - 1);
-      tryPixel(fromX, fromY + 1);
+      left = tryPixel(fromX - 1, fromY);
+      right = tryPixel(fromX + 1, fromY);
+      above = tryPixel(fromX, fromY - 1);
+      below = tryPixel(fromX, fromY + 1);
       if (pixelX == fromX && pixelY == fromY) {
         return;
       }
     }
   }
 
-  private void tryQuarters(int quartersX, int quartersY) {
-    tryPixel(
-        Math.max(lowX, Math.min(highX, (quartersX + 2) >> 2)),
-        Math.max(lowY, Math.min(highY, (quartersY + 2) >> 2)));
+  /** Compares with what lies between the pixels. */
+  private void refine() {
+    int partX = 4 * pixelX + lowest(left, here, right);
+    int partY = 4 * pixelY + lowest(above, here, below);
+    if (pixelCost < cost) {
+      tryPart(4 * pixelX, 4 * pixelY);
+    }
+    tryPart(partX, partY);
   }
 
-  private void tryPixel(int toX, int toY) {
-    if (toX < lowX || toX > highX || toY < lowY || toY > highY) {
+  /** Where between three neighbours the lowest is, in quarters from the middle one. */
+  private static int lowest(int before, int middle, int after) {
+    int bend = before + after - 2 * middle;
+    return bend <= 0 ? 0 : Math.max(-2, Math.min(2, Math.round(2f * (before - after) / bend)));
+  }
+
+  private boolean reachable(int toX, int toY) {
+    return toX >= 4 * lowX && toX <= 4 * highX && toY >= 4 * lowY && toY <= 4 * highY;
+  }
+
+  private void tryPart(int toX, int toY) {
+    if ((toX == x && toY == y && cost < Integer.MAX_VALUE) || !reachable(toX, toY)) {
       return;
     }
-    int newCost = difference(toX, toY) + vectorCost(4 * toX, 4 * toY);
+    interpolation.luma(
+        reference.luma, 64 * macroblock.column + toX, 64 * macroblock.row + toY, trial);
+    int newDifference = macroblock.source.lumaDifference(trial);
+    int newCost = newDifference + vectorCost(toX, toY);
+    if (newCost < cost) {
+      cost = newCost;
+      difference = newDifference;
+      x = toX;
+      y = toY;
+      Samples swap = best;
+      best = trial;
+      trial = swap;
+    }
+  }
+
+  private void tryQuarters(int quartersX, int quartersY) {
+    int toX = Math.max(lowX, Math.min(highX, (quartersX + 2) >> 2));
+    int toY = Math.max(lowY, Math.min(highY, (quartersY + 2) >> 2));
+    int both = (toX << 16) + toY;
+    for (int i = 0; i < tries; i++) {
+      if (tried[i] == both) {
+        return;
+      }
+    }
+    tried[tries++] = both;
+    tryPixel(toX, toY);
+  }
+
+  /** Tries a vector in pixels; its sum of absolute differences. */
+  private int tryPixel(int toX, int toY) {
+    if (toX < lowX || toX > highX || toY < lowY || toY > highY) {
+      return NOWHERE;
+    }
+    int newDifference = difference(toX, toY);
+    int newCost = newDifference + vectorCost(4 * toX, 4 * toY);
     if (newCost < pixelCost) {
       pixelCost = newCost;
+      here = newDifference;
       pixelX = toX;
       pixelY = toY;
     }
+    return newDifference;
   }
 
   private int vectorCost(int vectorX, int vectorY) {
@@ -154,11 +216,11 @@ final class MotionSearch {
     byte[] wanted = macroblock.source.bytes;
     int at = plane.at(16 * macroblock.column + toX, 16 * macroblock.row + toY);
     long sum = 0;
-    for (int i = 0; i < Samples.BLUE; i += Samples.STRIDE) {
+    for (int i = 0; i < Samples.BLUE; i += 2 * Samples.STRIDE) {
       sum += Words.differences(Words.get(pixels, at), Words.get(wanted, i));
       sum += Words.differences(Words.get(pixels, at + 8), Words.get(wanted, i + 8));
-      at += plane.stride;
+      at += 2 * plane.stride;
     }
-    return Words.sum(sum);
+    return 2 * Words.sum(sum);
   }
 }

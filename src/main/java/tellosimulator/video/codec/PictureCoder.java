@@ -6,6 +6,9 @@ final class PictureCoder {
   /** Differences below are not worth looking for a prediction from the same picture. */
   private static final int GOOD = 4 * 256;
 
+  /** What it takes to say that a macroblock is predicted from the same picture, about. */
+  private static final int INTRA_BITS = 8;
+
   private final MotionField field;
   private final MotionSearch search;
   private final IntraPrediction intra = new IntraPrediction();
@@ -44,63 +47,58 @@ final class PictureCoder {
     macroblock.quality = quality;
     for (int column = 0; column < source.columns; column++) {
       macroblock.take(source, column, row);
-      if (key) {
-        codeIntra();
-      } else {
-        code();
-      }
-      prediction.store(coded, column, row);
+      Samples seen = key ? intra() : any();
+      seen.store(coded, column, row);
     }
   }
 
-  private void codeIntra() {
+  /** Codes a macroblock from its neighbours; how decoders see it. */
+  private Samples intra() {
     intra.luma(coded, macroblock, prediction);
-    finishIntra();
+    return finishIntra();
   }
 
-  private void finishIntra() {
+  private Samples finishIntra() {
     intra.colour(coded, macroblock, prediction);
     residuals.intra(prediction, macroblock.quality);
     field.setIntra(index());
     writer.intra(macroblock);
+    return prediction;
   }
 
-  private void code() {
+  /** Codes a macroblock in the cheapest way; how decoders see it. */
+  private Samples any() {
     field.expect(macroblock.column, macroblock.row);
     search.begin(reference, macroblock);
-    if (search.reachable(field.skipX, field.skipY)) {
-      search.predict(field.skipX, field.skipY, prediction);
-      if (residuals.quiet(prediction, macroblock.quality)) {
-        skip();
-        return;
-      }
+    if (search.trySkip() && residuals.quiet(search.found(), macroblock.quality)) {
+      return skip();
     }
     search.search();
     if (search.difference > GOOD
-        && intra.luma(coded, macroblock, prediction) + 8 * macroblock.quality.lambda()
+        && intra.luma(coded, macroblock, prediction) + INTRA_BITS * macroblock.quality.lambda()
             < search.cost) {
-      finishIntra();
-      return;
+      return finishIntra();
     }
-    codeInter();
+    return inter();
   }
 
-  private void skip() {
+  private Samples skip() {
     field.set(index(), field.skipX, field.skipY);
     writer.skip(macroblock);
+    return search.found();
   }
 
-  private void codeInter() {
-    search.predict(search.x, search.y, prediction);
-    residuals.inter(prediction, macroblock.quality);
+  private Samples inter() {
+    search.predictColour();
+    residuals.inter(search.found(), macroblock.quality);
     if (macroblock.residual.pattern() == 0 && search.x == field.skipX && search.y == field.skipY) {
-      skip();
-      return;
+      return skip();
     }
     macroblock.differenceX = search.x - field.expectedX;
     macroblock.differenceY = search.y - field.expectedY;
     field.set(index(), search.x, search.y);
     writer.inter(macroblock);
+    return search.found();
   }
 
   private int index() {

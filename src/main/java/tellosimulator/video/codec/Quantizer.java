@@ -4,7 +4,7 @@ import org.jcodec.codecs.h264.H264Const;
 
 /**
  * How finely coefficients are told at one quality (QP, 0 to 51: six more are half as fine).
- * Immutable tables; all positions are row by row.
+ * Immutable tables; coefficients are in zigzag order.
  */
 final class Quantizer {
 
@@ -27,8 +27,17 @@ final class Quantizer {
 
   private static final int[] COLOUR_QP = H264Const.QP_SCALE_CR.clone();
 
+  /** Half of a lane. */
+  private static final int HALF = 0x8000;
+
+  private static final long HALVES = Words.lanes(HALF);
+
   private final int[] factors = new int[16];
   private final int[] scales = new int[16];
+
+  /** By column: how large a coefficient may be that has no level, plus half of a lane. */
+  private final long[] limits = new long[4];
+
   private final int shift;
   private final int rounding;
 
@@ -44,9 +53,12 @@ final class Quantizer {
     rounding = (1 << shift) * share / 6;
     step = 0.625 * Math.pow(2, qp / 6.0);
     for (int i = 0; i < 16; i++) {
-      int kind = ((i >> 2) & 1) + (i & 1) == 1 ? 2 : i & 1;
+      int place = ZIGZAG[i];
+      int kind = ((place >> 2) & 1) + (place & 1) == 1 ? 2 : place & 1;
       factors[i] = FACTORS[qp % 6][kind];
       scales[i] = SCALES[qp % 6][kind] << (qp / 6);
+      long limit = ((1L << shift) - rounding - 1) / factors[i];
+      limits[place & 3] += (HALF + limit) << (16 * (place >> 2));
     }
   }
 
@@ -63,27 +75,45 @@ final class Quantizer {
   /**
    * Turns the coefficients of a block into levels, and into what decoders make of these.
    *
-   * @param coefficients 16 from offset on
-   * @param levels gets 16 from offset on, in zigzag order
-   * @param first 1 where the first coefficient goes elsewhere; it and its level become 0
+   * @param words all blocks after {@link Transform#forward}
+   * @param levels gets 16 levels, in zigzag order, if any is not 0
+   * @param coefficients gets what decoders make of them, row by row, if any is not 0
    * @return how many levels are not 0
    */
-  int block(int[] coefficients, int[] levels, int offset, int first) {
+  int block(long[] words, int block, int[] levels, int[] coefficients) {
+    int word = Transform.WORDS * block;
+    if (nothing(words, word)) {
+      return 0;
+    }
+    for (int x = 0; x < 4; x++) {
+      long biased = words[word + x] + HALVES;
+      int to = 16 * block + x;
+      coefficients[to] = (int) (biased & 0xFFFF) - HALF;
+      coefficients[to + 4] = (int) ((biased >>> 16) & 0xFFFF) - HALF;
+      coefficients[to + 8] = (int) ((biased >>> 32) & 0xFFFF) - HALF;
+      coefficients[to + 12] = (int) (biased >>> 48) - HALF;
+    }
     int count = 0;
-    levels[offset] = 0;
-    for (int i = first; i < 16; i++) {
-      int place = ZIGZAG[i];
-      int coefficient = coefficients[offset + place];
+    for (int i = 0; i < 16; i++) {
+      int place = 16 * block + ZIGZAG[i];
+      int coefficient = coefficients[place];
       int sign = coefficient >> 31;
-      int level = (((coefficient ^ sign) - sign) * factors[place] + rounding) >> shift;
-      if (level != 0) {
-        count++;
-        level = (level ^ sign) - sign;
-      }
-      levels[offset + i] = level;
-      coefficients[offset + place] = level * scales[place];
+      int level = (((coefficient ^ sign) - sign) * factors[i] + rounding) >> shift;
+      count += -level >>> 31;
+      level = (level ^ sign) - sign;
+      levels[16 * block + i] = level;
+      coefficients[place] = level * scales[i];
     }
     return count;
+  }
+
+  /** Whether all coefficients are too small for a level. */
+  private boolean nothing(long[] words, int word) {
+    long within = -1;
+    for (int x = 0; x < 4; x++) {
+      within &= (limits[x] + words[word + x]) & (limits[x] - words[word + x]);
+    }
+    return (within & HALVES) == HALVES;
   }
 
   /**

@@ -22,6 +22,8 @@ final class ResidualCoder {
 
   private final Samples source;
   private final Residual residual;
+  private final Transform transform;
+  private final long[] words = new long[Samples.BLOCKS * Transform.WORDS];
   private final int[] coefficients = new int[Samples.BLOCKS * 16];
   private final int[] corners = new int[16];
   private final int[] sums = new int[Samples.BLOCKS];
@@ -32,6 +34,7 @@ final class ResidualCoder {
    */
   ResidualCoder(Samples source, Residual residual) {
     this.source = source;
+    transform = new Transform(source);
     this.residual = residual;
   }
 
@@ -70,12 +73,10 @@ final class ResidualCoder {
   /** Codes a quarter of luma; whether anything is sent for it. */
   private boolean quarter(Samples prediction, Quality quality, int first) {
     int worth = 0;
-    for (int i = 0; i < 4; i++) {
-      int block = first + (i >> 1) * 4 + (i & 1);
-      if (sums[block] >= quality.quietLuma()) {
-        Transform.forward(source, prediction, Samples.at(block), coefficients, 16 * block);
-        residual.counts[block] = quality.luma().block(coefficients, residual.levels, 16 * block, 0);
-        worth += worth(block, 0);
+    for (int pair = first; pair < first + 8; pair += 4) {
+      if (Math.max(sums[pair], sums[pair + 1]) >= quality.quietLuma()) {
+        transform.forward(prediction, pair, words);
+        worth += quantize(quality.luma(), pair, 0) + quantize(quality.luma(), pair + 1, 0);
       }
     }
     for (int i = 0; i < 4; i++) {
@@ -87,6 +88,12 @@ final class ResidualCoder {
       }
     }
     return worth >= WORTHWHILE;
+  }
+
+  /** Finds a block's levels; how much they are worth. */
+  private int quantize(Quantizer quantizer, int block, int first) {
+    residual.counts[block] = quantizer.block(words, block, residual.levels, coefficients);
+    return worth(block, first);
   }
 
   /** How much a block's levels are worth; much if one is above 1. */
@@ -118,19 +125,19 @@ final class ResidualCoder {
     residual.clear();
     int counted = 0;
     for (int block = 0; block < Samples.COLOUR; block++) {
-      Transform.forward(source, prediction, Samples.at(block), coefficients, 16 * block);
-      corners[block] = coefficients[16 * block];
+      if ((block & 1) == 0) {
+        transform.forward(prediction, block, words);
+      }
+      corners[block] = Transform.first(words, block);
+      Transform.dropFirst(words, block);
       residual.counts[block] =
-          quality.intraLuma().block(coefficients, residual.levels, 16 * block, 1);
+          quality.intraLuma().block(words, block, residual.levels, coefficients);
       counted += residual.counts[block];
     }
     residual.lumaPattern = counted > 0 ? 15 : 0;
     lumaFirsts(quality.intraLuma());
     for (int block = 0; block < Samples.COLOUR; block++) {
-      coefficients[16 * block] = corners[block];
-      if (residual.counts[block] > 0 || corners[block] != 0) {
-        Transform.addInverse(coefficients, 16 * block, prediction, Samples.at(block));
-      }
+      add(prediction, block, corners[block]);
     }
     source.differences(prediction, sums);
     colour(prediction, quality.intraColour(), 1);
@@ -169,10 +176,12 @@ final class ResidualCoder {
     int worth = 0;
     for (int i = 0; i < 4; i++) {
       int at = block + (i >> 1) * 4 + (i & 1);
-      Transform.forward(source, prediction, Samples.at(at), coefficients, 16 * at);
-      levels[first + i] = coefficients[16 * at];
-      residual.counts[at] = quantizer.block(coefficients, residual.levels, 16 * at, 1);
-      worth += worth(at, 1);
+      if ((i & 1) == 0) {
+        transform.forward(prediction, at, words);
+      }
+      levels[first + i] = Transform.first(words, at);
+      Transform.dropFirst(words, at);
+      worth += quantize(quantizer, at, 1);
     }
     Transform.smallHadamard(levels, first);
     int firsts = quantizer.first(levels, first, 4);
@@ -181,21 +190,21 @@ final class ResidualCoder {
     for (int i = 0; i < 4; i++) {
       int at = block + (i >> 1) * 4 + (i & 1);
       if (worth < WORTHWHILE_COLOUR) {
-        forget(at);
+        residual.counts[at] = 0;
       }
-      coefficients[16 * at] = quantizer.colourFirst(corners[i]);
-      if (residual.counts[at] > 0 || corners[i] != 0) {
-        Transform.addInverse(coefficients, 16 * at, prediction, Samples.at(at));
-      }
+      add(prediction, at, quantizer.colourFirst(corners[i]));
     }
     return worth >= WORTHWHILE_COLOUR ? 2 : firsts > 0 ? 1 : 0;
   }
 
-  private void forget(int block) {
+  /** Adds what decoders make of a block's levels and of its first coefficient. */
+  private void add(Samples prediction, int block, int first) {
+    int at = Samples.at(block);
     if (residual.counts[block] > 0) {
-      residual.counts[block] = 0;
-      Arrays.fill(coefficients, 16 * block, 16 * block + 16, 0);
-      Arrays.fill(residual.levels, 16 * block, 16 * block + 16, 0);
+      coefficients[16 * block] = first;
+      Transform.addInverse(coefficients, 16 * block, prediction, at);
+    } else if (first != 0) {
+      Transform.addFirst(first, prediction, at);
     }
   }
 }

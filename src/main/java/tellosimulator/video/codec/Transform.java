@@ -2,55 +2,116 @@ package tellosimulator.video.codec;
 
 /**
  * H.264's integer transform of blocks of 4 by 4, there and back, and the one of their first
- * coefficients. Coefficients lie row by row in arrays, 16 a block.
+ * coefficients.
+ *
+ * <p>Forward works on two blocks beside each other, four numbers at once. A word stands for four
+ * numbers with sign: the sum of the first, the second times 2^16, and so on. So words add up as
+ * their numbers do; only taking numbers out needs a bias that makes them positive.
  */
 final class Transform {
 
   private static final int STRIDE = Samples.STRIDE;
 
-  private Transform() {}
+  /** Words that a block has after {@link #forward}. */
+  static final int WORDS = 4;
+
+  /** Above 1530, the largest number after the first half of the transform. */
+  private static final int BIAS = 0x1000;
+
+  private static final long EVEN_LANES = 0x0000_FFFF_0000_FFFFL;
+  private static final long LOW_HALF = 0xFFFF_FFFFL;
+
+  private final Samples source;
+  private final long[] even = new long[4];
+  private final long[] odd = new long[4];
 
   /**
-   * Transforms the difference between what a block is and what was predicted.
-   *
-   * @param at where the block begins in both
-   * @param to gets 16 coefficients from offset on
+   * @param source what is transformed is its difference from a prediction
    */
-  static void forward(Samples source, Samples prediction, int at, int[] to, int offset) {
-    byte[] a = source.bytes;
-    byte[] b = prediction.bytes;
+  Transform(Samples source) {
+    this.source = source;
+  }
+
+  /**
+   * Transforms the difference between what two blocks are and what was predicted.
+   *
+   * @param block the left one
+   * @param to gets four words for each block, at four times its number: a column of coefficients
+   *     each, from the top
+   */
+  void forward(Samples prediction, int block, long[] to) {
+    int at = Samples.at(block);
     for (int y = 0; y < 4; y++) {
-      int from = at + STRIDE * y;
-      int p0 = (a[from] & 0xFF) - (b[from] & 0xFF);
-      int p1 = (a[from + 1] & 0xFF) - (b[from + 1] & 0xFF);
-      int p2 = (a[from + 2] & 0xFF) - (b[from + 2] & 0xFF);
-      int p3 = (a[from + 3] & 0xFF) - (b[from + 3] & 0xFF);
-      int outer = p0 + p3;
-      int outerGap = p0 - p3;
-      int inner = p1 + p2;
-      int innerGap = p1 - p2;
-      int row = offset + 4 * y;
-      to[row] = outer + inner;
-      to[row + 1] = 2 * outerGap + innerGap;
-      to[row + 2] = outer - inner;
-      to[row + 3] = outerGap - 2 * innerGap;
+      long wanted = Words.get(source.bytes, at + STRIDE * y);
+      long predicted = Words.get(prediction.bytes, at + STRIDE * y);
+      even[y] = (wanted & Words.LANES) - (predicted & Words.LANES);
+      odd[y] = ((wanted >>> 8) & Words.LANES) - ((predicted >>> 8) & Words.LANES);
     }
-    for (int x = offset; x < offset + 4; x++) {
-      int outer = to[x] + to[x + 12];
-      int outerGap = to[x] - to[x + 12];
-      int inner = to[x + 4] + to[x + 8];
-      int innerGap = to[x + 4] - to[x + 8];
-      to[x] = outer + inner;
-      to[x + 4] = 2 * outerGap + innerGap;
-      to[x + 8] = outer - inner;
-      to[x + 12] = outerGap - 2 * innerGap;
+    columns(even);
+    columns(odd);
+    rows(even[0], odd[0], even[1], odd[1], to, WORDS * block);
+    rows(even[2], odd[2], even[3], odd[3], to, WORDS * block + WORDS);
+  }
+
+  /** Transforms four rows of four numbers downwards and turns rows into columns. */
+  private static void columns(long[] rows) {
+    long outer = rows[0] + rows[3];
+    long outerGap = rows[0] - rows[3];
+    long inner = rows[1] + rows[2];
+    long innerGap = rows[1] - rows[2];
+    long bias = Words.lanes(BIAS);
+    long a = outer + inner + bias;
+    long b = (outerGap << 1) + innerGap + bias;
+    long c = outer - inner + bias;
+    long d = outerGap - (innerGap << 1) + bias;
+    long first = (a & EVEN_LANES) | ((b & EVEN_LANES) << 16);
+    long second = ((a >>> 16) & EVEN_LANES) | (b & ~EVEN_LANES);
+    long third = (c & EVEN_LANES) | ((d & EVEN_LANES) << 16);
+    long fourth = ((c >>> 16) & EVEN_LANES) | (d & ~EVEN_LANES);
+    rows[0] = (first & LOW_HALF) | (third << 32);
+    rows[1] = (second & LOW_HALF) | (fourth << 32);
+    rows[2] = (first >>> 32) | (third & ~LOW_HALF);
+    rows[3] = (second >>> 32) | (fourth & ~LOW_HALF);
+  }
+
+  /** Transforms four columns to the right; all but the first lose their bias by themselves. */
+  private static void rows(long p0, long p1, long p2, long p3, long[] to, int offset) {
+    long outer = p0 + p3;
+    long outerGap = p0 - p3;
+    long inner = p1 + p2;
+    long innerGap = p1 - p2;
+    to[offset] = outer + inner - Words.lanes(4 * BIAS);
+    to[offset + 1] = (outerGap << 1) + innerGap;
+    to[offset + 2] = outer - inner;
+    to[offset + 3] = outerGap - (innerGap << 1);
+  }
+
+  /** The first coefficient of a block. */
+  static int first(long[] words, int block) {
+    return (short) words[WORDS * block];
+  }
+
+  /** Sets the first coefficient of a block to 0. */
+  static void dropFirst(long[] words, int block) {
+    words[WORDS * block] -= (short) words[WORDS * block];
+  }
+
+  /** Adds what a first coefficient alone stands for to the prediction. */
+  static void addFirst(int coefficient, Samples prediction, int at) {
+    int value = (coefficient + 32) >> 6;
+    byte[] pixels = prediction.bytes;
+    for (int row = at; row < at + 4 * STRIDE; row += STRIDE) {
+      pixels[row] = clip((pixels[row] & 0xFF) + value);
+      pixels[row + 1] = clip((pixels[row + 1] & 0xFF) + value);
+      pixels[row + 2] = clip((pixels[row + 2] & 0xFF) + value);
+      pixels[row + 3] = clip((pixels[row + 3] & 0xFF) + value);
     }
   }
 
   /**
    * Adds what coefficients stand for to the prediction.
    *
-   * @param from 16 coefficients from offset on; they are changed
+   * @param from 16 coefficients row by row from offset on; they are changed
    * @param at where the block begins in the prediction
    */
   static void addInverse(int[] from, int offset, Samples prediction, int at) {
