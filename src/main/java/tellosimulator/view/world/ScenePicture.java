@@ -1,15 +1,16 @@
 package tellosimulator.view.world;
 
 import javafx.scene.Group;
-import javafx.scene.Node;
 import javafx.scene.PerspectiveCamera;
 import javafx.scene.SceneAntialiasing;
 import javafx.scene.SubScene;
 import javafx.scene.transform.Affine;
 import tellosimulator.math.Pose;
 import tellosimulator.video.camera.DroneOptics;
+import tellosimulator.view.FxDroneModel;
 import tellosimulator.view.FxFrames;
 import tellosimulator.view.FxSimulation;
+import tellosimulator.view.video.SnapshotOrder;
 
 /**
  * The world in a SubScene, with the nodes of both cameras. Only where JavaFX has 3D. For the JavaFX
@@ -17,30 +18,41 @@ import tellosimulator.view.FxSimulation;
  */
 final class ScenePicture {
 
+  private final FxSimulation simulation;
   private final SimulatorCamera camera;
   private final DroneCamera droneCamera;
   private final World world;
   private final Group content = new Group();
   private final PerspectiveCamera orbiting = new PerspectiveCamera(true);
   private final PerspectiveCamera onDrone = new PerspectiveCamera(true);
+  private final PerspectiveCamera filming = new PerspectiveCamera(true);
+  private final Photograph photograph = new Photograph();
   private final Affine orbitingPlace = new Affine();
   private final Affine onDronePlace = new Affine();
+  private final Affine filmingPlace = new Affine();
   private ViewCamera seen = ViewCamera.SIMULATOR;
   private SubScene subScene = new SubScene(new Group(), 0, 0);
 
   ScenePicture(FxSimulation simulation, SimulatorCamera camera, DroneCamera droneCamera) {
+    this.simulation = simulation;
     this.camera = camera;
     this.droneCamera = droneCamera;
     world = new World(simulation);
     orbiting.setFieldOfView(SimulatorCamera.FIELD_OF_VIEW_DEG);
     orbiting.getTransforms().add(orbitingPlace);
-    onDrone.setVerticalFieldOfView(false);
-    onDrone.setFieldOfView(Math.toDegrees(droneCamera.optics().fieldOfView()));
-    onDrone.setNearClip(DroneOptics.NEAR);
-    onDrone.getTransforms().add(onDronePlace);
-    world.getChildren().addAll(orbiting, onDrone);
+    equip(onDrone, onDronePlace);
+    equip(filming, filmingPlace);
+    world.getChildren().addAll(orbiting, onDrone, filming);
     content.getChildren().addAll(world.lights(), world);
     build(false);
+  }
+
+  /** Makes of a camera that of a drone. */
+  private void equip(PerspectiveCamera fixed, Affine place) {
+    fixed.setVerticalFieldOfView(false);
+    fixed.setFieldOfView(Math.toDegrees(droneCamera.optics().fieldOfView()));
+    fixed.setNearClip(DroneOptics.NEAR);
+    fixed.getTransforms().add(place);
   }
 
   World world() {
@@ -66,7 +78,16 @@ final class ScenePicture {
   void lookThrough(ViewCamera newSeen) {
     seen = newSeen;
     subScene.setCamera(seen == ViewCamera.DRONE ? onDrone : orbiting);
-    world.showFor(seen);
+    show();
+  }
+
+  /** Shows what the camera through which one looks sees. */
+  private void show() {
+    if (seen == ViewCamera.DRONE) {
+      world.showForDrone(simulation.selected().number());
+    } else {
+      world.showForPeople();
+    }
   }
 
   /**
@@ -81,25 +102,17 @@ final class ScenePicture {
     Pose onNose = droneCamera.pose();
     FxFrames.aim(onDronePlace, onNose);
     onDrone.setFarClip(droneCamera.far());
-    world.showFor(seen); // another drone may be selected
+    show(); // another drone may be selected
     world.advance(nanos, seen == ViewCamera.DRONE ? onNose : camera.pose());
   }
 
-  /**
-   * Takes a picture with the drone's camera: of what is in the room, without what only helps
-   * people.
-   *
-   * @param photographer takes it of a node and with a camera
-   */
-  void photograph(Photographer photographer) {
-    world.showFor(ViewCamera.DRONE);
-    photographer.photograph(world, onDrone);
-    world.showFor(seen);
-  }
-
-  /** Takes a picture. */
-  @FunctionalInterface
-  interface Photographer {
-    void photograph(Node room, PerspectiveCamera camera);
+  /** Takes a picture with a drone's camera, without what only helps people. */
+  void photograph(SnapshotOrder order) {
+    FxDroneModel drone = simulation.drones().get(order.drone() - 1);
+    world.showForDrone(order.drone());
+    FxFrames.aim(filmingPlace, droneCamera.optics().nose(drone.poseProperty().get()));
+    filming.setFarClip(droneCamera.far());
+    photograph.take(world, filming, order);
+    show();
   }
 }

@@ -15,6 +15,7 @@ import javafx.scene.layout.Region;
 import tellosimulator.video.camera.DroneOptics;
 import tellosimulator.view.ViewContext;
 import tellosimulator.view.text.Messages;
+import tellosimulator.view.video.WindowVideo;
 
 /**
  * The room with its drones in 3D, seen through one of two cameras; over it the inset with the
@@ -23,6 +24,7 @@ import tellosimulator.view.text.Messages;
 public final class Simulator3DScene extends Region {
 
   private final Messages messages;
+  private final WindowVideo video;
   private final ObjectProperty<ViewCamera> viewCamera =
       new SimpleObjectProperty<>(this, "viewCamera", ViewCamera.SIMULATOR);
   private final BooleanProperty trailVisible =
@@ -35,6 +37,7 @@ public final class Simulator3DScene extends Region {
   private final Label noThreeD = new Label();
 
   public Simulator3DScene(ViewContext context) {
+    video = context.video();
     messages = context.language().messages(Simulator3DScene.class);
     camera = new SimulatorCamera(context.simulation());
     droneCamera = new DroneCamera(context.simulation(), context.video().optics());
@@ -81,9 +84,10 @@ public final class Simulator3DScene extends Region {
     return antialiasing;
   }
 
-  /** Looks at no more video. */
+  /** Looks at no more video, and takes part in none. */
   public void rest() {
     inset.rest();
+    video.photographNoMore();
   }
 
   private void initializeSelf() {
@@ -120,6 +124,7 @@ public final class Simulator3DScene extends Region {
   }
 
   private void bind(ScenePicture shown) {
+    video.photographBy(shown::photograph);
     shown.world().trails().visibleProperty().bind(trailVisible);
     antialiasing.addListener(
         (property, before, smooth) -> {

@@ -67,16 +67,21 @@ final class World extends Group {
     return trails;
   }
 
+  /** Shows what is in the room, and what helps people to see where drones are. */
+  void showForPeople() {
+    aids.setVisible(true);
+    drones.forEach(drone -> drone.view.setVisible(true));
+  }
+
   /**
-   * Shows what is in the room, and what helps people to see where drones are; or only what the
-   * selected drone's camera sees, in which it is not itself.
+   * Shows only what a drone's camera sees, in which the drone is not itself.
+   *
+   * @param number that of the drone, from 1
    */
-  void showFor(ViewCamera camera) {
-    boolean people = camera == ViewCamera.SIMULATOR;
-    aids.setVisible(people);
+  void showForDrone(int number) {
+    aids.setVisible(false);
     for (int i = 0; i < drones.size(); i++) {
-      boolean itself = simulation.drones().get(i) == simulation.selected();
-      drones.get(i).view.setVisible(people || !itself);
+      drones.get(i).view.setVisible(simulation.drones().get(i).number() != number);
     }
   }
 

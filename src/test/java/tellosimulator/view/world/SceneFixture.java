@@ -47,7 +47,7 @@ import tellosimulator.world.Walls;
  * The 3D scene of a plain room on snapshots that a test makes by hand: where the drone is and how
  * much time passes is up to the test, so that a picture is always the same.
  */
-final class SceneFixture implements BeforeEachCallback, AfterEachCallback {
+public final class SceneFixture implements BeforeEachCallback, AfterEachCallback {
 
   static final int WIDTH = 480;
 
@@ -63,11 +63,11 @@ final class SceneFixture implements BeforeEachCallback, AfterEachCallback {
   private Stage stage;
   private long nanos;
 
-  SceneFixture() {
+  public SceneFixture() {
     this(SimConfig.DEFAULT.withDecor(Decor.DEFAULT.withWalls(Walls.PLAIN)));
   }
 
-  SceneFixture(SimConfig config) {
+  public SceneFixture(SimConfig config) {
     this.config = config;
   }
 
@@ -110,8 +110,13 @@ final class SceneFixture implements BeforeEachCallback, AfterEachCallback {
     return scene;
   }
 
+  /** What the drones film. */
+  public WindowVideo video() {
+    return video;
+  }
+
   /** What the scene shows at the next beat. */
-  SimSnapshot snapshot() {
+  public SimSnapshot snapshot() {
     return snapshot;
   }
 
@@ -143,7 +148,7 @@ final class SceneFixture implements BeforeEachCallback, AfterEachCallback {
   }
 
   /** Puts the first drone somewhere; the next beat shows it. */
-  void put(Pose pose, FlightPhase phase) {
+  public void put(Pose pose, FlightPhase phase) {
     DroneSnapshot old = snapshot.drones().get(0);
     DroneState was = old.state();
     DroneState now =
@@ -163,7 +168,7 @@ final class SceneFixture implements BeforeEachCallback, AfterEachCallback {
   }
 
   /** Changes the looks of the room; the next beat shows it. */
-  void decorate(UnaryOperator<Decor> change) {
+  public void decorate(UnaryOperator<Decor> change) {
     snapshot =
         new SimSnapshot(
             snapshot.time(),
@@ -174,7 +179,7 @@ final class SceneFixture implements BeforeEachCallback, AfterEachCallback {
   }
 
   /** Lets time pass in the window and shows what is then. */
-  void pass(double seconds) {
+  public void pass(double seconds) {
     nanos += Math.round(seconds * 1e9);
     change(() -> pulse.beat(nanos));
   }
