@@ -137,26 +137,31 @@ public final class WatchVideo {
   private static BufferedImage image(Picture picture) {
     int width = picture.getCroppedWidth();
     int height = picture.getCroppedHeight();
-    BufferedImage image = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);
+    byte[] lights = picture.getPlaneData(0);
+    byte[] blues = picture.getPlaneData(1);
+    byte[] reds = picture.getPlaneData(2);
+    int[] rgb = new int[width * height];
     for (int y = 0; y < height; y++) {
+      int bright = y * picture.getPlaneWidth(0);
+      int colour = y / 2 * picture.getPlaneWidth(1);
       for (int x = 0; x < width; x++) {
-        int small = y / 2 * picture.getPlaneWidth(1) + x / 2;
-        // JCodec's bytes are signed: 128 is added to all of them
-        double light = 1.164 * (picture.getPlaneData(0)[y * picture.getWidth() + x] + 112);
-        int blue = picture.getPlaneData(1)[small];
-        int red = picture.getPlaneData(2)[small];
-        int rgb =
-            byteOf(light + 1.596 * red) << 16
-                | byteOf(light - 0.392 * blue - 0.813 * red) << 8
-                | byteOf(light + 2.017 * blue);
-        image.setRGB(x, y, rgb);
+        // JCodec's bytes are signed, 128 less than in the standard; factors are times 1024
+        int light = 1192 * (lights[bright + x] + 128 - 16) + 512;
+        int blue = blues[colour + x / 2];
+        int red = reds[colour + x / 2];
+        rgb[y * width + x] =
+            byteOf(light + 1634 * red) << 16
+                | byteOf(light - 401 * blue - 832 * red) << 8
+                | byteOf(light + 2066 * blue);
       }
     }
+    BufferedImage image = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);
+    image.getRaster().setDataElements(0, 0, width, height, rgb);
     return image;
   }
 
-  private static int byteOf(double value) {
-    return (int) Math.max(0, Math.min(255, Math.round(value)));
+  private static int byteOf(int value) {
+    return Math.max(0, Math.min(255, value >> 10));
   }
 
   private static Viewer saver(String folder, int pictures) throws IOException {
