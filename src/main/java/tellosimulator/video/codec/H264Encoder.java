@@ -29,7 +29,7 @@ public final class H264Encoder implements VideoEncoder {
   private final Frame source;
   private final MacroblockWriter writer;
   private final PictureCoder coder;
-  private final RateControl rate = new RateControl();
+  private final RateControl rate;
   private final NalUnits units = new NalUnits();
   private final Quality[] qualities = new Quality[Quality.COARSEST + 1];
   private boolean started;
@@ -47,6 +47,7 @@ public final class H264Encoder implements VideoEncoder {
     source = new Frame((width + 15) / 16, (height + 15) / 16);
     writer = new MacroblockWriter(source.columns, source.rows);
     coder = new PictureCoder(source, writer);
+    rate = new RateControl(source.columns * source.rows, source.rows);
     for (int qp = 0; qp < qualities.length; qp++) {
       qualities[qp] = Quality.of(qp);
     }
@@ -89,16 +90,17 @@ public final class H264Encoder implements VideoEncoder {
   }
 
   private void slice(boolean key) {
-    Quality quality = qualities[rate.begin(key)];
-    writer.begin(key, number, keyNumber, quality.qp());
+    int qp = rate.begin(key);
+    writer.begin(key, number, keyNumber, qp);
     coder.next();
     for (int row = 0; row < source.rows; row++) {
-      coder.row(row, key, quality);
+      coder.row(row, key, qualities[qp]);
+      qp = rate.row(row + 1, writer.bits());
     }
     coder.coded().extend();
     BitWriter bits = writer.finish();
     units.add(key ? KEY_SLICE : SLICE, bits.bytes(), bits.size());
-    rate.end(key, 8 * bits.size());
+    rate.end(8 * bits.size());
     number = (number + 1) % (1 << ParameterSets.FRAME_NUM_BITS);
     if (key) {
       keyNumber = (keyNumber + 1) % KEY_NUMBERS;

@@ -9,6 +9,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
 import java.util.stream.Stream;
+import org.assertj.core.data.Percentage;
 import org.jcodec.common.model.Rect;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -162,11 +163,26 @@ class H264EncoderTest {
     Act.STILL.play(motif, picture, 0);
     int keySize = encoder.encode(picture, true).size();
     int size = keySize;
-    for (int i = 0; i < 30; i++) {
+    for (int i = 0; i < 60; i++) {
       size = encoder.encode(picture, false).size();
     }
 
     assertThat(size).isLessThan(keySize / 100);
+  }
+
+  @ParameterizedTest
+  @CsvSource({"30, 1000000", "30, 2500000", "30, 5000000", "15, 2500000", "5, 1000000"})
+  void theBitRateIsKept(int framesPerSecond, int bitsPerSecond) {
+    H264Encoder encoder = new H264Encoder(640, 480);
+    encoder.setRate(framesPerSecond, bitsPerSecond);
+    Picture picture = new Picture(640, 480);
+    long bits = 0;
+    for (int i = 0; i < 3 * framesPerSecond; i++) {
+      motif.textured(picture, 5 * i, 3 * i);
+      bits += 8L * encoder.encode(picture, i % framesPerSecond == 0).size();
+    }
+
+    assertThat(bits / 3.0).isCloseTo(bitsPerSecond, Percentage.withPercentage(15));
   }
 
   @Test
