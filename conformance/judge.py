@@ -81,6 +81,8 @@ def _as_expected(step):
     if "near" in step:
         value, tolerance = step["near"]
         return abs(float(step["reply"]) - value) <= tolerance
+    if "least" in step:
+        return float(step["reply"]) >= step["least"]
     if "pattern" in step:
         return re.fullmatch(step["pattern"], step["reply"], re.DOTALL) is not None
     return step["reply"] == step["want"]
@@ -89,6 +91,8 @@ def _as_expected(step):
 def _expectation(step):
     if "near" in step:
         return "{} ± {}".format(*step["near"])
+    if "least" in step:
+        return "at least {}".format(step["least"])
     return repr(step.get("pattern", step.get("want")))
 
 

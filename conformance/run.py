@@ -21,11 +21,12 @@ from simulator import Simulator
 HERE = pathlib.Path(__file__).resolve().parent
 INSIDE = "TELLO_CONFORMANCE_NETWORK"
 
+MARKER = HERE.parent / "examples" / "marker.png"
+
 FAILED = 1
 MISSING = 77
 FORBIDDEN = 78
 
-FEWEST_STEPS = 15
 LONGEST_FLIGHT_S = 60
 LOOPBACK = ("127.0.0.1", "8879")
 
@@ -36,11 +37,21 @@ def python():
     return str(own) if own.exists() else sys.executable
 
 
-class Client:
-    """How a client is started, and how to see whether it is installed."""
+HALL = ["--room", "2000x2000x400"]  # so large that nobody reaches a wall
+GALLERY = [  # a metre and a half from a wall on which pictures hang
+    *("--start", "96.5,-20"),
+    *("--poster", f"front,20,80,24,{MARKER}"),
+    *("--poster", f"front,-40,80,16,{HERE / 'red.png'}"),
+]
+SEARCH = ["--poster", f"right,-60,100,40,{MARKER}"]
 
-    def __init__(self, start, probe, install):
+
+class Client:
+    """How a client is started, how to see whether it is installed, and in which room it flies."""
+
+    def __init__(self, start, probe, install, room=HALL, time_factor="5", fewest_steps=15):
         self.start, self.probe, self.install = start, probe, install
+        self.room, self.time_factor, self.fewest_steps = room, time_factor, fewest_steps
 
     def missing(self):
         """Why it cannot fly; empty if it can."""
@@ -56,6 +67,21 @@ NPM = "npm install --prefix conformance"
 CLIENTS = {
     "djitellopy": Client(
         [python(), "fly_djitellopy.py"], ["-c", "import djitellopy"], PIP
+    ),
+    "djitellopy-video": Client(
+        [python(), "film_djitellopy.py"],
+        ["-c", "import djitellopy, cv2.aruco"],
+        PIP,
+        room=GALLERY,
+        time_factor="1",
+    ),
+    "find_marker": Client(
+        [python(), "fly_find_marker.py"],
+        ["-c", "import djitellopy, cv2.aruco"],
+        PIP,
+        room=SEARCH,
+        time_factor="1",
+        fewest_steps=3,
     ),
     "tello-asyncio": Client(
         [python(), "fly_tello_asyncio.py"], ["-c", "import tello_asyncio"], PIP
@@ -74,7 +100,9 @@ def options():
         action="store_true",
         help="fly without any change, over a network in which the drone is 192.168.10.1:8889",
     )
-    parser.add_argument("--time-factor", default="5", help="how fast time passes, or max")
+    parser.add_argument(
+        "--time-factor", help="how fast time passes, or max; 5, with video 1, unless given"
+    )
     parser.add_argument("--java", default="java", help="which Java runs the simulator")
     parser.add_argument("--jar", default=str(HERE.parent / "target" / "tello-simulator.jar"))
     chosen = parser.parse_args()
@@ -88,22 +116,26 @@ def options():
 def fly(name, chosen):
     """Whether all went well."""
     place = "private network" if chosen.private_network else "loopback"
-    print(f"{name} over {place}, time factor {chosen.time_factor}", flush=True)
+    client = CLIENTS[name]
+    time_factor = chosen.time_factor or client.time_factor
+    print(f"{name} over {place}, time factor {time_factor}", flush=True)
     started = time.monotonic()
     with contextlib.ExitStack() as stack:
-        simulator_options = ["--time-factor", chosen.time_factor, "--room", "2000x2000x400"]
-        command = list(CLIENTS[name].start)
+        simulator_options = ["--time-factor", time_factor, *client.room]
+        command = list(client.start)
         if chosen.private_network:
             cable = stack.enter_context(network.PrivateNetwork())
             simulator_options += ["--bind", network.DRONE, "--command-port", "8889"]
             command = cable.way_in() + command
         else:
             command += LOOPBACK
-        if chosen.time_factor == "max":
+        if time_factor == "max":
             command.append("--at-full-speed")
         simulator = stack.enter_context(Simulator(chosen.java, chosen.jar, simulator_options))
         judge = Judge(simulator)
         faults, chatter = follow(command, judge, simulator)
+        if judge.steps < client.fewest_steps:
+            faults.append(f"fewer than {client.fewest_steps} steps")
         seconds = time.monotonic() - started
         end = f"{judge.steps} steps, at most {judge.worst_cm:.1f} cm off, {seconds:.1f} s"
         if not faults:
@@ -147,8 +179,6 @@ def follow(command, judge, simulator):
         client.wait()
     if not done:
         faults.append("the client did not come to its end")
-    if judge.steps < FEWEST_STEPS:
-        faults.append(f"fewer than {FEWEST_STEPS} steps")
     return faults, chatter
 
 

@@ -1,0 +1,15 @@
+package tellosimulator.conformance;
+
+import java.io.IOException;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** Clients that look at what the drone films, in real time. */
+class VideoIT {
+
+  @ParameterizedTest
+  @ValueSource(strings = {"djitellopy-video", "find_marker"})
+  void clientSeesWhatIsInFrontOfTheDrone(String client) throws IOException, InterruptedException {
+    ClientFlight.fly(client);
+  }
+}
