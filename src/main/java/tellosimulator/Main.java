@@ -5,6 +5,7 @@ import java.io.IOException;
 import java.io.InputStreamReader;
 import java.io.PrintStream;
 import java.nio.charset.Charset;
+import java.util.List;
 import java.util.Optional;
 import picocli.CommandLine;
 import picocli.CommandLine.IVersionProvider;
@@ -13,6 +14,10 @@ import picocli.CommandLine.ParseResult;
 import picocli.CommandLine.UnmatchedArgumentException;
 import tellosimulator.headless.HeadlessSimulator;
 import tellosimulator.network.PortTakenException;
+import tellosimulator.video.SoftwareCameras;
+import tellosimulator.video.WarmUp;
+import tellosimulator.video.camera.DroneOptics;
+import tellosimulator.video.codec.H264Encoder;
 import tellosimulator.view.SimulatorApp;
 import tellosimulator.view.Toolkit;
 import tellosimulator.view.layout.WindowState;
@@ -24,7 +29,16 @@ public final class Main {
   private static final int FAILED = 1;
   private static final int WRONG_OPTIONS = 2;
 
-  private Main() {}
+  private final Options options = new Options();
+  private final SoftwareCameras cameras = new SoftwareCameras(DroneOptics.DEFAULT);
+  private final WarmUp warmUp = new WarmUp(cameras, H264Encoder::new);
+  private final PrintStream out;
+  private final PrintStream err;
+
+  private Main(PrintStream out, PrintStream err) {
+    this.out = out;
+    this.err = err;
+  }
 
   /** Ends the process with 0, or 1 if something could not be had, or 2 if options are wrong. */
   public static void main(String[] args) {
@@ -36,7 +50,16 @@ public final class Main {
 
   /** Runs the program and returns its exit code. */
   static int run(String[] args, PrintStream out, PrintStream err) {
-    Options options = new Options();
+    Main main = new Main(out, err);
+    try (WarmUp warmUp = main.warmUp) {
+      if (List.of(args).contains(Options.HEADLESS)) {
+        warmUp.begin(); // reading the options leaves a processor idle
+      }
+      return main.run(args);
+    }
+  }
+
+  private int run(String... args) {
     CommandLine commandLine = new CommandLine(options);
     commandLine.getCommandSpec().mixinStandardHelpOptions(true).versionProvider(new Version());
     try {
@@ -50,7 +73,7 @@ public final class Main {
         return 0;
       }
       LogSetup.setLevel(options.logLevel());
-      return simulate(options, out, err);
+      return simulate();
     } catch (UnmatchedArgumentException e) {
       err.println("There is no option " + e.getUnmatched().get(0) + ". Try --help.");
       return WRONG_OPTIONS;
@@ -69,8 +92,7 @@ public final class Main {
     }
   }
 
-  private static int simulate(Options options, PrintStream out, PrintStream err)
-      throws IOException, InterruptedException {
+  private int simulate() throws IOException, InterruptedException {
     options.check();
     if (!options.headless()) {
       StrayOutput.intoTheLog();
@@ -79,15 +101,14 @@ public final class Main {
       state.applyUiScale();
       Optional<String> obstacle = Toolkit.start();
       if (obstacle.isEmpty()) {
-        return simulateInWindow(options, settings, state, out);
+        return simulateInWindow(settings, state);
       }
       err.println(obstacle.get());
     }
-    return simulateHeadless(options, out);
+    return simulateHeadless();
   }
 
-  private static int simulateInWindow(
-      Options options, Settings settings, WindowState state, PrintStream out)
+  private int simulateInWindow(Settings settings, WindowState state)
       throws InterruptedException, PortTakenException {
     try (SimulatorApp app =
         new SimulatorApp(
@@ -101,11 +122,15 @@ public final class Main {
     }
   }
 
-  private static int simulateHeadless(Options options, PrintStream out)
-      throws IOException, InterruptedException {
+  private int simulateHeadless() throws IOException, InterruptedException {
     try (HeadlessSimulator simulator =
         new HeadlessSimulator(
-            options.simConfig(), options.addressPlan(), options.replyPort(), options.optics())) {
+            options.simConfig(),
+            options.addressPlan(),
+            options.replyPort(),
+            cameras.withOptics(options.optics()))) {
+      warmUp.film(simulator::snapshot);
+      warmUp.begin();
       Runtime.getRuntime().addShutdownHook(new Thread(simulator::close, "shutdown"));
       Charset charset = Charset.defaultCharset();
       simulator.run(new BufferedReader(new InputStreamReader(System.in, charset)), out);

@@ -39,7 +39,10 @@ import tellosimulator.world.Walls;
     })
 final class Options {
 
-  @Option(names = "--headless", description = "Run without a window.")
+  /** Also looked for before the options are read. */
+  static final String HEADLESS = "--headless";
+
+  @Option(names = HEADLESS, description = "Run without a window.")
   private boolean headless;
 
   @Option(

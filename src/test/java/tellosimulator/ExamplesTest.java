@@ -36,6 +36,7 @@ import tellosimulator.sim.SimConfig;
 import tellosimulator.sim.SimConfig.Outlets;
 import tellosimulator.sim.Swarm;
 import tellosimulator.time.TimeFactor;
+import tellosimulator.video.SoftwareCameras;
 import tellosimulator.video.camera.DroneOptics;
 import tellosimulator.world.Decor;
 import tellosimulator.world.Poster;
@@ -275,7 +276,7 @@ class ExamplesTest {
               config.withOutlets(new Outlets(statePort, videoPort)),
               AddressPlan.portPerDrone(config.starts().size(), loopback, 0),
               OptionalInt.empty(),
-              DroneOptics.DEFAULT);
+              new SoftwareCameras(DroneOptics.DEFAULT));
       addresses = ADDRESS.matcher(type("")).results().map(MatchResult::group).toList();
     }
 

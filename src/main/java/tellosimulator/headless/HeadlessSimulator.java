@@ -10,9 +10,9 @@ import tellosimulator.network.AddressPlan;
 import tellosimulator.network.OnlineSimulation;
 import tellosimulator.network.PortTakenException;
 import tellosimulator.sim.SimConfig;
+import tellosimulator.sim.SimSnapshot;
 import tellosimulator.video.SoftwareCameras;
 import tellosimulator.video.VideoStreams;
-import tellosimulator.video.camera.DroneOptics;
 import tellosimulator.video.codec.H264Encoder;
 
 /** The program without a window: drones that are on, a console, and a line when it is ready. */
@@ -25,16 +25,14 @@ public final class HeadlessSimulator implements AutoCloseable {
    * Opens the sockets and starts the simulation; all drones are on.
    *
    * @param replyPort port to which all replies go; empty for the port each command came from
-   * @param optics of the drones' cameras
+   * @param cameras makes one for each drone
    * @throws PortTakenException if an address or port cannot be had
    */
   public HeadlessSimulator(
-      SimConfig config, AddressPlan plan, OptionalInt replyPort, DroneOptics optics)
+      SimConfig config, AddressPlan plan, OptionalInt replyPort, SoftwareCameras cameras)
       throws PortTakenException {
-    SoftwareCameras cameras = new SoftwareCameras(optics);
     simulation = new OnlineSimulation(config, plan, replyPort, List.of(new EventLog()));
     video = VideoStreams.of(simulation, cameras, H264Encoder::new);
-    video.warmUp(cameras.get());
     try {
       simulation.switchAllOn();
     } catch (PortTakenException e) {
@@ -54,6 +52,11 @@ public final class HeadlessSimulator implements AutoCloseable {
     if (!new Console(simulation::snapshot, simulation::carryOut, in, out).run()) {
       new CountDownLatch(1).await();
     }
+  }
+
+  /** A recent state of everything; for any thread. */
+  public SimSnapshot snapshot() {
+    return simulation.snapshot();
   }
 
   /**

@@ -11,12 +11,23 @@ import tellosimulator.video.camera.SoftwareFrameSource;
 /** Makes software cameras that share what they draw. For any thread. */
 public final class SoftwareCameras implements Supplier<FrameSource> {
 
-  private final Stage stage = new Stage();
-  private final Props props = new Props(ColorSpace.YUV);
+  private final Stage stage;
+  private final Props props;
   private final DroneOptics optics;
 
   public SoftwareCameras(DroneOptics optics) {
+    this(new Stage(), new Props(ColorSpace.YUV), optics);
+  }
+
+  private SoftwareCameras(Stage stage, Props props, DroneOptics optics) {
+    this.stage = stage;
+    this.props = props;
     this.optics = optics;
+  }
+
+  /** Cameras with other optics, which share with these what they draw. */
+  public SoftwareCameras withOptics(DroneOptics newOptics) {
+    return new SoftwareCameras(stage, props, newOptics);
   }
 
   /** One more camera; for one thread. */

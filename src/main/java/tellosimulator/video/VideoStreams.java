@@ -7,17 +7,13 @@ import tellosimulator.network.OnlineSimulation;
 import tellosimulator.sim.SimEvent;
 import tellosimulator.sim.SimListener;
 import tellosimulator.sim.SimSnapshot;
-import tellosimulator.time.Threads;
 import tellosimulator.video.camera.FrameSource;
 import tellosimulator.video.codec.Encoders;
 
 /** The video of all drones of a simulation, each on a thread of its own. For any thread. */
 public final class VideoStreams implements SimListener, AutoCloseable {
 
-  private final Supplier<SimSnapshot> snapshots;
-  private final Encoders encoders;
   private final List<VideoStream> streams;
-  private volatile boolean closed;
 
   /**
    * Films the drones of a simulation whenever somebody wants their pictures. Who makes one listens
@@ -28,8 +24,6 @@ public final class VideoStreams implements SimListener, AutoCloseable {
    */
   public VideoStreams(
       Supplier<SimSnapshot> snapshots, Supplier<FrameSource> sources, Encoders encoders) {
-    this.snapshots = snapshots;
-    this.encoders = encoders;
     streams =
         IntStream.rangeClosed(1, snapshots.get().drones().size())
             .mapToObj(
@@ -65,21 +59,8 @@ public final class VideoStreams implements SimListener, AutoCloseable {
     }
   }
 
-  /**
-   * Lets the Java machine compile what filming takes, on a thread of its own, so that the first
-   * pictures come as quickly as all others.
-   *
-   * @param source is used for nothing else
-   */
-  public void warmUp(FrameSource source) {
-    Threads.start(
-        "video-warm-up",
-        () -> WarmUp.run(new Film(1, source, encoders), snapshots.get(), () -> closed));
-  }
-
   @Override
   public void close() {
-    closed = true;
     streams.forEach(VideoStream::close);
   }
 }

@@ -1,7 +1,7 @@
 package tellosimulator.video;
 
 import java.util.List;
-import java.util.function.BooleanSupplier;
+import java.util.function.Supplier;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 import tellosimulator.math.Attitude;
@@ -9,14 +9,20 @@ import tellosimulator.math.Pose;
 import tellosimulator.math.Vec3;
 import tellosimulator.model.Motion;
 import tellosimulator.model.VideoSettings;
+import tellosimulator.sim.SimConfig;
 import tellosimulator.sim.SimSnapshot;
 import tellosimulator.sim.SimSnapshot.DroneSnapshot;
+import tellosimulator.sim.Simulation;
+import tellosimulator.time.Threads;
+import tellosimulator.video.camera.FrameSource;
+import tellosimulator.video.codec.Encoders;
 
 /**
- * Films and encodes pictures for nobody, so that the Java machine has compiled what it takes when
- * an operator asks for the first one. Changes nothing. For one thread.
+ * Films and encodes pictures for nobody, on a thread of its own, so that the Java machine has
+ * compiled what it takes, and what there is to see is painted, when an operator asks for the first
+ * picture. Changes nothing. For any thread.
  */
-final class WarmUp {
+public final class WarmUp implements AutoCloseable {
 
   private static final Logger LOG = LoggerFactory.getLogger(WarmUp.class);
 
@@ -28,24 +34,63 @@ final class WarmUp {
    */
   private static final double TURN = Math.toRadians(2);
 
-  private WarmUp() {}
+  private final Supplier<FrameSource> sources;
+  private final Encoders encoders;
+  private volatile Supplier<SimSnapshot> snapshots = WarmUp::defaultSnapshot;
+  private volatile boolean unneeded;
+  private boolean begun;
 
   /**
-   * Takes its time.
+   * Does nothing before {@link #begin}.
    *
-   * @param film of the first drone, used for nothing else meanwhile
-   * @param unneeded ends it early
+   * @param sources of which it takes one
    */
-  static void run(Film film, SimSnapshot snapshot, BooleanSupplier unneeded) {
+  public WarmUp(Supplier<FrameSource> sources, Encoders encoders) {
+    this.sources = sources;
+    this.encoders = encoders;
+  }
+
+  /**
+   * Begins, unless it has. Films the first drone of the default simulation until it has another.
+   */
+  public synchronized void begin() {
+    if (!begun) {
+      begun = true;
+      Threads.start("video-warm-up", this::run);
+    }
+  }
+
+  /**
+   * From now on films the first drone of this simulation.
+   *
+   * @param newSnapshots the newest one
+   */
+  public void film(Supplier<SimSnapshot> newSnapshots) {
+    snapshots = newSnapshots;
+  }
+
+  /** Ends it early. */
+  @Override
+  public void close() {
+    unneeded = true;
+  }
+
+  private void run() {
+    Film film = new Film(1, sources.get(), encoders);
     VideoFormat format = VideoFormat.of(VideoSettings.DEFAULT);
     try {
-      for (int i = 0; i < PICTURES && !unneeded.getAsBoolean(); i++) {
-        film.shoot(turned(snapshot, i * TURN), format);
+      for (int i = 0; i < PICTURES && !unneeded; i++) {
+        film.shoot(turned(snapshots.get(), i * TURN), format);
         film.encode(i % 4 == 0);
       }
     } catch (RuntimeException e) {
       LOG.error("The first pictures could not be made; please report this: {}", e.toString(), e);
     }
+  }
+
+  private static SimSnapshot defaultSnapshot() {
+    return new Simulation(SimConfig.DEFAULT, drone -> (peer, text) -> {}, report -> {}, List.of())
+        .snapshot();
   }
 
   /** The same with the first drone turned, and in the air. */

@@ -1,5 +1,6 @@
 package tellosimulator.scenery.paint;
 
+import java.util.function.Supplier;
 import tellosimulator.scenery.Texture;
 
 /** Makes the picture of a surface that repeats, pixel by pixel. */
@@ -14,18 +15,23 @@ public final class Tile {
   private Tile() {}
 
   /**
-   * A square picture.
+   * A square picture, painted when it is first looked at.
    *
    * @param size its edge [pixels]
+   * @param look makes what the pixels look like; is asked once
    */
-  public static Texture painted(int size, Look look) {
+  public static Texture painted(int size, Supplier<Look> look) {
+    return Texture.painted(size, size, () -> pixels(size, look.get()));
+  }
+
+  private static int[] pixels(int size, Look look) {
     int[] pixels = new int[size * size];
     for (int y = 0; y < size; y++) {
       for (int x = 0; x < size; x++) {
         pixels[y * size + x] = look.argb(x, y);
       }
     }
-    return new Texture(size, size, pixels);
+    return pixels;
   }
 
   /**

@@ -38,7 +38,7 @@ final class Boards {
   private Boards() {}
 
   static Texture texture() {
-    return Tile.painted(Wallpaper.SIZE, new Boards()::argb);
+    return Tile.painted(Wallpaper.SIZE, () -> new Boards()::argb);
   }
 
   private int argb(int x, int y) {

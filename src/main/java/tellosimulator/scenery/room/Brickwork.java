@@ -41,7 +41,7 @@ final class Brickwork {
   private Brickwork() {}
 
   static Texture texture() {
-    return Tile.painted(Wallpaper.SIZE, new Brickwork()::argb);
+    return Tile.painted(Wallpaper.SIZE, () -> new Brickwork()::argb);
   }
 
   private int argb(int x, int y) {

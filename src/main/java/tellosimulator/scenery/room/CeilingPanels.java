@@ -27,7 +27,7 @@ final class CeilingPanels {
   private CeilingPanels() {}
 
   static Texture texture() {
-    return Tile.painted(SIZE, new CeilingPanels()::argb);
+    return Tile.painted(SIZE, () -> new CeilingPanels()::argb);
   }
 
   private int argb(int x, int y) {

@@ -71,7 +71,7 @@ final class Gallery {
     } catch (IOException e) {
       LOG.warn("A poster stays blank: {}.", e.getMessage());
       int grey = Rgb.of(0x9a9a9a).argb();
-      return new Picture(Tile.painted(BLANK_SIZE, (x, y) -> grey), 1);
+      return new Picture(Tile.painted(BLANK_SIZE, () -> (x, y) -> grey), 1);
     }
   }
 }

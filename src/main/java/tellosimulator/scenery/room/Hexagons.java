@@ -39,7 +39,7 @@ final class Hexagons {
   private Hexagons() {}
 
   static Texture texture() {
-    return Tile.painted(Wallpaper.SIZE, new Hexagons()::argb);
+    return Tile.painted(Wallpaper.SIZE, () -> new Hexagons()::argb);
   }
 
   /** A pixel is part of the tile whose middle is nearest, in one of the two nearest rows. */

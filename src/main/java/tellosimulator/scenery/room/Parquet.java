@@ -6,6 +6,7 @@ import tellosimulator.scenery.paint.Field;
 import tellosimulator.scenery.paint.Field.Grain;
 import tellosimulator.scenery.paint.Shades;
 import tellosimulator.scenery.paint.Tile;
+import tellosimulator.scenery.paint.Tile.Look;
 import tellosimulator.scenery.paint.Tones;
 
 /**
@@ -43,7 +44,7 @@ final class Parquet {
 
   /** The wood without lines; made when the first floor is. */
   private static final class Bare {
-    static final Texture WOOD = Tile.painted(SIZE, new Parquet()::wood);
+    static final Texture WOOD = Tile.painted(SIZE, () -> new Parquet()::wood);
   }
 
   private Parquet() {}
@@ -59,16 +60,17 @@ final class Parquet {
    * @param grid distance from line to line [m]
    */
   static Texture texture(double grid) {
-    int cells = cells(grid);
-    double cell = (double) SIZE / cells;
+    return Tile.painted(SIZE, () -> lined(grid));
+  }
+
+  private static Look lined(double grid) {
+    double cell = (double) SIZE / cells(grid);
     double halfLine = Math.max(1.5, (0.0035 / grid + 0.0075) * cell);
-    return Tile.painted(
-        SIZE,
-        (x, y) -> {
-          double line = halfLine - Math.min(fromLine(x, cell), fromLine(y, cell)) + 0.5;
-          double opacity = LINE_OPACITY * Math.max(0, Math.min(1, line));
-          return Tile.mixed(Bare.WOOD.argb(x, y), LINE, opacity);
-        });
+    return (x, y) -> {
+      double line = halfLine - Math.min(fromLine(x, cell), fromLine(y, cell)) + 0.5;
+      double opacity = LINE_OPACITY * Math.max(0, Math.min(1, line));
+      return Tile.mixed(Bare.WOOD.argb(x, y), LINE, opacity);
+    };
   }
 
   private static double fromLine(int pixel, double cell) {

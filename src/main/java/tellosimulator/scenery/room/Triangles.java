@@ -34,7 +34,7 @@ final class Triangles {
   private Triangles() {}
 
   static Texture texture() {
-    return Tile.painted(Wallpaper.SIZE, new Triangles()::argb);
+    return Tile.painted(Wallpaper.SIZE, () -> new Triangles()::argb);
   }
 
   private int argb(int x, int y) {

@@ -2,6 +2,7 @@ package tellosimulator.video.camera;
 
 import java.util.List;
 import tellosimulator.scenery.Finish;
+import tellosimulator.scenery.Part;
 import tellosimulator.scenery.Placed;
 import tellosimulator.scenery.Scene;
 
@@ -81,15 +82,20 @@ public final class SoftwareCamera {
       lighting.shine(shape, placed.pose().attitude());
     }
     decal.opacity(placed.opacity(), finish == Finish.DECAL);
-    drawTriangles(shape, props.texture(placed.part()), finish);
+    drawTriangles(shape, placed.part());
   }
 
-  private void drawTriangles(Shape shape, MipMaps texture, Finish finish) {
+  private void drawTriangles(Shape shape, Part part) {
+    Finish finish = part.finish();
     TextureBrush brush = brush(finish);
-    brush.texture(texture, finish == Finish.LIT);
+    MipMaps texture = null;
     for (int i = 0; i < shape.triangles(); i++) {
       if (!outlined(shape, i)) {
         continue;
+      }
+      if (texture == null) { // not before, as it takes long to make one
+        texture = props.texture(part);
+        brush.texture(texture, finish == Finish.LIT);
       }
       if (finish == Finish.LIT) {
         slopes.light(lighting.lights(), shape.normalOf, 3 * i);

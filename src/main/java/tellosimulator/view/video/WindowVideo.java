@@ -10,6 +10,7 @@ import tellosimulator.sim.SimSnapshot;
 import tellosimulator.video.SoftwareCameras;
 import tellosimulator.video.VideoStream;
 import tellosimulator.video.VideoStreams;
+import tellosimulator.video.WarmUp;
 import tellosimulator.video.camera.DroneOptics;
 import tellosimulator.video.codec.H264Encoder;
 
@@ -21,6 +22,7 @@ public final class WindowVideo implements AutoCloseable {
   private final SoftwareCameras cameras;
   private final SnapshotDesk desk = new SnapshotDesk();
   private final VideoStreams streams;
+  private final WarmUp warmUp;
   private final List<Keeper> keepers;
   private volatile Consumer<VideoReport> reports = report -> {};
   private volatile Optional<Consumer<SnapshotOrder>> photographer = Optional.empty();
@@ -39,6 +41,8 @@ public final class WindowVideo implements AutoCloseable {
     streams =
         new VideoStreams(
             snapshots, () -> new SceneSnapshotSource(desk, cameras.get()), H264Encoder::new);
+    warmUp = new WarmUp(cameras, H264Encoder::new);
+    warmUp.film(snapshots);
     keepers =
         snapshots.get().drones().stream()
             .map(drone -> keeper(drone.state().drone(), album))
@@ -109,7 +113,7 @@ public final class WindowVideo implements AutoCloseable {
    * photographs cost.
    */
   public void warmUp() {
-    streams.warmUp(cameras.get());
+    warmUp.begin();
     if (photographer.isPresent()) {
       desk.open();
     }
@@ -124,6 +128,7 @@ public final class WindowVideo implements AutoCloseable {
   /** Ends all streams and films, and waits until they have ended. */
   @Override
   public void close() {
+    warmUp.close();
     streams.close();
     keepers.forEach(Keeper::close);
   }
