@@ -2,31 +2,34 @@ package tellosimulator.benchmark;
 
 import java.io.IOException;
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 
 /**
  * Measures what the project promises and prints one table: {@code mvn -Pbenchmark verify}, or
- * faster {@code mvn -Pbenchmark -Dbenchmark.minutes=1 verify}.
+ * faster {@code mvn -Pbenchmark -Dbenchmark.minutes=1 verify}, or only a part of it {@code mvn
+ * -Pbenchmark -Dbenchmark.only=video verify}.
  */
 public final class Benchmarks {
 
   private static final String DEFAULT_MINUTES = "10";
 
+  /** Some rows of the table. */
+  @FunctionalInterface
+  private interface Part {
+    List<Row> rows(double minutes) throws IOException;
+  }
+
   private Benchmarks() {}
 
-  /** Runs everything; takes the time of the three long flights and five minutes. */
+  /** Runs everything; takes the time of the three long flights and seven minutes. */
   public static void main(String[] args) throws IOException {
     double minutes = Double.parseDouble(System.getProperty("benchmark.minutes", DEFAULT_MINUTES));
     List<Row> rows = new ArrayList<>();
-    rows.addAll(SpeedBenchmark.all());
-    rows.addAll(WireBenchmark.queries(false));
-    rows.addAll(WireBenchmark.stateLines(false));
-    rows.addAll(WireBenchmark.queries(true));
-    rows.addAll(WireBenchmark.stateLines(true));
-    rows.addAll(StreamBenchmark.all(minutes));
-    rows.addAll(WireBenchmark.start());
-    rows.addAll(WireBenchmark.memoryAfter(minutes));
-    rows.addAll(WindowBenchmark.all(minutes));
+    for (Part part : chosen(System.getProperty("benchmark.only", ""))) {
+      rows.addAll(part.rows(minutes));
+    }
     System.out.printf(
         "Java %s, %s, %d processors%n%n",
         System.getProperty("java.version"),
@@ -35,5 +38,42 @@ public final class Benchmarks {
     System.out.println("| what | target | measured | reached |");
     System.out.println("|---|---|---|---|");
     rows.forEach(row -> System.out.println(row.markdown()));
+  }
+
+  /**
+   * @param only names of parts with commas between them; all if empty
+   */
+  private static List<Part> chosen(String only) {
+    Map<String, Part> parts = parts();
+    if (only.isEmpty()) {
+      return List.copyOf(parts.values());
+    }
+    List<String> names = List.of(only.split(","));
+    if (!parts.keySet().containsAll(names)) {
+      throw new IllegalArgumentException(
+          "benchmark.only is " + only + ", but must be of " + parts.keySet());
+    }
+    return names.stream().map(parts::get).toList();
+  }
+
+  private static Map<String, Part> parts() {
+    Map<String, Part> parts = new LinkedHashMap<>();
+    parts.put("speed", minutes -> SpeedBenchmark.all());
+    parts.put("wire", minutes -> wire());
+    parts.put("video", minutes -> VideoBenchmark.all());
+    parts.put("stream", StreamBenchmark::all);
+    parts.put("start", minutes -> WireBenchmark.start());
+    parts.put("memory", WireBenchmark::memoryAfter);
+    parts.put("window", WindowBenchmark::all);
+    return parts;
+  }
+
+  private static List<Row> wire() throws IOException {
+    List<Row> rows = new ArrayList<>();
+    rows.addAll(WireBenchmark.queries(false));
+    rows.addAll(WireBenchmark.stateLines(false));
+    rows.addAll(WireBenchmark.queries(true));
+    rows.addAll(WireBenchmark.stateLines(true));
+    return rows;
   }
 }

@@ -1,0 +1,130 @@
+package tellosimulator.benchmark;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.OptionalDouble;
+import java.util.stream.Stream;
+import tellosimulator.video.picture.Picture;
+
+/**
+ * Software camera and encoder on the pictures of the recorded flight, on one core; beside them, in
+ * the same run, JCodec's encoder as it comes, and x264 at its fastest.
+ */
+final class VideoBenchmark {
+
+  private static final int WARM_UPS = 2;
+  private static final int RUNS = 3;
+
+  /** How much worse than x264 pictures may be [dB]. */
+  private static final double WORSE = 1.5;
+
+  private final Projectionist projectionist = new Projectionist();
+  private final boolean decodable = FfmpegFilms.available();
+  private final FfmpegFilms ffmpeg;
+  private final List<Row> rows = new ArrayList<>();
+  private final List<Double> ours = new ArrayList<>();
+  private final List<Double> jcodecs = new ArrayList<>();
+
+  private VideoBenchmark(Path folder) {
+    ffmpeg = new FfmpegFilms(folder);
+  }
+
+  static List<Row> all() throws IOException {
+    Path folder = Files.createTempDirectory("films");
+    try {
+      return new VideoBenchmark(folder).rows();
+    } finally {
+      try (Stream<Path> files = Files.list(folder)) {
+        for (Path file : files.toList()) {
+          Files.delete(file);
+        }
+      }
+      Files.delete(folder);
+    }
+  }
+
+  private List<Row> rows() throws IOException {
+    for (int i = 0; i < WARM_UPS; i++) {
+      for (FlightPart part : FlightPart.values()) {
+        projectionist.times(part);
+      }
+    }
+    for (FlightPart part : FlightPart.values()) {
+      camera(part);
+    }
+    for (FlightPart part : FlightPart.values()) {
+      part(part);
+    }
+    Statistics statistics = new Statistics(ours);
+    rows.add(
+        Row.atMost("Encoding a picture of 960 × 720 on one core, median", 10, statistics.median()));
+    rows.add(Row.atMost("… 99th percentile", 15, statistics.quantile(0.99)));
+    rows.add(
+        Row.beside(
+            "… JCodec's encoder as it comes, median",
+            String.format(Locale.ROOT, "%.1f ms", new Statistics(jcodecs).median())));
+    return rows;
+  }
+
+  private void camera(FlightPart part) {
+    Statistics times = new Statistics(projectionist.times(part));
+    rows.add(
+        Row.atMost(
+            "Software camera, a picture of 960 × 720 on one core, " + part.word() + ", median",
+            8,
+            times.median()));
+  }
+
+  private void part(FlightPart part) throws IOException {
+    List<Picture> pictures = projectionist.pictures(part);
+    for (int i = 0; i < WARM_UPS; i++) {
+      EncodedFilm.ours(pictures);
+    }
+    EncodedFilm film = EncodedFilm.ours(pictures);
+    for (int i = 0; i < RUNS; i++) {
+      ours.addAll(EncodedFilm.ours(pictures).times());
+    }
+    EncodedFilm jcodec = EncodedFilm.jcodecs(pictures);
+    jcodecs.addAll(jcodec.times());
+    if (decodable) {
+      EncodedFilm x264 = ffmpeg.x264(pictures);
+      OptionalDouble best = ffmpeg.psnr(x264, pictures);
+      OptionalDouble theirs = ffmpeg.psnr(jcodec, pictures);
+      quality(part, film, ffmpeg.psnr(film, pictures).orElse(0), floor(best, theirs));
+      rows.add(Row.beside("… x264 ultrafast, zerolatency", figures(x264, best)));
+      rows.add(Row.beside("… JCodec's encoder", figures(jcodec, theirs)));
+    } else {
+      rows.add(new Row(quality(part), "", "no ffmpeg here to decode and to compare with", false));
+    }
+  }
+
+  /** The least that is good enough [dB]. */
+  private static double floor(OptionalDouble x264, OptionalDouble jcodec) {
+    return Math.max(x264.orElseThrow() - WORSE, jcodec.orElse(0));
+  }
+
+  private void quality(FlightPart part, EncodedFilm film, double psnr, double floor) {
+    rows.add(
+        new Row(
+            quality(part),
+            String.format(Locale.ROOT, "at least %.1f dB", floor),
+            figures(film, OptionalDouble.of(psnr)),
+            psnr >= floor));
+  }
+
+  private static String quality(FlightPart part) {
+    return "Luma PSNR at 2.5 Mbit/s, " + part.word();
+  }
+
+  private static String figures(EncodedFilm film, OptionalDouble psnr) {
+    return String.format(
+        Locale.ROOT,
+        "%s at %.2f Mbit/s",
+        psnr.isPresent() ? String.format(Locale.ROOT, "%.1f dB", psnr.getAsDouble()) : "broken",
+        film.megabitsPerSecond());
+  }
+}
