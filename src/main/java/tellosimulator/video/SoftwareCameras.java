@@ -30,6 +30,11 @@ public final class SoftwareCameras implements Supplier<FrameSource> {
     return new SoftwareCameras(stage, props, newOptics);
   }
 
+  /** What makes the scenes that they draw. */
+  public Stage stage() {
+    return stage;
+  }
+
   /** One more camera; for one thread. */
   @Override
   public FrameSource get() {

@@ -30,9 +30,11 @@ public final class FxSimulation {
   private final ReadOnlyObjectWrapper<TimeFactor> timeFactor = new ReadOnlyObjectWrapper<>();
   private final ReadOnlyBooleanWrapper paused = new ReadOnlyBooleanWrapper();
   private final ReadOnlyDoubleWrapper seconds = new ReadOnlyDoubleWrapper();
+  private SimSnapshot snapshot;
 
   /** Shows a first snapshot, and looks at its first drone. */
   public FxSimulation(SimSnapshot first) {
+    snapshot = first;
     first.drones().forEach(drone -> drones.add(new FxDroneModel(drone)));
     selected.set(drones.get(0));
     update(first);
@@ -40,6 +42,7 @@ public final class FxSimulation {
 
   /** Takes over what the newest snapshot says; called once a pulse. */
   public void update(SimSnapshot newest) {
+    snapshot = newest;
     room.set(newest.room());
     decor.set(newest.decor());
     timeFactor.set(newest.clock().factor());
@@ -48,6 +51,11 @@ public final class FxSimulation {
     for (int i = 0; i < drones.size(); i++) {
       drones.get(i).update(newest.drones().get(i));
     }
+  }
+
+  /** The snapshot of which this is the mirror. */
+  public SimSnapshot snapshot() {
+    return snapshot;
   }
 
   /** In the order of their numbers. */

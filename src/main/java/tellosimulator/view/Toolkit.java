@@ -19,7 +19,7 @@ public final class Toolkit {
   private static final String FORCE_GPU = "prism.forceGPU";
 
   private static final String WHAT_HELPS =
-      "On Linux, install libgl1 and libgl1-mesa-dri (Fedora: libglvnd-glx, mesa-dri-drivers).";
+      "For a smoother picture on Linux, install libgl1 and libgl1-mesa-dri (Fedora: libglvnd-glx, mesa-dri-drivers).";
 
   private Toolkit() {}
 
@@ -42,7 +42,7 @@ public final class Toolkit {
     }
     running.await();
     if (!Platform.isSupported(ConditionalFeature.SCENE3D)) {
-      LOG.warn("The window shows no room: this machine's display cannot do 3D. {}", WHAT_HELPS);
+      LOG.warn("The processor draws the room, as this display cannot do 3D. {}", WHAT_HELPS);
     }
     return Optional.empty();
   }

@@ -38,6 +38,18 @@ public final class Raster {
     return nearness;
   }
 
+  /**
+   * Copies the pixels for a screen: opaque where something was drawn, and nothing elsewhere. Of
+   * {@link ColorSpace#RGB}.
+   *
+   * @param argb gets as many pixels
+   */
+  public void copyTo(int[] argb) {
+    for (int i = 0; i < argb.length; i++) {
+      argb[i] = nearness[i] > 0 ? pixels[i] | 0xff000000 : 0;
+    }
+  }
+
   /** Takes everything out of the picture. */
   void clear(int packed) {
     Arrays.fill(pixels, packed);

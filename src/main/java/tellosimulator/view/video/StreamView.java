@@ -1,16 +1,13 @@
 package tellosimulator.view.video;
 
-import java.nio.IntBuffer;
 import java.util.Optional;
 import javafx.beans.property.ReadOnlyObjectProperty;
 import javafx.beans.property.ReadOnlyObjectWrapper;
 import javafx.scene.image.ImageView;
-import javafx.scene.image.PixelBuffer;
-import javafx.scene.image.PixelFormat;
-import javafx.scene.image.WritableImage;
 import tellosimulator.video.VideoFigures;
 import tellosimulator.video.VideoStream;
 import tellosimulator.video.picture.Picture;
+import tellosimulator.view.ScreenPixels;
 import tellosimulator.view.video.NewestPicture.Kept;
 
 /**
@@ -22,7 +19,7 @@ public final class StreamView extends ImageView {
   private final ReadOnlyObjectWrapper<VideoFigures> figures =
       new ReadOnlyObjectWrapper<>(this, "figures", VideoFigures.NONE);
   private Optional<Watched> watched = Optional.empty();
-  private Optional<PixelBuffer<IntBuffer>> pixels = Optional.empty();
+  private final ScreenPixels pixels = new ScreenPixels(this);
 
   /** A stream and its newest picture. */
   private record Watched(VideoStream stream, NewestPicture newest) {}
@@ -44,9 +41,8 @@ public final class StreamView extends ImageView {
   public void rest() {
     watched.ifPresent(before -> before.stream.ignore(before.newest));
     watched = Optional.empty();
-    pixels = Optional.empty();
+    pixels.clear();
     figures.set(VideoFigures.NONE);
-    setImage(null);
   }
 
   /** How the stream goes; none while nothing is shown. */
@@ -63,14 +59,16 @@ public final class StreamView extends ImageView {
     Picture picture = kept.picture();
     boolean whole = needsAll(picture);
     int parts = whole ? 1 : 2;
-    PixelBuffer<IntBuffer> target = pixels(picture.width() / parts, picture.height() / parts);
-    int[] argb = target.getBuffer().array();
-    if (whole) {
-      ScreenColors.whole(picture, argb);
-    } else {
-      ScreenColors.half(picture, argb);
-    }
-    target.updateBuffer(all -> null);
+    pixels.show(
+        picture.width() / parts,
+        picture.height() / parts,
+        argb -> {
+          if (whole) {
+            ScreenColors.whole(picture, argb);
+          } else {
+            ScreenColors.half(picture, argb);
+          }
+        });
     figures.set(kept.figures());
   }
 
@@ -81,20 +79,5 @@ public final class StreamView extends ImageView {
             ? 1
             : getScene().getWindow().getOutputScaleX();
     return getLayoutBounds().getWidth() * scale > picture.width() / 2.0;
-  }
-
-  /** The pixels of what is shown, which are used again and again. */
-  private PixelBuffer<IntBuffer> pixels(int width, int height) {
-    Optional<PixelBuffer<IntBuffer>> before =
-        pixels.filter(old -> old.getWidth() == width && old.getHeight() == height);
-    if (before.isPresent()) {
-      return before.get();
-    }
-    PixelBuffer<IntBuffer> made =
-        new PixelBuffer<>(
-            width, height, IntBuffer.allocate(width * height), PixelFormat.getIntArgbPreInstance());
-    setImage(new WritableImage(made));
-    pixels = Optional.of(made);
-    return made;
   }
 }

@@ -6,6 +6,7 @@ import java.util.function.Consumer;
 import java.util.function.Supplier;
 import tellosimulator.model.FlightPhase;
 import tellosimulator.network.OnlineSimulation;
+import tellosimulator.scenery.Stage;
 import tellosimulator.sim.SimSnapshot;
 import tellosimulator.video.SoftwareCameras;
 import tellosimulator.video.VideoStream;
@@ -85,6 +86,11 @@ public final class WindowVideo implements AutoCloseable {
   /** Tells somebody what became of pictures that were to be kept, on any thread. */
   public void onReport(Consumer<VideoReport> listener) {
     reports = listener;
+  }
+
+  /** What makes the scenes that drones film; whoever draws them too shares its textures. */
+  public Stage stage() {
+    return cameras.stage();
   }
 
   /**

@@ -19,10 +19,10 @@ import tellosimulator.view.drone.DroneColors;
 final class NumberTag extends MeshView {
 
   /** Height above the drone's feet [m]. Decided: clear of the propellers. */
-  private static final double HEIGHT = 0.07;
+  static final double HEIGHT = 0.07;
 
   /** Its size, as a part of the distance from the camera. Decided: by eye. */
-  private static final double SIZE = 0.032;
+  static final double SIZE = 0.032;
 
   private final FxDroneModel drone;
   private final Affine place = new Affine();

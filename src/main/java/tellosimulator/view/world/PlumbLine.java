@@ -17,10 +17,10 @@ import tellosimulator.view.drone.DroneColors;
 final class PlumbLine extends MeshView {
 
   /** Below this height there is none [m]. Decided. */
-  private static final double LOWEST = 0.03;
+  static final double LOWEST = 0.03;
 
   /** Its width, as a part of the distance from the camera. Decided: two or three pixels. */
-  private static final double WIDTH = 0.0025;
+  static final double WIDTH = 0.0025;
 
   private final FxDroneModel drone;
   private final Translate foot = new Translate();

@@ -1,6 +1,7 @@
 package tellosimulator.view.world;
 
 import javafx.scene.Group;
+import javafx.scene.Node;
 import javafx.scene.PerspectiveCamera;
 import javafx.scene.SceneAntialiasing;
 import javafx.scene.SubScene;
@@ -10,19 +11,23 @@ import tellosimulator.video.camera.DroneOptics;
 import tellosimulator.view.FxDroneModel;
 import tellosimulator.view.FxFrames;
 import tellosimulator.view.FxSimulation;
+import tellosimulator.view.ViewContext;
 import tellosimulator.view.video.SnapshotOrder;
+import tellosimulator.view.video.WindowVideo;
 
 /**
  * The world in a SubScene, with the nodes of both cameras. Only where JavaFX has 3D. For the JavaFX
  * thread.
  */
-final class ScenePicture {
+final class ScenePicture implements WorldPicture {
 
   private final FxSimulation simulation;
+  private final WindowVideo video;
   private final SimulatorCamera camera;
   private final DroneCamera droneCamera;
   private final World world;
   private final Group content = new Group();
+  private final Group node = new Group();
   private final PerspectiveCamera orbiting = new PerspectiveCamera(true);
   private final PerspectiveCamera onDrone = new PerspectiveCamera(true);
   private final PerspectiveCamera filming = new PerspectiveCamera(true);
@@ -33,8 +38,9 @@ final class ScenePicture {
   private ViewCamera seen = ViewCamera.SIMULATOR;
   private SubScene subScene = new SubScene(new Group(), 0, 0);
 
-  ScenePicture(FxSimulation simulation, SimulatorCamera camera, DroneCamera droneCamera) {
-    this.simulation = simulation;
+  ScenePicture(ViewContext context, SimulatorCamera camera, DroneCamera droneCamera) {
+    simulation = context.simulation();
+    video = context.video();
     this.camera = camera;
     this.droneCamera = droneCamera;
     world = new World(simulation);
@@ -44,7 +50,11 @@ final class ScenePicture {
     equip(filming, filmingPlace);
     world.getChildren().addAll(orbiting, onDrone, filming);
     content.getChildren().addAll(world.lights(), world);
-    build(false);
+    // snapshots are lit by the lights of the window's scene, not by those of the SubScene
+    node.getChildren().addAll(subScene, world.lights());
+    node.setManaged(false);
+    smoothEdges(false);
+    video.photographBy(this::photograph);
   }
 
   /** Makes of a camera that of a drone. */
@@ -55,27 +65,38 @@ final class ScenePicture {
     fixed.getTransforms().add(place);
   }
 
-  World world() {
-    return world;
+  @Override
+  public Node node() {
+    return node;
   }
 
-  SubScene node() {
-    return subScene;
+  @Override
+  public void resize(double width, double height) {
+    subScene.setWidth(width);
+    subScene.setHeight(height);
+  }
+
+  @Override
+  public void showTrails(boolean shown) {
+    world.trails().setVisible(shown);
   }
 
   /** A SubScene cannot change how it smooths edges, so there is a new one. */
-  void build(boolean smooth) {
+  @Override
+  public void smoothEdges(boolean smooth) {
+    SubScene before = subScene;
     subScene.setRoot(new Group());
     subScene.setCamera(null); // a camera is only for one SubScene
     SceneAntialiasing edges = smooth ? SceneAntialiasing.BALANCED : SceneAntialiasing.DISABLED;
-    subScene = new SubScene(content, 0, 0, true, edges);
+    subScene = new SubScene(content, before.getWidth(), before.getHeight(), true, edges);
     subScene.setId("sub-scene");
-    subScene.setManaged(false);
     subScene.setMouseTransparent(true);
+    node.getChildren().set(0, subScene);
     lookThrough(seen);
   }
 
-  void lookThrough(ViewCamera newSeen) {
+  @Override
+  public void lookThrough(ViewCamera newSeen) {
     seen = newSeen;
     subScene.setCamera(seen == ViewCamera.DRONE ? onDrone : orbiting);
     show();
@@ -90,12 +111,8 @@ final class ScenePicture {
     }
   }
 
-  /**
-   * Moves on what is in the picture.
-   *
-   * @param nanos the time of the picture [ns]
-   */
-  void advance(long nanos) {
+  @Override
+  public void advance(long nanos) {
     FxFrames.aim(orbitingPlace, camera.pose());
     orbiting.setNearClip(camera.near());
     orbiting.setFarClip(camera.far());
@@ -106,8 +123,14 @@ final class ScenePicture {
     world.advance(nanos, seen == ViewCamera.DRONE ? onNose : camera.pose());
   }
 
+  /** Takes part in no more video. */
+  @Override
+  public void rest() {
+    video.photographNoMore();
+  }
+
   /** Takes a picture with a drone's camera, without what only helps people. */
-  void photograph(SnapshotOrder order) {
+  private void photograph(SnapshotOrder order) {
     FxDroneModel drone = simulation.drones().get(order.drone() - 1);
     world.showForDrone(order.drone());
     FxFrames.aim(filmingPlace, droneCamera.optics().nose(drone.poseProperty().get()));

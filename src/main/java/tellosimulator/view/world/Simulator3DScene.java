@@ -1,6 +1,5 @@
 package tellosimulator.view.world;
 
-import java.util.Optional;
 import javafx.application.ConditionalFeature;
 import javafx.application.Platform;
 import javafx.beans.property.BooleanProperty;
@@ -9,45 +8,34 @@ import javafx.beans.property.SimpleBooleanProperty;
 import javafx.beans.property.SimpleObjectProperty;
 import javafx.geometry.HPos;
 import javafx.geometry.VPos;
-import javafx.scene.SubScene;
-import javafx.scene.control.Label;
 import javafx.scene.layout.Region;
 import tellosimulator.video.camera.DroneOptics;
 import tellosimulator.view.ViewContext;
-import tellosimulator.view.text.Messages;
-import tellosimulator.view.video.WindowVideo;
 
 /**
  * The room with its drones in 3D, seen through one of two cameras; over it the inset with the
- * drone's camera. Where JavaFX has no 3D it says so in one sentence. For the JavaFX thread.
+ * drone's camera. Where JavaFX has no 3D, the software camera draws it. For the JavaFX thread.
  */
 public final class Simulator3DScene extends Region {
 
-  private final Messages messages;
-  private final WindowVideo video;
   private final ObjectProperty<ViewCamera> viewCamera =
       new SimpleObjectProperty<>(this, "viewCamera", ViewCamera.SIMULATOR);
   private final BooleanProperty trailVisible =
       new SimpleBooleanProperty(this, "trailVisible", true);
   private final BooleanProperty antialiasing = new SimpleBooleanProperty(this, "antialiasing");
   private final SimulatorCamera camera;
-  private final DroneCamera droneCamera;
-  private final Optional<ScenePicture> picture;
+  private final WorldPicture picture;
   private final DroneCameraInset inset;
-  private final Label noThreeD = new Label();
 
   public Simulator3DScene(ViewContext context) {
-    video = context.video();
-    messages = context.language().messages(Simulator3DScene.class);
     camera = new SimulatorCamera(context.simulation());
-    droneCamera = new DroneCamera(context.simulation(), context.video().optics());
+    DroneCamera onDrone = new DroneCamera(context.simulation(), context.video().optics());
     picture =
         Platform.isSupported(ConditionalFeature.SCENE3D)
-            ? Optional.of(new ScenePicture(context.simulation(), camera, droneCamera))
-            : Optional.empty();
+            ? new ScenePicture(context, camera, onDrone)
+            : new DrawnPicture(context, camera, onDrone);
     inset = new DroneCameraInset(context);
     initializeSelf();
-    initializeParts();
     layoutParts();
     setupEventHandlers();
     setupBindings();
@@ -84,10 +72,15 @@ public final class Simulator3DScene extends Region {
     return antialiasing;
   }
 
+  /** What it shows of the world. */
+  WorldPicture picture() {
+    return picture;
+  }
+
   /** Looks at no more video, and takes part in none. */
   public void rest() {
     inset.rest();
-    video.photographNoMore();
+    picture.rest();
   }
 
   private void initializeSelf() {
@@ -98,20 +91,8 @@ public final class Simulator3DScene extends Region {
     setFocusTraversable(false);
   }
 
-  private void initializeParts() {
-    noThreeD.setId("no-3d");
-    noThreeD.setWrapText(true);
-    noThreeD.setVisible(picture.isEmpty());
-  }
-
   private void layoutParts() {
-    getChildren().addAll(noThreeD, inset);
-    picture.ifPresent(
-        shown -> {
-          getChildren().add(0, shown.node());
-          // snapshots are lit by the lights of the window's scene, not by those of the SubScene
-          getChildren().add(shown.world().lights());
-        });
+    getChildren().addAll(picture.node(), inset);
   }
 
   private void setupEventHandlers() {
@@ -119,60 +100,43 @@ public final class Simulator3DScene extends Region {
   }
 
   private void setupBindings() {
-    noThreeD.textProperty().bind(messages.text("no-3d"));
-    picture.ifPresent(this::bind);
-  }
-
-  private void bind(ScenePicture shown) {
-    video.photographBy(shown::photograph);
-    shown.world().trails().visibleProperty().bind(trailVisible);
-    antialiasing.addListener(
-        (property, before, smooth) -> {
-          shown.build(smooth);
-          getChildren().set(0, shown.node());
-          requestLayout(); // nobody asks for it when a child comes that is not managed
-        });
-    viewCamera.addListener(
-        (property, before, seen) -> {
-          shown.lookThrough(seen);
+    trailVisible.subscribe(picture::showTrails);
+    antialiasing.subscribe(picture::smoothEdges);
+    viewCamera.subscribe(
+        seen -> {
+          picture.lookThrough(seen);
           requestLayout();
         });
   }
 
   private void advance(long nanos) {
     camera.advance(nanos);
-    picture.ifPresent(shown -> shown.advance(nanos));
+    picture.advance(nanos);
     inset.advance(nanos);
   }
 
   @Override
   protected void layoutChildren() {
-    double width = getWidth();
-    double height = getHeight();
-    picture.ifPresent(this::layOut);
+    layOutPicture();
     double margin = 12;
     layoutInArea(
-        noThreeD,
+        inset,
         margin,
         margin,
-        width - 2 * margin,
-        height - 2 * margin,
+        getWidth() - 2 * margin,
+        getHeight() - 2 * margin,
         0,
-        HPos.CENTER,
-        VPos.CENTER);
-    layoutInArea(
-        inset, margin, margin, width - 2 * margin, height - 2 * margin, 0, HPos.RIGHT, VPos.TOP);
+        HPos.RIGHT,
+        VPos.TOP);
   }
 
   /** The picture of the drone's camera keeps its form; the other fills everything. */
-  private void layOut(ScenePicture shown) {
+  private void layOutPicture() {
     double ratio = (double) DroneOptics.WIDTH / DroneOptics.HEIGHT;
     boolean drones = viewCamera.get() == ViewCamera.DRONE;
     double width = drones ? Math.min(getWidth(), getHeight() * ratio) : getWidth();
     double height = drones ? width / ratio : getHeight();
-    SubScene node = shown.node();
-    node.setWidth(width);
-    node.setHeight(height);
-    node.relocate((getWidth() - width) / 2, (getHeight() - height) / 2);
+    picture.resize(width, height);
+    picture.node().relocate((getWidth() - width) / 2, (getHeight() - height) / 2);
   }
 }

@@ -1,5 +1,7 @@
 package tellosimulator.view.world;
 
+import java.util.Collections;
+import java.util.List;
 import javafx.scene.paint.Color;
 import javafx.scene.paint.PhongMaterial;
 import javafx.scene.shape.CullFace;
@@ -20,20 +22,15 @@ final class Trail extends MeshView {
   static final int CAPACITY = 384;
 
   /** Shortest time from update to update [ns]. Decided. */
-  private static final long UPDATE_PERIOD = 120_000_000;
-
-  /** Half the thickness [m]. Decided: one or two pixels across a room. */
-  private static final double HALF_WIDTH = 0.0045;
+  static final long UPDATE_PERIOD = 120_000_000;
 
   /** Height of the band above the drone's feet [m]. Documented: half of 41 mm. */
-  private static final double MIDDLE = 0.02;
-
-  private static final int SIDES = 3;
+  static final double MIDDLE = 0.02;
 
   private final FxDroneModel drone;
   private final TrailPath path = new TrailPath(CAPACITY);
   private final TriangleMesh mesh = new TriangleMesh(VertexFormat.POINT_NORMAL_TEXCOORD);
-  private final float[] points = new float[CAPACITY * SIDES * 3];
+  private final float[] points = new float[CAPACITY * TrailPath.SIDES * 3];
   private boolean changed;
   private long lastUpdate;
 
@@ -83,11 +80,11 @@ final class Trail extends MeshView {
     mesh.getNormals().setAll(0, 0, 1);
     mesh.getTexCoords().setAll(0, 0);
     for (int i = 1; i < CAPACITY; i++) {
-      for (int side = 0; side < SIDES; side++) {
-        int near = (i - 1) * SIDES;
-        int next = (side + 1) % SIDES;
-        addFace(near + side, near + next, near + SIDES + next);
-        addFace(near + side, near + SIDES + next, near + SIDES + side);
+      for (int side = 0; side < TrailPath.SIDES; side++) {
+        int near = (i - 1) * TrailPath.SIDES;
+        int next = (side + 1) % TrailPath.SIDES;
+        addFace(near + side, near + next, near + TrailPath.SIDES + next);
+        addFace(near + side, near + TrailPath.SIDES + next, near + TrailPath.SIDES + side);
       }
     }
   }
@@ -101,33 +98,19 @@ final class Trail extends MeshView {
   /** All points beyond the last one lie where it lies, so that their triangles are empty. */
   private void update() {
     int last = Math.max(0, path.size() - 1);
+    List<Vec3> nothing = Collections.nCopies(TrailPath.SIDES, Vec3.ZERO);
     for (int i = 0; i < CAPACITY; i++) {
-      if (path.size() == 0) {
-        put(i, 0, Vec3.ZERO);
-        put(i, 1, Vec3.ZERO);
-        put(i, 2, Vec3.ZERO);
-      } else {
-        ring(i, Math.min(i, last), last);
+      List<Vec3> ring = path.size() == 0 ? nothing : path.ring(Math.min(i, last));
+      for (int side = 0; side < TrailPath.SIDES; side++) {
+        put(i * TrailPath.SIDES + side, ring.get(side));
       }
     }
     mesh.getPoints().set(0, points, 0, points.length);
   }
 
-  private void ring(int index, int at, int last) {
-    Vec3 point = path.point(at);
-    Vec3 way = path.point(Math.min(last, at + 1)).minus(path.point(Math.max(0, at - 1)));
-    Vec3 reference = Math.abs(way.z()) > 0.9 * way.norm() ? new Vec3(1, 0, 0) : Vec3.UP;
-    Vec3 side = way.cross(reference).normalized().times(HALF_WIDTH);
-    Vec3 up = side.cross(way).normalized().times(HALF_WIDTH);
-    put(index, 0, point.plus(up));
-    put(index, 1, point.plus(side).plusScaled(up, -0.5));
-    put(index, 2, point.minus(side).plusScaled(up, -0.5));
-  }
-
-  private void put(int index, int side, Vec3 point) {
-    int offset = (index * SIDES + side) * 3;
-    points[offset] = (float) point.x();
-    points[offset + 1] = (float) point.y();
-    points[offset + 2] = (float) point.z();
+  private void put(int index, Vec3 point) {
+    points[3 * index] = (float) point.x();
+    points[3 * index + 1] = (float) point.y();
+    points[3 * index + 2] = (float) point.z();
   }
 }

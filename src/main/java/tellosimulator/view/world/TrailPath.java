@@ -16,6 +16,12 @@ final class TrailPath {
   /** How far a point that is left out may be off the path [m]. Decided: smaller than one sees. */
   private static final double STRAIGHT = 0.002;
 
+  /** Sides of the band that shows it. */
+  static final int SIDES = 3;
+
+  /** Half the thickness of that band [m]. Decided: one or two pixels across a room. */
+  private static final double HALF_WIDTH = 0.0045;
+
   private final int capacity;
   private final List<Vec3> points = new ArrayList<>();
 
@@ -57,6 +63,20 @@ final class TrailPath {
 
   Vec3 point(int index) {
     return points.get(index);
+  }
+
+  /** The corners of a band along the path, at one of its points. */
+  List<Vec3> ring(int index) {
+    Vec3 point = points.get(index);
+    Vec3 next = points.get(Math.min(points.size() - 1, index + 1));
+    Vec3 way = next.minus(points.get(Math.max(0, index - 1)));
+    Vec3 reference = Math.abs(way.z()) > 0.9 * way.norm() ? new Vec3(1, 0, 0) : Vec3.UP;
+    Vec3 side = way.cross(reference).normalized().times(HALF_WIDTH);
+    Vec3 up = side.cross(way).normalized().times(HALF_WIDTH);
+    return List.of(
+        point.plus(up),
+        point.plus(side).plusScaled(up, -0.5),
+        point.minus(side).plusScaled(up, -0.5));
   }
 
   /** Whether a point lies between two others, and the path goes on in its direction. */

@@ -100,6 +100,7 @@ public final class SceneFixture implements BeforeEachCallback, AfterEachCallback
   public void afterEach(ExtensionContext test) {
     onFxThread(
         () -> {
+          scene.rest();
           stage.close();
           return stage;
         });
@@ -189,6 +190,18 @@ public final class SceneFixture implements BeforeEachCallback, AfterEachCallback
     for (int i = 0; i < 20; i++) {
       pass(0.25);
     }
+    return picture();
+  }
+
+  /** What the window shows where there is no 3D, with all cameras at rest. */
+  Image drawnPicture() {
+    settledPicture();
+    waitUntil(
+        () -> {
+          nanos += 50_000_000;
+          pulse.beat(nanos);
+          return ((DrawnPicture) scene.picture()).settled();
+        });
     return picture();
   }
 

@@ -3,11 +3,9 @@ package tellosimulator.view.world;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
-import java.util.Locale;
 import javafx.event.Event;
 import javafx.event.EventType;
 import javafx.scene.control.Button;
-import javafx.scene.control.Label;
 import javafx.scene.input.MouseButton;
 import javafx.scene.input.MouseEvent;
 import javafx.scene.input.ScrollEvent;
@@ -27,17 +25,6 @@ class Simulator3DSceneFxTest {
     NONE,
     CTRL,
     SHIFT
-  }
-
-  @Test
-  void withoutThreeDimensionsOneSentenceSaysSoInTheChosenLanguage() {
-    Label sentence = (Label) fixture.scene().lookup("#no-3d");
-    assertThat(sentence.isVisible()).isTrue();
-    assertThat(sentence.getText()).contains("cannot draw in 3D");
-
-    fixture.change(() -> fixture.language().localeProperty().set(Locale.GERMAN));
-
-    assertThat(sentence.getText()).contains("nicht in 3D");
   }
 
   @Test

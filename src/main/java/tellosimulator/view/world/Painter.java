@@ -1,0 +1,170 @@
+package tellosimulator.view.world;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.OptionalInt;
+import java.util.concurrent.atomic.AtomicReference;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+import tellosimulator.scenery.Placed;
+import tellosimulator.scenery.Scene;
+import tellosimulator.scenery.Stage;
+import tellosimulator.sim.SimSnapshot;
+import tellosimulator.time.Metronome;
+import tellosimulator.time.Threads;
+import tellosimulator.video.camera.ColorSpace;
+import tellosimulator.video.camera.Lens;
+import tellosimulator.video.camera.Props;
+import tellosimulator.video.camera.Raster;
+import tellosimulator.video.camera.SoftwareCamera;
+import tellosimulator.video.camera.Viewpoint;
+
+/**
+ * Draws views of the world with the software camera, one after the other, on a thread of its own.
+ * Nobody ever waits for it. It is asked by one thread.
+ */
+final class Painter implements AutoCloseable {
+
+  private static final Logger LOG = LoggerFactory.getLogger(Painter.class);
+
+  /**
+   * What is to be drawn.
+   *
+   * @param without a drone that is not to be seen, because its camera looks
+   * @param aids what there is beside the world itself
+   */
+  record View(SimSnapshot snapshot, OptionalInt without, Viewpoint viewpoint, List<Placed> aids) {}
+
+  /** What was drawn. */
+  static final class Painted {
+
+    private final Lens lens;
+    private final int[] argb;
+
+    private Painted(Lens lens, int[] argb) {
+      this.lens = lens;
+      this.argb = argb;
+    }
+
+    /** Pixels. */
+    int width() {
+      return lens.width();
+    }
+
+    /** Pixels. */
+    int height() {
+      return lens.height();
+    }
+
+    /** Row by row, 8 bits each for alpha, red, green and blue; itself, not a copy. */
+    int[] argb() {
+      return argb;
+    }
+  }
+
+  /** All that decides what a picture looks like. */
+  private record Sight(Scene scene, Viewpoint viewpoint) {}
+
+  private final Stage stage;
+  private final SoftwareCamera camera = new SoftwareCamera(new Props(ColorSpace.RGB));
+  private final Metronome metronome = new Metronome();
+  private final AtomicReference<Optional<View>> wanted = new AtomicReference<>(Optional.empty());
+  private final AtomicReference<Optional<Painted>> painted =
+      new AtomicReference<>(Optional.empty());
+  private volatile boolean busy;
+  private volatile boolean settled;
+  private volatile boolean closed;
+  private Optional<Sight> last = Optional.empty();
+  private Raster raster = new Raster(0, 0);
+  private int[] argb = new int[0];
+
+  Painter(Stage stage) {
+    this.stage = stage;
+    Threads.start("window-painter", this::run);
+  }
+
+  /** Whether it draws, or has drawn what nobody has taken yet. */
+  boolean busy() {
+    return busy;
+  }
+
+  /** Whether the view that was asked for last looks as the one before, and was not drawn. */
+  boolean settled() {
+    return settled;
+  }
+
+  /** Draws a view, unless it would look as the one before. Not while it is busy. */
+  void paint(View view) {
+    settled = false;
+    busy = true;
+    wanted.set(Optional.of(view));
+    metronome.wake();
+  }
+
+  /** What was drawn, if there is something new; valid until the next view is drawn. */
+  Optional<Painted> take() {
+    Optional<Painted> taken = painted.getAndSet(Optional.empty());
+    if (taken.isPresent()) {
+      busy = false;
+    }
+    return taken;
+  }
+
+  private void run() {
+    while (!closed) {
+      wanted.getAndSet(Optional.empty()).ifPresentOrElse(this::attempt, metronome::rest);
+    }
+  }
+
+  private void attempt(View view) {
+    Optional<Painted> now = Optional.empty();
+    try {
+      now = drawn(view);
+    } catch (RuntimeException e) {
+      LOG.error("The room could not be drawn; please report this: {}", e.toString(), e);
+      Threads.backOff();
+    }
+    if (now.isPresent()) {
+      painted.set(now); // from here on, who takes it says when this is no longer busy
+    } else {
+      busy = false;
+    }
+  }
+
+  private Optional<Painted> drawn(View view) {
+    Sight sight = new Sight(scene(view), view.viewpoint());
+    if (last.filter(sight::equals).isPresent()) {
+      settled = true;
+      return Optional.empty();
+    }
+    Lens lens = view.viewpoint().lens();
+    if (raster.width() != lens.width() || raster.height() != lens.height()) {
+      raster = new Raster(lens.width(), lens.height());
+      argb = new int[lens.width() * lens.height()];
+    }
+    camera.draw(sight.scene(), sight.viewpoint(), raster);
+    raster.copyTo(argb);
+    last = Optional.of(sight);
+    return Optional.of(new Painted(lens, argb));
+  }
+
+  private Scene scene(View view) {
+    List<Placed> parts = new ArrayList<>();
+    SimSnapshot snapshot = view.snapshot();
+    Scene world =
+        view.without().isPresent()
+            ? stage.scene(snapshot, view.without().getAsInt())
+            : stage.scene(snapshot);
+    parts.addAll(world.parts());
+    parts.addAll(view.aids());
+    return new Scene(parts);
+  }
+
+  /** Ends the thread after what it draws just now. */
+  @Override
+  public void close() {
+    closed = true;
+    metronome.wake();
+  }
+}
