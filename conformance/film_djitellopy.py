@@ -24,9 +24,8 @@ MARKER_AT = (250, -20, 80)
 RED_AT = (250, 40, 80)
 
 PIXELS_OFF = 2
-LATE = 10  # so many pictures are on their way when a command is answered
 LEAST_LEAN = 2
-LEAST_PICTURES_IN_5_S = 100  # 150 on a machine that has nothing else to do
+LEAST_PICTURES_IN_5_S = 75  # 150 on a machine that has nothing else to do
 LONGEST_OPENING_S = 5
 
 steps = Steps()
@@ -45,9 +44,23 @@ def fly(command, call, *arguments):
     return steps.report(command, "ok", want="ok")
 
 
+def markers(picture):
+    return [marker for marker in sight.read_markers(picture) if marker.number == NUMBER]
+
+
+def off(picture, pose):
+    """How far the marker is from where geometry says it must be [pixels]."""
+    wanted = sight.seen_at(pose, MARKER_AT)
+    return min((math.dist(m.middle, wanted) for m in markers(picture)), default=math.inf)
+
+
+def in_place(pose):
+    return lambda picture: off(picture, pose) <= PIXELS_OFF
+
+
 def marker_in(picture, pose):
     """Reads the marker, which must be where geometry says; returns where it is."""
-    found = [marker for marker in sight.read_markers(picture) if marker.number == NUMBER]
+    found = markers(picture)
     distance = math.dist((pose.x, pose.y, pose.z), MARKER_AT)
     steps.report(f"markers at {distance:.0f} cm", [marker.number for marker in found], [NUMBER])
     seen = found[0].middle if found else (math.nan, math.nan)
@@ -60,7 +73,7 @@ def marker_in(picture, pose):
 def first_picture(drone, asked):
     watcher = Watcher(drone.get_frame_read())
     opened = time.monotonic() - asked
-    picture = watcher.after(1)
+    picture = watcher.first()
     seconds = time.monotonic() - asked
     steps.report("get_frame_read() [s]", f"{opened:.2f}", near=(0, LONGEST_OPENING_S))
     steps.report("first picture [s]", f"{seconds:.2f}", near=(0, LONGEST_OPENING_S + 1))
@@ -80,9 +93,8 @@ def lean(drone, watcher):
     While it leans to the right, what it sees leans to the left.
     """
     with watcher.keeping() as pictures:
-        fly("right 40", drone.move_right, 40)
-        watcher.after(LATE)
-    leans = [m.lean for p in pictures for m in sight.read_markers(p) if m.number == NUMBER]
+        watcher.until(in_place(fly("right 40", drone.move_right, 40)))
+    leans = [marker.lean for picture in pictures for marker in markers(picture)]
     steps.report("leans to the left [degrees]", f"{-min(leans, default=0):.1f}", least=LEAST_LEAN)
     steps.report("leans to the right [degrees]", f"{max(leans, default=0):.1f}", least=LEAST_LEAN)
     fly("left 40", drone.move_left, 40)
@@ -91,7 +103,7 @@ def lean(drone, watcher):
 def turn(drone, watcher, before):
     """To the right, which moves the marker to the left."""
     pose = fly("cw 10", drone.rotate_clockwise, 10)
-    after = marker_in(watcher.after(LATE), pose)
+    after = marker_in(watcher.until(in_place(pose)), pose)
     steps.report("turn moved it left [pixels]", f"{before[0] - after[0]:.1f}", least=100)
     return pose
 
@@ -118,7 +130,7 @@ def main():
     with av.logging.Capture(local=False) as warnings:
         fly("takeoff", drone.takeoff)
         pose = fly("up 70", drone.move_up, 70)
-        picture = watcher.after(LATE)
+        picture = watcher.until(in_place(pose))
         colours(picture, pose)
         before = marker_in(picture, pose)
         lean(drone, watcher)

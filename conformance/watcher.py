@@ -14,7 +14,7 @@ class Watcher(threading.Thread):
     def __init__(self, reader):
         super().__init__(daemon=True)
         self._reader = reader
-        self.newest = reader.frame
+        self._blank = self.newest = reader.frame
         self._kept, self._keeps = [], False
         self.times = []
         self.start()
@@ -35,11 +35,23 @@ class Watcher(threading.Thread):
         self._reader.stop()
         self._reader.worker.join()
 
-    def after(self, pictures):
-        """The newest picture when some more have come; an older one if they do not come."""
-        goal, patience = len(self.times) + pictures, time.monotonic() + PATIENCE_S
-        while len(self.times) < goal and time.monotonic() < patience:
-            time.sleep(0.01)
+    def first(self):
+        """The first picture; what djitellopy shows before it, if none comes."""
+        return self.until(lambda picture: picture is not self._blank)
+
+    def until(self, good):
+        """The first picture from now on that is good; the newest one if none is in time.
+
+        A client on a busy machine shows what was a while ago.
+        """
+        patience, seen = time.monotonic() + PATIENCE_S, None
+        while time.monotonic() < patience:
+            picture = self.newest
+            if picture is seen:
+                time.sleep(0.005)
+            elif good(picture):
+                return picture
+            seen = picture
         return self.newest
 
     @contextlib.contextmanager
