@@ -80,12 +80,20 @@ public final class WarmUp implements AutoCloseable {
     VideoFormat format = VideoFormat.of(VideoSettings.DEFAULT);
     try {
       for (int i = 0; i < PICTURES && !unneeded; i++) {
-        film.shoot(turned(snapshots.get(), i * TURN), format);
+        SimSnapshot snapshot = snapshots.get();
+        if (filming(snapshot)) {
+          return; // in earnest, and who waits for it shall have the processor
+        }
+        film.shoot(turned(snapshot, i * TURN), format);
         film.encode(i % 4 == 0);
       }
     } catch (RuntimeException e) {
       LOG.error("The first pictures could not be made; please report this: {}", e.toString(), e);
     }
+  }
+
+  private static boolean filming(SimSnapshot snapshot) {
+    return snapshot.drones().stream().anyMatch(drone -> drone.state().video().on());
   }
 
   private static SimSnapshot defaultSnapshot() {

@@ -75,14 +75,14 @@ final class Parquet {
 
   private static double fromLine(int pixel, double cell) {
     double cells = (pixel + 0.5) / cell;
-    return Math.abs(cells - Math.floor(cells) - 0.5) * cell;
+    return Math.abs(cells - (int) cells - 0.5) * cell;
   }
 
   private int wood(int x, int y) {
     double across = (x + 0.5) * STRIPS / SIZE;
     int strip = (int) across;
     double along = (y + 0.5) * PIECES / SIZE + strip * 0.381;
-    int piece = strip * PIECES + (int) Math.floor(along) % PIECES;
+    int piece = strip * PIECES + (int) along % PIECES;
     double fromSide = fromWhole(across) * SIZE / STRIPS;
     double fromEnd = fromWhole(along) * SIZE / PIECES;
     double worn = grain.at(x + 53 * piece, y + 117 * piece);
@@ -91,6 +91,6 @@ final class Parquet {
   }
 
   private static double fromWhole(double number) {
-    return Math.abs(number - Math.rint(number));
+    return Math.abs(number - (int) (number + 0.5));
   }
 }

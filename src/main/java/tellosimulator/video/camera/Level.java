@@ -33,11 +33,12 @@ final class Level {
    */
   static Level of(Texture texture, ColorSpace space, boolean masked) {
     Level level = new Level(texture.width(), texture.height());
+    int[] argb = texture.argbArray();
     for (int y = 0; y < level.height; y++) {
-      for (int x = 0; x < level.width; x++) {
-        int argb = texture.argb(x, y);
-        long opaque = Lanes.of(space.of(argb | 0xff000000));
-        level.texels[level.index(x, y)] = masked ? faded(opaque, argb >>> 24) : opaque;
+      int to = level.index(0, y);
+      for (int i = y * level.width; i < (y + 1) * level.width; i++, to++) {
+        long opaque = Lanes.of(space.of(argb[i] | 0xff000000));
+        level.texels[to] = masked ? faded(opaque, argb[i] >>> 24) : opaque;
       }
     }
     level.closeEdges();
