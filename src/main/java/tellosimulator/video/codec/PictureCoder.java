@@ -3,8 +3,17 @@ package tellosimulator.video.codec;
 /** Decides how each macroblock is told, codes it, and so makes the picture that decoders see. */
 final class PictureCoder {
 
-  /** Differences below are not worth looking for a prediction from the same picture. */
-  private static final int GOOD = 4 * 256;
+  /**
+   * Differences below are not worth looking for a prediction from the same picture. Measured: 4 a
+   * pixel instead of 10 takes 4 % longer for 0.1 dB.
+   */
+  private static final int GOOD = 10 * 256;
+
+  /**
+   * Half of what may be left of 16 blocks without any level: below it, nothing better than the
+   * expected vector is looked for. Measured: 0.03 dB for 4 % of the time.
+   */
+  private static final int QUIET_BLOCKS = 8;
 
   /** What it takes to say that a macroblock is predicted from the same picture, about. */
   private static final int INTRA_BITS = 8;
@@ -70,10 +79,13 @@ final class PictureCoder {
   private Samples any() {
     field.expect(macroblock.column, macroblock.row);
     search.begin(reference, macroblock);
-    if (search.trySkip() && residuals.quiet(search.found(), macroblock.quality)) {
+    boolean tried = search.trySkip();
+    if (tried && residuals.quiet(search.found(), macroblock.quality)) {
       return skip();
     }
-    search.search();
+    if (!tried || search.difference >= QUIET_BLOCKS * macroblock.quality.quietLuma()) {
+      search.search();
+    }
     if (search.difference > GOOD
         && intra.luma(coded, macroblock, prediction) + INTRA_BITS * macroblock.quality.lambda()
             < search.cost) {

@@ -167,7 +167,7 @@ class H264EncoderTest {
       size = encoder.encode(picture, false).size();
     }
 
-    assertThat(size).isLessThan(keySize / 100);
+    assertThat(size).isLessThan(keySize / 25);
   }
 
   @ParameterizedTest
