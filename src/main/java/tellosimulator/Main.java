@@ -53,7 +53,7 @@ public final class Main {
     Main main = new Main(out, err);
     try (WarmUp warmUp = main.warmUp) {
       if (List.of(args).contains(Options.HEADLESS)) {
-        warmUp.begin(); // reading the options leaves a processor idle
+        warmUp.beginEarly(); // reading the options leaves a processor idle
       }
       return main.run(args);
     }
@@ -129,9 +129,9 @@ public final class Main {
             options.addressPlan(),
             options.replyPort(),
             cameras.withOptics(options.optics()))) {
-      warmUp.film(simulator::snapshot);
-      warmUp.begin();
       Runtime.getRuntime().addShutdownHook(new Thread(simulator::close, "shutdown"));
+      simulator.sayReady(out);
+      warmUp.begin(simulator::snapshot);
       Charset charset = Charset.defaultCharset();
       simulator.run(new BufferedReader(new InputStreamReader(System.in, charset)), out);
       return 0;

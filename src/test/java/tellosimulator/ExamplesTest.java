@@ -306,9 +306,10 @@ class ExamplesTest {
       return Place.FORM.matcher(type("state\n")).results().map(Place::of).toList();
     }
 
-    /** What the simulator prints when it starts, and then to what is typed. */
+    /** What the simulator prints when it is ready, and then to what is typed. */
     private String type(String lines) throws IOException, InterruptedException {
       ByteArrayOutputStream printed = new ByteArrayOutputStream();
+      simulator.sayReady(new PrintStream(printed, true, StandardCharsets.UTF_8));
       simulator.run(
           new BufferedReader(new StringReader(lines + "quit\n")),
           new PrintStream(printed, true, StandardCharsets.UTF_8));

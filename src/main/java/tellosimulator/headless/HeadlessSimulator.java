@@ -41,14 +41,15 @@ public final class HeadlessSimulator implements AutoCloseable {
     }
   }
 
-  /**
-   * Says that it is ready and takes what is typed; returns after {@code quit}, and never if the
-   * input ends without it.
-   */
-  public void run(BufferedReader in, PrintStream out) throws IOException, InterruptedException {
+  /** Says that it is ready, and where the drones are. */
+  public void sayReady(PrintStream out) {
     shrinkHeap();
     out.println(simulation.ready());
     out.flush();
+  }
+
+  /** Takes what is typed; returns after {@code quit}, and never if the input ends without it. */
+  public void run(BufferedReader in, PrintStream out) throws IOException, InterruptedException {
     if (!new Console(simulation::snapshot, simulation::carryOut, in, out).run()) {
       new CountDownLatch(1).await();
     }

@@ -30,8 +30,6 @@ import tellosimulator.world.Room;
  */
 public final class Simulation {
 
-  private static final Logger LOG = LoggerFactory.getLogger(Simulation.class);
-
   /** Commands that may wait; what comes on top is lost, as in a full socket buffer. */
   private static final int INBOX_CAPACITY = 4096;
 
@@ -212,7 +210,7 @@ public final class Simulation {
     try {
       work.run();
     } catch (RuntimeException e) {
-      LOG.error("{}; please report this: {}", failure, e.toString(), e);
+      log().error("{}; please report this: {}", failure, e.toString(), e);
     }
   }
 
@@ -251,5 +249,10 @@ public final class Simulation {
       throw new IllegalArgumentException(
           "there is no drone " + drone + ", the drones are 1 to " + most);
     }
+  }
+
+  /** Not a constant: logging takes long to start, and the first picture does not wait for it. */
+  private static Logger log() {
+    return LoggerFactory.getLogger(Simulation.class);
   }
 }

@@ -1,18 +1,22 @@
 package tellosimulator.video;
 
 import java.util.List;
+import java.util.Optional;
 import java.util.function.Supplier;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
+import tellosimulator.command.Link;
 import tellosimulator.math.Attitude;
 import tellosimulator.math.Pose;
 import tellosimulator.math.Vec3;
+import tellosimulator.model.DroneModel;
 import tellosimulator.model.Motion;
 import tellosimulator.model.VideoSettings;
 import tellosimulator.sim.SimConfig;
 import tellosimulator.sim.SimSnapshot;
+import tellosimulator.sim.SimSnapshot.Clock;
 import tellosimulator.sim.SimSnapshot.DroneSnapshot;
-import tellosimulator.sim.Simulation;
+import tellosimulator.time.SimTime;
 import tellosimulator.time.Threads;
 import tellosimulator.video.camera.FrameSource;
 import tellosimulator.video.codec.Encoders;
@@ -24,10 +28,14 @@ import tellosimulator.video.codec.Encoders;
  */
 public final class WarmUp implements AutoCloseable {
 
-  private static final Logger LOG = LoggerFactory.getLogger(WarmUp.class);
-
   /** How many pictures. Measured: after these a picture takes hardly longer than after many. */
   private static final int PICTURES = 60;
+
+  /**
+   * How many pictures before there is a simulation. Measured: one paints the room and loads all
+   * code; more of them only keep the program from starting where there are two processors.
+   */
+  private static final int EARLY_PICTURES = 1;
 
   /**
    * How far the camera turns from picture to picture [rad]. Decided: as a drone at 60 degrees/s.
@@ -36,37 +44,30 @@ public final class WarmUp implements AutoCloseable {
 
   private final Supplier<FrameSource> sources;
   private final Encoders encoders;
-  private volatile Supplier<SimSnapshot> snapshots = WarmUp::defaultSnapshot;
   private volatile boolean unneeded;
-  private boolean begun;
 
   /**
-   * Does nothing before {@link #begin}.
+   * Does nothing yet.
    *
-   * @param sources of which it takes one
+   * @param sources of which it takes one for each of its threads
    */
   public WarmUp(Supplier<FrameSource> sources, Encoders encoders) {
     this.sources = sources;
     this.encoders = encoders;
   }
 
-  /**
-   * Begins, unless it has. Films the first drone of the default simulation until it has another.
-   */
-  public synchronized void begin() {
-    if (!begun) {
-      begun = true;
-      Threads.start("video-warm-up", this::run);
-    }
+  /** Films a few pictures of the default room, for which no simulation has to be there yet. */
+  public void beginEarly() {
+    start(WarmUp::beforeTheStart, EARLY_PICTURES);
   }
 
   /**
-   * From now on films the first drone of this simulation.
+   * Films the first drone of a simulation.
    *
-   * @param newSnapshots the newest one
+   * @param snapshots the newest one
    */
-  public void film(Supplier<SimSnapshot> newSnapshots) {
-    snapshots = newSnapshots;
+  public void begin(Supplier<SimSnapshot> snapshots) {
+    start(snapshots, PICTURES);
   }
 
   /** Ends it early. */
@@ -75,11 +76,15 @@ public final class WarmUp implements AutoCloseable {
     unneeded = true;
   }
 
-  private void run() {
+  private void start(Supplier<SimSnapshot> snapshots, int pictures) {
+    Threads.start("video-warm-up", () -> film(snapshots, pictures));
+  }
+
+  private void film(Supplier<SimSnapshot> snapshots, int pictures) {
     Film film = new Film(1, sources.get(), encoders);
     VideoFormat format = VideoFormat.of(VideoSettings.DEFAULT);
     try {
-      for (int i = 0; i < PICTURES && !unneeded; i++) {
+      for (int i = 0; i < pictures && !unneeded; i++) {
         SimSnapshot snapshot = snapshots.get();
         if (filming(snapshot)) {
           return; // in earnest, and who waits for it shall have the processor
@@ -88,7 +93,7 @@ public final class WarmUp implements AutoCloseable {
         film.encode(i % 4 == 0);
       }
     } catch (RuntimeException e) {
-      LOG.error("The first pictures could not be made; please report this: {}", e.toString(), e);
+      log().error("The first pictures could not be made; please report this: {}", e.toString(), e);
     }
   }
 
@@ -96,9 +101,26 @@ public final class WarmUp implements AutoCloseable {
     return snapshot.drones().stream().anyMatch(drone -> drone.state().video().on());
   }
 
-  private static SimSnapshot defaultSnapshot() {
-    return new Simulation(SimConfig.DEFAULT, drone -> (peer, text) -> {}, report -> {}, List.of())
-        .snapshot();
+  /**
+   * A drone before the start of the default simulation, which itself would take longer to make than
+   * it takes to paint the room.
+   */
+  private static SimSnapshot beforeTheStart() {
+    SimConfig config = SimConfig.DEFAULT;
+    Pose start = config.starts().get(0);
+    DroneSnapshot drone =
+        new DroneSnapshot(
+            new DroneModel(1, start).snapshot(SimTime.ZERO),
+            new Link(
+                Optional.empty(), config.outlets(1).statePort(), config.outlets(1).videoPort()),
+            config.product(),
+            start);
+    return new SimSnapshot(
+        SimTime.ZERO,
+        new Clock(config.timeFactor(), false),
+        config.room(),
+        config.decor(),
+        List.of(drone));
   }
 
   /** The same with the first drone turned, and in the air. */
@@ -107,5 +129,10 @@ public final class WarmUp implements AutoCloseable {
     Vec3 above = drone.start().position().withZ(1);
     Motion motion = Motion.restingAt(new Pose(above, Attitude.ofHeading(angle)));
     return snapshot.withDrones(List.of(drone.withState(drone.state().withMotion(motion))));
+  }
+
+  /** Not a constant: logging takes long to start, and the first picture does not wait for it. */
+  private static Logger log() {
+    return LoggerFactory.getLogger(WarmUp.class);
   }
 }

@@ -23,8 +23,6 @@ import tellosimulator.world.Room;
  */
 final class Gallery {
 
-  private static final Logger LOG = LoggerFactory.getLogger(Gallery.class);
-
   private static final int BLANK_SIZE = 256;
 
   private final Map<String, Picture> pictures = new HashMap<>();
@@ -69,9 +67,14 @@ final class Gallery {
     try {
       return PictureFile.read(file);
     } catch (IOException e) {
-      LOG.warn("A poster stays blank: {}.", e.getMessage());
+      log().warn("A poster stays blank: {}.", e.getMessage());
       int grey = Rgb.of(0x9a9a9a).argb();
       return new Picture(Tile.painted(BLANK_SIZE, () -> (x, y) -> grey), 1);
     }
+  }
+
+  /** Not a constant: logging takes long to start, and the first picture does not wait for it. */
+  private static Logger log() {
+    return LoggerFactory.getLogger(Gallery.class);
   }
 }

@@ -43,7 +43,6 @@ public final class WindowVideo implements AutoCloseable {
         new VideoStreams(
             snapshots, () -> new SceneSnapshotSource(desk, cameras.get()), H264Encoder::new);
     warmUp = new WarmUp(cameras, H264Encoder::new);
-    warmUp.film(snapshots);
     keepers =
         snapshots.get().drones().stream()
             .map(drone -> keeper(drone.state().drone(), album))
@@ -119,7 +118,7 @@ public final class WindowVideo implements AutoCloseable {
    * photographs cost.
    */
   public void warmUp() {
-    warmUp.begin();
+    warmUp.begin(snapshots);
     if (photographer.isPresent()) {
       desk.open();
     }
