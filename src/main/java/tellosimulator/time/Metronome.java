@@ -3,8 +3,8 @@ package tellosimulator.time;
 import java.util.concurrent.locks.LockSupport;
 
 /**
- * Lets a thread work at a steady pace by the wall clock. A tick that is missed is left out and
- * never made up for.
+ * Lets a thread work at a steady pace by the wall clock. A tick that is missed by a whole period is
+ * left out and never made up for.
  *
  * <p>For one thread, but for {@link #wake} and {@link #nanos}, which are for any.
  */
@@ -32,7 +32,8 @@ public final class Metronome {
    */
   public boolean awaitTick(long period) {
     own();
-    due = Math.max(due, System.nanoTime() - period);
+    long now = System.nanoTime();
+    due = due < now - period ? now : due;
     while (!woken) {
       long wait = due - System.nanoTime();
       if (wait <= 0) {

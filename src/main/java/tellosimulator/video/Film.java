@@ -15,11 +15,18 @@ import tellosimulator.video.picture.Picture;
  */
 final class Film {
 
+  /**
+   * From one picture with which decoding can begin to the next [ns]. Decided: who comes late or
+   * loses a packet waits no longer. The real drone's interval is not known.
+   */
+  private static final long KEY_PERIOD = 1_000_000_000;
+
   private final int drone;
   private final FrameSource source;
   private final Encoders encoders;
   private Optional<Reel> reel = Optional.empty();
-  private int sinceKey;
+  private boolean keyOwed;
+  private long keyNanos;
 
   /** What hangs on the size of the pictures. */
   private record Reel(VideoFormat format, Picture picture, VideoEncoder encoder) {}
@@ -46,13 +53,18 @@ final class Film {
    * Encodes the picture that was taken last; it is valid until the next call. Once a second
    * decoding can begin.
    *
+   * @param nanos when it was taken; only differences mean something
    * @param fromHere whether decoding shall be able to begin with this picture
    */
-  EncodedPicture encode(boolean fromHere) {
+  EncodedPicture encode(long nanos, boolean fromHere) {
     Reel current = reel.orElseThrow();
-    boolean key = fromHere || sinceKey + 1 >= current.format.framesPerSecond();
-    EncodedPicture encoded = current.encoder.encode(current.picture, key);
-    sinceKey = encoded.key() ? 0 : sinceKey + 1;
+    long nextKey = keyNanos + KEY_PERIOD - current.format.period() / 2;
+    EncodedPicture encoded =
+        current.encoder.encode(current.picture, fromHere || keyOwed || nanos >= nextKey);
+    if (encoded.key()) {
+      keyOwed = false;
+      keyNanos = nanos;
+    }
     return encoded;
   }
 
@@ -69,6 +81,6 @@ final class Film {
       reel = Optional.of(new Reel(format, picture, encoder));
     }
     reel.orElseThrow().encoder.setRate(format.framesPerSecond(), format.bitsPerSecond());
-    sinceKey = format.framesPerSecond(); // what comes may look different
+    keyOwed = true; // what comes may look different
   }
 }

@@ -24,8 +24,13 @@ final class VideoConnection implements AutoCloseable {
   /** Where the drone's video comes from. Measured: once, in SDK mode. */
   private static final int DRONES_PORT = 62512;
 
+  /** How long it is not tried again where there was no socket [ns]. Decided. */
+  private static final long RETRY = 1_000_000_000;
+
   private final Metronome metronome;
   private Optional<DatagramPort> port = Optional.empty();
+  private InetAddress refused;
+  private long retryNanos;
 
   /** Opens nothing yet. */
   VideoConnection(Metronome metronome) {
@@ -44,6 +49,9 @@ final class VideoConnection implements AutoCloseable {
     }
     Peer operator = link.operator().get();
     Optional<DatagramPort> from = port(operator.via().getAddress());
+    if (from.isEmpty()) {
+      return;
+    }
     InetSocketAddress to = new InetSocketAddress(operator.address().getAddress(), link.videoPort());
     long begun = metronome.nanos();
     for (int i = 0; i < packets.size(); i++) {
@@ -51,19 +59,30 @@ final class VideoConnection implements AutoCloseable {
         metronome.pauseUntil(begun + nanos * i / (packets.size() - 1));
       }
       byte[] packet = packets.get(i);
-      from.ifPresent(open -> open.send(packet, to));
+      from.get().send(packet, to);
     }
   }
 
   private Optional<DatagramPort> port(InetAddress address) {
     if (port.isEmpty() || !port.get().address().getAddress().equals(address)) {
       close();
+      if (address.equals(refused) && metronome.nanos() < retryNanos) {
+        return port;
+      }
       port = open(address, DRONES_PORT).or(() -> open(address, 0));
       if (port.isEmpty()) {
-        LOG.warn("There is no socket for video at {}, so no video is sent", address);
+        refuse(address);
       }
     }
     return port;
+  }
+
+  private void refuse(InetAddress address) {
+    if (!address.equals(refused)) {
+      LOG.warn("There is no socket for video at {}, so no video is sent", address);
+    }
+    refused = address;
+    retryNanos = metronome.nanos() + RETRY;
   }
 
   private static Optional<DatagramPort> open(InetAddress address, int port) {

@@ -32,6 +32,12 @@ public final class VideoStream implements AutoCloseable {
   /** Part of the free time until the next picture that may be used for it. Decided. */
   private static final double SPREAD_SHARE = 0.8;
 
+  /**
+   * Time from datagram to datagram where none is free [ns]. Decided: a machine that is busy with
+   * filming must not overrun the receiver on it.
+   */
+  private static final long LEAST_SPREAD = 100_000;
+
   /** From picture to picture while people look and nobody takes the stream [ns]. Decided. */
   private static final long PREVIEW_PERIOD = 100_000_000;
 
@@ -44,6 +50,7 @@ public final class VideoStream implements AutoCloseable {
   private final List<VideoWatcher> watchers = new CopyOnWriteArrayList<>();
   private final Thread thread;
   private volatile boolean closed;
+  private boolean failing;
   private Wish last = Wish.NOTHING;
 
   /**
@@ -88,8 +95,12 @@ public final class VideoStream implements AutoCloseable {
     while (!closed) {
       try {
         turn();
+        failing = false;
       } catch (RuntimeException e) {
-        LOG.error("A picture could not be made; please report this: {}", e.toString(), e);
+        if (!failing) {
+          LOG.error("A picture could not be made; please report this: {}", e.toString(), e);
+        }
+        failing = true;
         last = Wish.NOTHING;
         Threads.backOff();
       }
@@ -123,26 +134,33 @@ public final class VideoStream implements AutoCloseable {
     long filmed = metronome.nanos();
     Optional<EncodedPicture> encoded = Optional.empty();
     if (wish.encoded) {
-      encoded = Optional.of(film.encode(!wish.equals(last)));
+      encoded = Optional.of(film.encode(begun, !wish.equals(last)));
     }
     long done = metronome.nanos();
     last = wish;
     int bytes = encoded.map(EncodedPicture::size).orElse(0);
     VideoFigures figures =
         meter.count(new VideoMeter.Sample(begun, bytes, filmed - begun, done - filmed));
-    tell(new FilmedPicture(picture, encoded, figures, begun));
-    if (wish.sent) {
-      connection.send(Packets.of(encoded.orElseThrow()), wish.link, spread());
+    if (wish.sent) { // before anybody looks at it, who may take his time
+      List<byte[]> packets = Packets.of(encoded.orElseThrow());
+      connection.send(packets, wish.link, spread(packets.size()));
+    }
+    FilmedPicture filmedPicture = new FilmedPicture(picture, encoded, figures, begun);
+    watchers.forEach(watcher -> tell(watcher, filmedPicture));
+  }
+
+  private void tell(VideoWatcher watcher, FilmedPicture filmed) {
+    try {
+      watcher.filmed(filmed);
+    } catch (RuntimeException e) {
+      watchers.remove(watcher);
+      LOG.error("Who looks at the video failed; please report this: {}", e.toString(), e);
     }
   }
 
-  private void tell(FilmedPicture filmed) {
-    watchers.forEach(watcher -> watcher.filmed(filmed));
-  }
-
-  private long spread() {
-    long free = Math.max(0, metronome.due() - metronome.nanos());
-    return Math.min(SPREAD, Math.round(free * SPREAD_SHARE));
+  private long spread(int packets) {
+    long free = Math.round((metronome.due() - metronome.nanos()) * SPREAD_SHARE);
+    return Math.min(SPREAD, Math.max(free, packets * LEAST_SPREAD));
   }
 
   private Wish wish(DroneSnapshot now) {
@@ -158,11 +176,16 @@ public final class VideoStream implements AutoCloseable {
     return snapshot.drones().get(drone - 1);
   }
 
+  /** Ends the thread soon. */
+  void end() {
+    closed = true;
+    metronome.wake();
+  }
+
   /** Ends the thread and waits until it has ended. */
   @Override
   public void close() {
-    closed = true;
-    metronome.wake();
+    end();
     Threads.join(thread);
   }
 }

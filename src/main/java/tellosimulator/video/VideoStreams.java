@@ -61,6 +61,7 @@ public final class VideoStreams implements SimListener, AutoCloseable {
 
   @Override
   public void close() {
+    streams.forEach(VideoStream::end); // all of them, before it waits for one
     streams.forEach(VideoStream::close);
   }
 }

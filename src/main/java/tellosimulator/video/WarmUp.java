@@ -81,16 +81,16 @@ public final class WarmUp implements AutoCloseable {
   }
 
   private void film(Supplier<SimSnapshot> snapshots, int pictures) {
-    Film film = new Film(1, sources.get(), encoders);
-    VideoFormat format = VideoFormat.of(VideoSettings.DEFAULT);
     try {
+      Film film = new Film(1, sources.get(), encoders);
+      VideoFormat format = VideoFormat.of(VideoSettings.DEFAULT);
       for (int i = 0; i < pictures && !unneeded; i++) {
         SimSnapshot snapshot = snapshots.get();
         if (filming(snapshot)) {
           return; // in earnest, and who waits for it shall have the processor
         }
         film.shoot(turned(snapshot, i * TURN), format);
-        film.encode(i % 4 == 0);
+        film.encode(i * format.period(), i % 4 == 0);
       }
     } catch (RuntimeException e) {
       log().error("The first pictures could not be made; please report this: {}", e.toString(), e);

@@ -96,7 +96,7 @@ class DecodedFlightTest {
       Attitude leaning = new Attitude(Math.cos(bank / 2), Math.sin(bank / 2), 0, 0);
       Pose pose = new Pose(new Vec3(-1, 0, 1), Attitude.ofHeading(-i * TURN).after(leaning));
       seen.add(film.shoot(at(pose), FORMAT).y().clone());
-      EncodedPicture encoded = film.encode(false);
+      EncodedPicture encoded = film.encode(i * FORMAT.period(), false);
       packets.addAll(Packets.of(encoded));
     }
   }

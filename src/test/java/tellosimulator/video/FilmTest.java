@@ -16,6 +16,9 @@ import tellosimulator.video.picture.Picture;
 
 class FilmTest {
 
+  /** Of a second [ns]. */
+  private static final long FIFTH = 200_000_000;
+
   private final List<String> asked = new ArrayList<>();
   private final SimSnapshot snapshot =
       new Simulation(SimConfig.DEFAULT, drone -> (peer, text) -> {}, report -> {}, List.of())
@@ -49,7 +52,7 @@ class FilmTest {
     VideoFormat format = VideoFormat.of(VideoSettings.DEFAULT.withFramesPerSecond(5));
     for (int i = 0; i < 11; i++) {
       film.shoot(snapshot, format);
-      film.encode(false);
+      film.encode(i * FIFTH, false);
     }
 
     assertThat(asked)
@@ -70,11 +73,23 @@ class FilmTest {
   }
 
   @Test
+  void alsoWhereAMachineIsTooSlowForAllPicturesThereIsAKeyPictureEachSecond() {
+    VideoFormat format = VideoFormat.of(VideoSettings.DEFAULT);
+    for (int i = 0; i < 6; i++) {
+      film.shoot(snapshot, format);
+      film.encode(2 * FIFTH * i, false); // 0, 0.4, 0.8, 1.2, 1.6, 2 s
+    }
+
+    assertThat(asked.subList(2, asked.size()))
+        .containsExactly("key", "next", "next", "key", "next", "next");
+  }
+
+  @Test
   void aKeyPictureCanBeAskedForAtAnyTimeAndCounts() {
     VideoFormat format = VideoFormat.of(VideoSettings.DEFAULT.withFramesPerSecond(5));
     for (int i = 0; i < 8; i++) {
       film.shoot(snapshot, format);
-      film.encode(i == 2);
+      film.encode(i * FIFTH, i == 2);
     }
 
     assertThat(asked.subList(2, asked.size()))
@@ -84,11 +99,11 @@ class FilmTest {
   @Test
   void anotherBitRateKeepsTheEncoderAndAnotherSizeMakesANewOne() {
     film.shoot(snapshot, VideoFormat.of(VideoSettings.DEFAULT));
-    film.encode(false);
+    film.encode(0, false);
     film.shoot(snapshot, VideoFormat.of(VideoSettings.DEFAULT.withMegabits(4)));
-    film.encode(false);
+    film.encode(0, false);
     film.shoot(snapshot, VideoFormat.of(VideoSettings.DEFAULT.withMegabits(4).withLines(480)));
-    film.encode(false);
+    film.encode(0, false);
 
     assertThat(asked)
         .containsExactly(

@@ -6,6 +6,7 @@ import java.net.DatagramPacket;
 import java.net.DatagramSocket;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
+import java.net.SocketTimeoutException;
 import java.nio.ByteBuffer;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -72,6 +73,25 @@ final class VideoReceiver implements AutoCloseable {
       unit.writeBytes(packet);
     } while (packet.length == FULL);
     return unit.toByteArray();
+  }
+
+  /**
+   * Takes what is on its way, until for as long as ten pictures nothing comes.
+   *
+   * @return whether that happens; false if the stream goes on
+   */
+  boolean fallsSilent() throws IOException {
+    socket.setSoTimeout(333);
+    try {
+      for (int i = 0; i < 1000; i++) {
+        packet();
+      }
+      return false;
+    } catch (SocketTimeoutException e) {
+      return true;
+    } finally {
+      socket.setSoTimeout(PATIENCE_MS);
+    }
   }
 
   /** What kind of NAL unit it is. */

@@ -2,11 +2,15 @@ package tellosimulator.video.camera;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
+import static tellosimulator.video.camera.Sketches.RED;
 
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import tellosimulator.math.Attitude;
 import tellosimulator.math.Pose;
 import tellosimulator.math.Vec3;
+import tellosimulator.video.camera.Sketches.Sheet;
 
 class DroneOpticsTest {
 
@@ -22,6 +26,23 @@ class DroneOpticsTest {
     assertThat(Math.toDegrees(camera.attitude().heading())).isCloseTo(90, within(1e-9));
     // 3.5 cm ahead, which is along y
     assertThat(camera.position().distanceTo(new Vec3(1, 1.035, 1.0185))).isLessThan(1e-9);
+  }
+
+  @ParameterizedTest
+  @CsvSource({"55, 15", "55, 90", "55, -90", "150, 15", "150, 60", "10, 0"})
+  void theFloorOnWhichADroneStandsIsNotCutAway(double fieldOfViewDeg, double tiltDeg) {
+    DroneOptics optics = new DroneOptics(Math.toRadians(fieldOfViewDeg), Math.toRadians(tiltDeg));
+    Sheet floor = new Sheet(new Vec3(-50, 50, 0), new Vec3(0, -100, 0), new Vec3(100, 0, 0));
+
+    Screen seen =
+        Screen.of(
+            optics.ahead(Sketches.ORIGIN, 96, 72), Sketches.painted(Sketches.plain(RED), floor));
+
+    // As a camera that cuts nothing sees it.
+    Viewpoint viewpoint = optics.ahead(Sketches.ORIGIN, 96, 72);
+    Viewpoint all = new Viewpoint(viewpoint.pose(), viewpoint.lens(), 1e-4);
+    assertThat(seen.count(RED))
+        .isEqualTo(Screen.of(all, Sketches.painted(Sketches.plain(RED), floor)).count(RED));
   }
 
   @Test

@@ -1,0 +1,90 @@
+package tellosimulator.video;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.net.DatagramSocket;
+import java.net.InetAddress;
+import java.net.InetSocketAddress;
+import java.util.Collections;
+import java.util.List;
+import java.util.Optional;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import tellosimulator.command.Link;
+import tellosimulator.command.Peer;
+import tellosimulator.time.Metronome;
+
+class VideoConnectionTest {
+
+  /** An address of this machine that no other test's drone has. */
+  private static final String DRONE = "127.0.7.9";
+
+  private static final List<byte[]> TEN = Collections.nCopies(10, new byte[] {0, 0, 0, 1, 1});
+
+  private final Metronome metronome = new Metronome();
+  private final VideoConnection connection = new VideoConnection(metronome);
+  private VideoReceiver receiver;
+
+  @BeforeEach
+  void open() throws IOException {
+    receiver = VideoReceiver.open(0);
+  }
+
+  @AfterEach
+  void close() {
+    connection.close();
+    receiver.close();
+  }
+
+  private Link link(String drone) throws IOException {
+    InetAddress loopback = InetAddress.getLoopbackAddress();
+    Peer operator =
+        new Peer(
+            new InetSocketAddress(loopback, 5000),
+            new InetSocketAddress(InetAddress.getByName(drone), 8889));
+    return new Link(Optional.of(operator), 8890, receiver.port());
+  }
+
+  @Test
+  void aPictureIsSpreadOverItsTime() throws IOException {
+    long begun = metronome.nanos();
+    connection.send(TEN, link(DRONE), 20_000_000);
+
+    assertThat(metronome.nanos() - begun).isGreaterThanOrEqualTo(20_000_000);
+    for (int i = 0; i < TEN.size(); i++) {
+      assertThat(receiver.unit()).hasSize(5);
+    }
+  }
+
+  @Test
+  void itComesFromTheDronesAddressAndPort() throws IOException {
+    connection.send(TEN, link(DRONE), 0);
+    receiver.unit();
+
+    assertThat(receiver.sender().getAddress().getHostAddress()).isEqualTo(DRONE);
+    assertThat(receiver.sender().getPort()).isEqualTo(62512);
+  }
+
+  @Test
+  void whereThePortIsTakenItComesFromAnother() throws IOException {
+    String drone = "127.0.7.8";
+    try (DatagramSocket taken =
+        new DatagramSocket(new InetSocketAddress(InetAddress.getByName(drone), 62512))) {
+      connection.send(TEN, link(drone), 0);
+      receiver.unit();
+
+      assertThat(receiver.sender().getAddress().getHostAddress()).isEqualTo(drone);
+      assertThat(receiver.sender().getPort()).isNotEqualTo(taken.getLocalPort());
+    }
+  }
+
+  @Test
+  void anAddressThatIsNotOfThisMachineHarmsNothing() throws IOException {
+    connection.send(TEN, link("192.0.2.77"), 0);
+    connection.send(TEN, link(DRONE), 0);
+
+    assertThat(receiver.unit()).hasSize(5);
+  }
+}
