@@ -52,13 +52,16 @@ public record DroneOptics(double fieldOfView, double tilt) {
    */
   private static final Vec3 UNDERSIDE = new Vec3(0, 0, 0.008);
 
-  /**
-   * What is nearer is not in the picture [m]. Decided: nearer than the floor is to the lower edge
-   * of the picture while the drone stands, 1.85 cm / sin 36° = 3.1 cm.
-   */
-  public static final double NEAR = 0.02;
+  /** Decided: nearer than what a drone can touch with its nose, 2 cm. */
+  private static final double FARTHEST_NEAR = 0.02;
 
-  /** The same for the camera that looks down. Decided: nearer than the floor on which it stands. */
+  /** What is left to the floor. Decided. */
+  private static final double MARGIN = 0.9;
+
+  /**
+   * What is nearer to the camera that looks down is not in its picture [m]. Decided: nearer than
+   * the floor on which it stands.
+   */
   private static final double NEAR_BELOW = 0.004;
 
   /**
@@ -100,7 +103,22 @@ public record DroneOptics(double fieldOfView, double tilt) {
    * @param height of the picture in pixels
    */
   public Viewpoint ahead(Pose drone, int width, int height) {
-    return new Viewpoint(nose(drone), new Lens(width, height, fieldOfView), NEAR);
+    return new Viewpoint(nose(drone), new Lens(width, height, fieldOfView), near());
+  }
+
+  /**
+   * What is nearer to the camera in the nose, along its axis, is not in the picture [m]: nearer
+   * than the floor is at the lower edge of the picture while the drone stands, but not so far that
+   * it would cut things in front of the drone.
+   */
+  public double near() {
+    double halfHeight = Math.atan(Math.tan(fieldOfView / 2) * HEIGHT / WIDTH);
+    double down = tilt + halfHeight;
+    double floor =
+        down <= 0
+            ? FARTHEST_NEAR
+            : NOSE.z() * Math.cos(halfHeight) / Math.sin(Math.min(down, Math.PI / 2));
+    return Math.min(FARTHEST_NEAR, MARGIN * floor);
   }
 
   /**

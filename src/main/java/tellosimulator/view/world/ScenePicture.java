@@ -7,7 +7,6 @@ import javafx.scene.SceneAntialiasing;
 import javafx.scene.SubScene;
 import javafx.scene.transform.Affine;
 import tellosimulator.math.Pose;
-import tellosimulator.video.camera.DroneOptics;
 import tellosimulator.view.FxDroneModel;
 import tellosimulator.view.FxFrames;
 import tellosimulator.view.FxSimulation;
@@ -61,7 +60,7 @@ final class ScenePicture implements WorldPicture {
   private void equip(PerspectiveCamera fixed, Affine place) {
     fixed.setVerticalFieldOfView(false);
     fixed.setFieldOfView(Math.toDegrees(droneCamera.optics().fieldOfView()));
-    fixed.setNearClip(DroneOptics.NEAR);
+    fixed.setNearClip(droneCamera.optics().near());
     fixed.getTransforms().add(place);
   }
 
