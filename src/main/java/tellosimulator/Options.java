@@ -26,6 +26,7 @@ import tellosimulator.world.Walls;
 /** What can be chosen on the command line, and what follows from it. */
 @Command(
     name = "tello-simulator",
+    addMethodSubcommands = false, // looking for them takes a twelfth of the time to read options
     sortOptions = false,
     usageHelpAutoWidth = true,
     header = "Simulates Tello drones: programs fly them over UDP as they fly real ones.",

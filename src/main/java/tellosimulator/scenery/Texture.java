@@ -10,7 +10,7 @@ public final class Texture {
 
   private final int width;
   private final int height;
-  private final Supplier<int[]> painter;
+  private Supplier<int[]> painter;
   private volatile int[] argb;
 
   /**
@@ -20,7 +20,7 @@ public final class Texture {
    *     not multiplied with alpha
    */
   public Texture(int width, int height, int[] argb) {
-    this(width, height, () -> argb);
+    this(width, height, (Supplier<int[]>) null);
     check(argb);
     this.argb = argb.clone();
   }
@@ -69,6 +69,7 @@ public final class Texture {
       int[] made = painter.get();
       check(made);
       argb = made;
+      painter = null; // with all it needed for painting
     }
     return argb;
   }

@@ -22,9 +22,6 @@ record Quality(
     int quietLuma,
     int quietColour) {
 
-  /** Decided: below, a level could be longer than a code may be; nobody sees the difference. */
-  static final int FINEST = 10;
-
   /** Documented: H.264, 7.4.5. */
   static final int COARSEST = 51;
 

@@ -27,6 +27,9 @@ public final class SnapshotDesk {
    */
   private static final long REST = 60_000_000_000L;
 
+  /** After how long it is tried out at the latest [ns]. Decided: a stutter an hour is not seen. */
+  private static final long LONGEST_REST = 64 * REST;
+
   /** Pictures of a trial have this size [pixels]. Measured: that of a drone's pictures. */
   private static final int WIDTH = 960;
 
@@ -85,8 +88,15 @@ public final class SnapshotDesk {
       return true;
     }
     orders.remove(order);
-    giveUp("the window is busy");
+    disappointed();
     return false;
+  }
+
+  /** The streams of several drones may all wait in vain for the same window. */
+  private synchronized void disappointed() {
+    if (cheap) {
+      giveUp("the window is busy");
+    }
   }
 
   /** Whether pictures are cheap, as far as is known; sometimes that is tried out again. */
@@ -142,6 +152,6 @@ public final class SnapshotDesk {
     cheap = false;
     costs.forget();
     trialNanos = clock.getAsLong() + rest;
-    rest *= 2;
+    rest = Math.min(2 * rest, LONGEST_REST);
   }
 }

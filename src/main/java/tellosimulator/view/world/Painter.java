@@ -75,6 +75,7 @@ final class Painter implements AutoCloseable {
   private volatile boolean busy;
   private volatile boolean settled;
   private volatile boolean closed;
+  private boolean failing;
   private Optional<Sight> last = Optional.empty();
   private Raster raster = new Raster(0, 0);
   private int[] argb = new int[0];
@@ -121,8 +122,12 @@ final class Painter implements AutoCloseable {
     Optional<Painted> now = Optional.empty();
     try {
       now = drawn(view);
+      failing = false;
     } catch (RuntimeException e) {
-      LOG.error("The room could not be drawn; please report this: {}", e.toString(), e);
+      if (!failing) {
+        LOG.error("The room could not be drawn; please report this: {}", e.toString(), e);
+      }
+      failing = true;
       Threads.backOff();
     }
     if (now.isPresent()) {
