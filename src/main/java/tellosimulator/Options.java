@@ -2,22 +2,26 @@ package tellosimulator;
 
 import java.io.IOException;
 import java.net.InetAddress;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Objects;
 import java.util.OptionalInt;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
+import tellosimulator.math.Pose;
 import tellosimulator.network.AddressPlan;
 import tellosimulator.profile.Behaviour;
 import tellosimulator.profile.Profile;
 import tellosimulator.scenery.room.PictureFile;
+import tellosimulator.sim.DroneSetup;
 import tellosimulator.sim.SimConfig;
 import tellosimulator.sim.SimConfig.Outlets;
 import tellosimulator.sim.SimConfig.Product;
 import tellosimulator.sim.Swarm;
 import tellosimulator.time.TimeFactor;
 import tellosimulator.video.camera.DroneOptics;
+import tellosimulator.world.Arena;
 import tellosimulator.world.Decor;
 import tellosimulator.world.Poster;
 import tellosimulator.world.Room;
@@ -259,13 +263,21 @@ final class Options {
    */
   SimConfig simConfig() {
     return new SimConfig(
-        new Product(profile, behaviour),
-        room,
-        Decor.DEFAULT.withWalls(walls).withPosters(posters),
-        Swarm.row(droneCount(), start.inMetres(), room),
+        Arena.empty(room, Decor.DEFAULT.withWalls(walls).withPosters(posters)),
+        droneSetups(),
         timeFactor,
-        seed,
-        outlets());
+        seed);
+  }
+
+  private List<DroneSetup> droneSetups() {
+    List<Pose> starts = Swarm.row(droneCount(), start.inMetres(), room);
+    List<Outlets> outlets = outlets();
+    Product product = new Product(profile, behaviour);
+    List<DroneSetup> setups = new ArrayList<>();
+    for (int i = 0; i < starts.size(); i++) {
+      setups.add(DroneSetup.at(starts.get(i), product, outlets.get(i % outlets.size())));
+    }
+    return setups;
   }
 
   private List<Outlets> outlets() {

@@ -47,13 +47,14 @@ class OptionsTest {
                 + " --seed -7 --log-level debug");
 
     SimConfig config = options.simConfig();
-    assertThat(config.product()).isEqualTo(new Product(Profile.TT, Behaviour.MEASURED));
-    assertThat(config.room()).isEqualTo(new Room(6, 7.005, 2.5));
+    assertThat(config.drones().get(0).product())
+        .isEqualTo(new Product(Profile.TT, Behaviour.MEASURED));
+    assertThat(config.arena().room()).isEqualTo(new Room(6, 7.005, 2.5));
     assertThat(config.starts()).hasSize(1);
     assertThat(config.starts().get(0).position()).isEqualTo(new Vec3(1, -0.5, 0));
     assertThat(config.timeFactor()).isEqualTo(new TimeFactor(2.5));
     assertThat(config.seed()).isEqualTo(-7);
-    assertThat(config.outlets(1)).isEqualTo(new Outlets(9001, 9002));
+    assertThat(config.drones().get(0).outlets()).isEqualTo(new Outlets(9001, 9002));
     assertThat(options.replyPort()).isEqualTo(OptionalInt.of(8889));
     assertThat(options.logLevel()).isEqualTo("debug");
     assertThat(options.headless()).isTrue();
@@ -63,8 +64,8 @@ class OptionsTest {
   void eachDroneMaySendItsVideoToAPortOfItsOwn() {
     SimConfig config = options("--drones 2 --video-port 11111,11112").simConfig();
 
-    assertThat(config.outlets(1)).isEqualTo(new Outlets(8890, 11111));
-    assertThat(config.outlets(2)).isEqualTo(new Outlets(8890, 11112));
+    assertThat(config.drones().get(0).outlets()).isEqualTo(new Outlets(8890, 11111));
+    assertThat(config.drones().get(1).outlets()).isEqualTo(new Outlets(8890, 11112));
   }
 
   @Test
@@ -79,13 +80,14 @@ class OptionsTest {
   @ParameterizedTest
   @CsvSource({"edu, EDU", "tello, TELLO", "tt, TT"})
   void profilesAreChosenByName(String word, Profile profile) {
-    assertThat(options("--profile " + word).simConfig().product().profile()).isEqualTo(profile);
+    assertThat(options("--profile " + word).simConfig().drones().get(0).product().profile())
+        .isEqualTo(profile);
   }
 
   @ParameterizedTest
   @CsvSource({"report, REPORT", "measured, MEASURED"})
   void behavioursAreChosenByName(String word, Behaviour behaviour) {
-    assertThat(options("--behaviour " + word).simConfig().product().behaviour())
+    assertThat(options("--behaviour " + word).simConfig().drones().get(0).product().behaviour())
         .isEqualTo(behaviour);
   }
 
@@ -119,9 +121,10 @@ class OptionsTest {
 
   @Test
   void wallsAreTexturedOrPlain() {
-    assertThat(options("").simConfig().decor().walls()).isEqualTo(Walls.TEXTURED);
-    assertThat(options("--walls textured").simConfig().decor().walls()).isEqualTo(Walls.TEXTURED);
-    assertThat(options("--walls plain").simConfig().decor().walls()).isEqualTo(Walls.PLAIN);
+    assertThat(options("").simConfig().arena().decor().walls()).isEqualTo(Walls.TEXTURED);
+    assertThat(options("--walls textured").simConfig().arena().decor().walls())
+        .isEqualTo(Walls.TEXTURED);
+    assertThat(options("--walls plain").simConfig().arena().decor().walls()).isEqualTo(Walls.PLAIN);
   }
 
   @ParameterizedTest
@@ -135,7 +138,7 @@ class OptionsTest {
   })
   void postersHangOnAnySideOfTheRoom(String word, Surface surface) {
     List<Poster> posters =
-        options("--poster " + word + ",-50,120,29.7,a,b.png").simConfig().decor().posters();
+        options("--poster " + word + ",-50,120,29.7,a,b.png").simConfig().arena().decor().posters();
 
     assertThat(posters).containsExactly(new Poster(surface, -0.5, 1.2, 0.297, "a,b.png"));
   }
@@ -145,6 +148,7 @@ class OptionsTest {
     List<Poster> posters =
         options("--poster front,0,120,30,a.png --poster front,10,120,30,b.png")
             .simConfig()
+            .arena()
             .decor()
             .posters();
 

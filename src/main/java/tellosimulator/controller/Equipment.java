@@ -29,17 +29,17 @@ final class Equipment {
   void detectPads(Command.DetectPads command, Responder responder) {
     boolean both = profile.sdk() == Sdk.SDK_2_0;
     PadMode mode = both ? PadMode.BOTH : PadMode.DOWN;
-    model.setPads(command.on() ? mode : PadMode.OFF);
+    model.look(command.on() ? mode : PadMode.OFF);
     responder.reply(Reply.OK);
   }
 
   void setPadDirection(Command.SetPadDirection command, Responder responder) {
-    if (model.pads() == PadMode.OFF) {
+    if (model.perception().padMode() == PadMode.OFF) {
       responder.refuse(Reply.ERROR, Phrase.of("pad detection is off, send `mon` first"));
       return;
     }
     PadMode[] modes = {PadMode.DOWN, PadMode.FORWARD, PadMode.BOTH};
-    model.setPads(modes[command.direction()]);
+    model.look(modes[command.direction()]);
     responder.reply(Reply.OK);
   }
 

@@ -20,7 +20,6 @@ import tellosimulator.profile.Behaviour;
 import tellosimulator.time.SimTime;
 import tellosimulator.words.Phrase;
 import tellosimulator.world.Collision;
-import tellosimulator.world.Surface;
 
 /**
  * What one drone is doing in the air, from one maneuver to the next, and who waits for it: takeoff,
@@ -45,7 +44,7 @@ final class Flight {
   private SimTime now = SimTime.ZERO;
   private SimTime lastContact = SimTime.ZERO;
   private Task task = Task.NOBODY;
-  private Optional<Collision> touching = Optional.empty();
+  private final Contacts contacts;
   private boolean landingForSilence;
   private boolean landingForBattery;
   private boolean stands;
@@ -58,6 +57,7 @@ final class Flight {
     this.observer = observer;
     this.rc = new RcSteering(behaviour);
     this.autopilot = new Autopilot(behaviour, rc);
+    this.contacts = new Contacts(observer);
   }
 
   // --- what others ask ---
@@ -191,7 +191,7 @@ final class Flight {
     boolean powered = model.phase() != FlightPhase.OFF;
     motorsOff(powered ? FlightPhase.GROUNDED : FlightPhase.OFF, false);
     rc.centre();
-    touching = Optional.empty();
+    contacts.forget();
     lastContact = now;
   }
 
@@ -205,17 +205,17 @@ final class Flight {
     } else {
       rc.hold(now);
     }
-    autopilot.steer(model.motion(), onGround(), STEP);
-    touching = Optional.empty();
+    autopilot.steer(model.motion(), contacts.onGround(), STEP);
+    contacts.next(now);
   }
 
   /** Something stopped the drone. */
   void touch(Collision collision) {
-    touching = Optional.of(collision);
+    contacts.add(collision, flying());
     if (tooHard(collision)) {
       crash(collision);
     }
-    if (!flying() && collision.surface() == Surface.FLOOR) {
+    if (!flying() && collision.onGround()) {
       comeToRest();
     }
   }
@@ -228,12 +228,7 @@ final class Flight {
     }
     if (flying()) {
       autopilot.observe(
-          model.motion(),
-          touching
-              .filter(collision -> collision.surface() != Surface.FLOOR)
-              .map(Collision::normal)
-              .orElse(Vec3.ZERO),
-          STEP);
+          model.motion(), contacts.obstacle().map(Collision::normal).orElse(Vec3.ZERO), STEP);
       switch (autopilot.outcome()) {
         case ARRIVED -> arrived();
         case HELD -> gaveUp(Phrase.of("it was held by %s for a second", obstacle()));
@@ -277,12 +272,11 @@ final class Flight {
     return model.phase() == FlightPhase.LANDING;
   }
 
-  private boolean onGround() {
-    return touching.filter(collision -> collision.surface() == Surface.FLOOR).isPresent();
-  }
-
   private Phrase obstacle() {
-    return touching.map(collision -> collision.surface().phrase()).orElse(Phrase.of("something"));
+    return contacts
+        .obstacle()
+        .map(collision -> collision.touched().phrase())
+        .orElse(Phrase.of("something"));
   }
 
   private void arrived() {
@@ -307,14 +301,14 @@ final class Flight {
     if (model.phase() == FlightPhase.CRASHED) {
       return false;
     }
-    boolean falls = !flying() && collision.surface() == Surface.FLOOR;
+    boolean falls = !flying() && collision.onGround();
     return falls
-        ? !softFall && fallFrom > DroneSpec.HARMLESS_FALL
+        ? !softFall && fallFrom - collision.position().z() > DroneSpec.HARMLESS_FALL
         : collision.speed() > DroneSpec.CRASH_SPEED;
   }
 
   private void crash(Collision collision) {
-    Crashed crashed = new Crashed(collision.surface(), collision.speed(), collision.position());
+    Crashed crashed = new Crashed(collision.touched(), collision.speed(), collision.position());
     interrupt(Reply.MOTOR_STOP, Phrase.of("the drone %s", crashed.phrase()));
     boolean powered = model.phase() != FlightPhase.OFF;
     motorsOff(powered ? FlightPhase.CRASHED : FlightPhase.OFF, true);

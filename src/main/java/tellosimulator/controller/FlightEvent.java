@@ -2,7 +2,7 @@ package tellosimulator.controller;
 
 import tellosimulator.math.Vec3;
 import tellosimulator.words.Phrase;
-import tellosimulator.world.Surface;
+import tellosimulator.world.Touchable;
 
 /** Something that happened to a drone, other than a command or a reply. */
 public sealed interface FlightEvent {
@@ -66,16 +66,30 @@ public sealed interface FlightEvent {
   /**
    * It hit something too hard.
    *
-   * @param surface what it hit
+   * @param touched what it hit
    * @param speed how fast [m/s]
    * @param position where, room frame [m]
    */
-  record Crashed(Surface surface, double speed, Vec3 position) implements FlightEvent {
+  record Crashed(Touchable touched, double speed, Vec3 position) implements FlightEvent {
     @Override
     public Phrase phrase() {
       return Phrase.of(
           "crashed into %s at %.1f m/s; its motors stay off until reset or power cycle",
-          surface.phrase(), speed);
+          touched.phrase(), speed);
+    }
+  }
+
+  /**
+   * It touched something, and goes on flying.
+   *
+   * @param touched what it touched; not what it stands on
+   * @param speed how fast [m/s]
+   * @param position where, room frame [m]
+   */
+  record Touched(Touchable touched, double speed, Vec3 position) implements FlightEvent {
+    @Override
+    public Phrase phrase() {
+      return Phrase.of("touched %s at %.1f m/s", touched.phrase(), speed);
     }
   }
 

@@ -10,8 +10,6 @@ import tellosimulator.math.Frames;
 import tellosimulator.math.Vec3;
 import tellosimulator.model.DroneModel;
 import tellosimulator.model.DroneState;
-import tellosimulator.model.PadMode;
-import tellosimulator.model.PadReading;
 import tellosimulator.profile.Profile;
 import tellosimulator.profile.Sdk;
 import tellosimulator.sensor.Instruments;
@@ -51,7 +49,7 @@ public final class ReadReplies {
     line(Reading.BAROMETER, f -> format("%.6f", f.sensors().barometer()));
     line(Reading.ACCELERATION, f -> acceleration(f.sensors().acceleration()));
     line(Reading.TOF, f -> f.sensors().range().tofMm() + "mm");
-    line(Reading.PAD, f -> Integer.toString(pad(f.state().pads()).id()));
+    line(Reading.PAD, f -> Integer.toString(f.state().perception().reading().id()));
     table.put(Reading.ACTIVATION, f -> Reply.OK);
     line(Reading.HARDWARE, f -> profile.hardware());
     line(Reading.WIFI_VERSION, f -> "wifiv1.0.0.0");
@@ -68,11 +66,6 @@ public final class ReadReplies {
 
   private void line(Reading reading, Function<Facts, String> value) {
     table.put(reading, facts -> Reply.line(value.apply(facts)));
-  }
-
-  /** What is reported of mission pads in a mode, as long as none is seen. */
-  public static PadReading pad(PadMode mode) {
-    return mode == PadMode.OFF ? PadReading.OFF : PadReading.NONE;
   }
 
   private static String temperature(SensorReadings.Health health) {

@@ -1,5 +1,6 @@
 package tellosimulator.model;
 
+import java.util.List;
 import tellosimulator.math.Attitude;
 import tellosimulator.math.Pose;
 import tellosimulator.math.Vec3;
@@ -24,7 +25,7 @@ public final class DroneModel {
   private double temperature = Temperature.COLD;
   private double motorTime;
   private Reference reference;
-  private PadMode pads = PadMode.OFF;
+  private Perception perception = Perception.OFF;
   private VideoSettings video = VideoSettings.DEFAULT;
 
   /**
@@ -41,7 +42,7 @@ public final class DroneModel {
   /** An immutable copy of the present state. */
   public DroneState snapshot(SimTime now) {
     Energy energy = new Energy(battery, temperature, motorTime);
-    return new DroneState(drone, now, motion, phase, energy, reference, pads, video);
+    return new DroneState(drone, now, motion, phase, energy, reference, perception, video);
   }
 
   /** Power comes: SDK-independent state is as new, but for the battery and where it lies. */
@@ -50,7 +51,7 @@ public final class DroneModel {
     temperature = Temperature.COLD;
     motorTime = 0;
     reference = new Reference(now, motion.attitude().heading(), 0);
-    pads = PadMode.OFF;
+    look(PadMode.OFF);
     video = VideoSettings.DEFAULT;
   }
 
@@ -63,7 +64,7 @@ public final class DroneModel {
   public void reset() {
     motion = Motion.restingAt(start);
     resting = true;
-    pads = PadMode.OFF;
+    look(PadMode.OFF);
     if (phase != FlightPhase.OFF) {
       phase = FlightPhase.GROUNDED;
     }
@@ -123,8 +124,13 @@ public final class DroneModel {
     start = newStart;
   }
 
-  public void setPads(PadMode newPads) {
-    pads = newPads;
+  /** Looks for mission pads elsewhere; none is seen yet. */
+  public void look(PadMode newPads) {
+    perception = new Perception(newPads, List.of());
+  }
+
+  public void setPerception(Perception newPerception) {
+    perception = newPerception;
   }
 
   public void setVideo(VideoSettings newVideo) {
@@ -161,8 +167,8 @@ public final class DroneModel {
     return battery;
   }
 
-  public PadMode pads() {
-    return pads;
+  public Perception perception() {
+    return perception;
   }
 
   public VideoSettings video() {

@@ -11,7 +11,7 @@ import tellosimulator.time.SimTime;
  * @param phase what it is doing
  * @param energy battery, temperature, motor time
  * @param reference what its instruments count from
- * @param pads where it looks for mission pads
+ * @param perception of what is around it
  * @param video what was asked of the video
  */
 public record DroneState(
@@ -21,12 +21,12 @@ public record DroneState(
     FlightPhase phase,
     Energy energy,
     Reference reference,
-    PadMode pads,
+    Perception perception,
     VideoSettings video) {
 
   /** The same drone, moving otherwise. */
   public DroneState withMotion(Motion newMotion) {
-    return new DroneState(drone, time, newMotion, phase, energy, reference, pads, video);
+    return new DroneState(drone, time, newMotion, phase, energy, reference, perception, video);
   }
 
   /**

@@ -4,6 +4,7 @@ import tellosimulator.math.Vec3;
 import tellosimulator.sim.SimConfig.Outlets;
 import tellosimulator.sim.SimConfig.Product;
 import tellosimulator.time.TimeFactor;
+import tellosimulator.world.Arena;
 import tellosimulator.world.Decor;
 import tellosimulator.world.Room;
 
@@ -54,6 +55,12 @@ public sealed interface Control {
 
   /** Another room; drones and starts that would be outside move in. */
   record SetRoom(Room room) implements Control {}
+
+  /**
+   * Other obstacles, mission pads and wind, and with them other looks and another room. Drones and
+   * starts that would be outside the room, or in something, move out of it.
+   */
+  record Furnish(Arena arena) implements Control {}
 
   /** Other looks of the room. */
   record Decorate(Decor decor) implements Control {}

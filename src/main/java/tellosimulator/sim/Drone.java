@@ -57,7 +57,8 @@ final class Drone {
           Battery.TOO_LOW_FOR_TAKEOFF,
           Battery.LANDS_BY_ITSELF);
 
-  private final SimConfig config;
+  private final DroneSetup setup;
+  private final long seed;
   private final ReplyPort replies;
   private final Profile profile;
   private final Behaviour behaviour;
@@ -85,21 +86,29 @@ final class Drone {
    * @param events takes what happens
    */
   Drone(int number, SimConfig config, ReplyPort replies, Consumer<SimEvent> events) {
-    this(new DroneModel(number, config.starts().get(number - 1)), config, replies, events);
+    this(number, config.drones().get(number - 1), config.seed(), replies, events);
   }
 
-  private Drone(DroneModel model, SimConfig config, ReplyPort replies, Consumer<SimEvent> events) {
+  private Drone(
+      int number, DroneSetup setup, long seed, ReplyPort replies, Consumer<SimEvent> events) {
+    this(new DroneModel(number, setup.start()), setup, seed, replies, events);
+    model.setBattery(new Battery(setup.batteryPercent() / 100));
+  }
+
+  private Drone(
+      DroneModel model, DroneSetup setup, long seed, ReplyPort replies, Consumer<SimEvent> events) {
     int number = model.drone();
     this.model = model;
-    this.config = config;
+    this.setup = setup;
+    this.seed = seed;
     this.replies = replies;
-    this.profile = config.product().profile();
-    this.behaviour = config.product().behaviour();
+    this.profile = setup.product().profile();
+    this.behaviour = setup.product().behaviour();
     this.events = events;
-    this.noise = new SeededNoise(config.seed(), number);
+    this.noise = new SeededNoise(seed, number);
     this.instruments = new Instruments(behaviour, noise);
     this.state = model.snapshot(now);
-    Outlets outlets = config.outlets(number);
+    Outlets outlets = setup.outlets();
     this.session = new OperatorSession(outlets.statePort(), outlets.videoPort());
     this.outbox = new Outbox(replies, this::replyDelay);
     Observer observer = new Observer();
@@ -163,16 +172,15 @@ final class Drone {
     }
     Profile newProfile = change.product().profile();
     Behaviour newBehaviour = change.product().behaviour();
-    SimConfig newConfig =
-        config.withProduct(newProfile, newBehaviour).withOutlets(change.outlets());
-    Drone other = new Drone(model, newConfig, replies, events);
+    DroneSetup newSetup = setup.withProduct(change.product()).withOutlets(change.outlets());
+    Drone other = new Drone(model, newSetup, seed, replies, events);
     other.plan(now);
-    if (!change.product().equals(config.product())) {
+    if (!change.product().equals(setup.product())) {
       other.note(
           Phrase.of(
               "is of profile %s and behaviour %s now", newProfile.option(), newBehaviour.option()));
     }
-    if (!change.outlets().equals(config.outlets(model.drone()))) {
+    if (!change.outlets().equals(setup.outlets())) {
       other.note(
           Phrase.of(
               "sends its state to port %d and its video to port %d from now on",
@@ -230,7 +238,8 @@ final class Drone {
 
   SimSnapshot.DroneSnapshot publish() {
     state = model.snapshot(now);
-    return new SimSnapshot.DroneSnapshot(state, session.link(), config.product(), model.start());
+    return new SimSnapshot.DroneSnapshot(
+        state, session.link(), setup.product(), model.start(), setup.rgb());
   }
 
   void output(StatePort states) {
@@ -240,7 +249,7 @@ final class Drone {
           new StatePort.StateReport(
               state,
               instruments.read(state),
-              ReadReplies.pad(state.pads()),
+              state.perception().reading(),
               profile,
               session.link()));
     }

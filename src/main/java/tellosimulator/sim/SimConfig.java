@@ -1,36 +1,32 @@
 package tellosimulator.sim;
 
 import java.util.List;
+import java.util.function.UnaryOperator;
 import tellosimulator.math.Pose;
 import tellosimulator.math.Vec3;
 import tellosimulator.profile.Behaviour;
 import tellosimulator.profile.Profile;
 import tellosimulator.time.TimeFactor;
+import tellosimulator.world.Arena;
 import tellosimulator.world.Decor;
 import tellosimulator.world.Room;
 
 /**
  * What a simulation starts from. Immutable.
  *
- * @param product which drone, after which account
- * @param room in which they fly
- * @param decor what the room looks like
- * @param starts where the drones stand, in the order of their numbers
+ * @param arena in which they fly
+ * @param drones in the order of their numbers
  * @param timeFactor how fast simulated time passes
  * @param seed of everything random
- * @param outlets ports on the operator's host: for each drone, or once for all
  */
-public record SimConfig(
-    Product product,
-    Room room,
-    Decor decor,
-    List<Pose> starts,
-    TimeFactor timeFactor,
-    long seed,
-    List<Outlets> outlets) {
+public record SimConfig(Arena arena, List<DroneSetup> drones, TimeFactor timeFactor, long seed) {
 
   /** Which drone is simulated, after which account of it. */
-  public record Product(Profile profile, Behaviour behaviour) {}
+  public record Product(Profile profile, Behaviour behaviour) {
+
+    /** An EDU, after the report. */
+    public static final Product DEFAULT = new Product(Profile.EDU, Behaviour.REPORT);
+  }
 
   /** Where on an operator's host state lines and video go. */
   public record Outlets(int statePort, int videoPort) {
@@ -42,54 +38,66 @@ public record SimConfig(
   /** One EDU in the middle of the default room, in real time. */
   public static final SimConfig DEFAULT =
       new SimConfig(
-          new Product(Profile.EDU, Behaviour.REPORT),
-          Room.DEFAULT,
-          Decor.DEFAULT,
-          Swarm.row(1, Vec3.ZERO, Room.DEFAULT),
-          TimeFactor.REAL_TIME,
-          1,
-          List.of(Outlets.DEFAULT));
+          Arena.DEFAULT, alike(Swarm.row(1, Vec3.ZERO, Room.DEFAULT)), TimeFactor.REAL_TIME, 1);
 
   public SimConfig {
-    starts = List.copyOf(starts);
-    outlets = List.copyOf(outlets);
-    if (outlets.size() != 1 && outlets.size() != starts.size()) {
-      throw new IllegalArgumentException(
-          "outlets are for "
-              + outlets.size()
-              + " drones, but must be for "
-              + starts.size()
-              + ", or once for all");
+    drones = List.copyOf(drones);
+    if (drones.isEmpty()) {
+      throw new IllegalArgumentException("there must be at least one drone");
     }
   }
 
-  /** The ports on the operator's host of the drone of a number, from 1. */
-  public Outlets outlets(int drone) {
-    return outlets.get(outlets.size() == 1 ? 0 : drone - 1);
+  /** Drones of the default product, full, with the default ports. */
+  public static List<DroneSetup> alike(List<Pose> starts) {
+    return starts.stream()
+        .map(start -> DroneSetup.at(start, Product.DEFAULT, Outlets.DEFAULT))
+        .toList();
   }
 
+  /** Where the drones stand, in the order of their numbers. */
+  public List<Pose> starts() {
+    return drones.stream().map(DroneSetup::start).toList();
+  }
+
+  /** The same with all drones of another product. */
   public SimConfig withProduct(Profile profile, Behaviour behaviour) {
-    return new SimConfig(
-        new Product(profile, behaviour), room, decor, starts, timeFactor, seed, outlets);
+    Product product = new Product(profile, behaviour);
+    return withEach(drone -> drone.withProduct(product));
   }
 
-  public SimConfig withRoom(Room newRoom, List<Pose> newStarts) {
-    return new SimConfig(product, newRoom, decor, newStarts, timeFactor, seed, outlets);
+  /** The same with all drones sending elsewhere. */
+  public SimConfig withOutlets(Outlets outlets) {
+    return withEach(drone -> drone.withOutlets(outlets));
   }
 
-  public SimConfig withDecor(Decor newDecor) {
-    return new SimConfig(product, room, newDecor, starts, timeFactor, seed, outlets);
+  public SimConfig withDrones(List<DroneSetup> newDrones) {
+    return new SimConfig(arena, newDrones, timeFactor, seed);
+  }
+
+  /** Another room, with drones that are as the first one but for their starts. */
+  public SimConfig withRoom(Room room, List<Pose> starts) {
+    DroneSetup first = drones.get(0);
+    return withArena(arena.withRoom(room))
+        .withDrones(starts.stream().map(first::withStart).toList());
+  }
+
+  public SimConfig withDecor(Decor decor) {
+    return withArena(arena.withDecor(decor));
+  }
+
+  public SimConfig withArena(Arena newArena) {
+    return new SimConfig(newArena, drones, timeFactor, seed);
   }
 
   public SimConfig withTimeFactor(TimeFactor newTimeFactor) {
-    return new SimConfig(product, room, decor, starts, newTimeFactor, seed, outlets);
+    return new SimConfig(arena, drones, newTimeFactor, seed);
   }
 
   public SimConfig withSeed(long newSeed) {
-    return new SimConfig(product, room, decor, starts, timeFactor, newSeed, outlets);
+    return new SimConfig(arena, drones, timeFactor, newSeed);
   }
 
-  public SimConfig withOutlets(Outlets newOutlets) {
-    return new SimConfig(product, room, decor, starts, timeFactor, seed, List.of(newOutlets));
+  private SimConfig withEach(UnaryOperator<DroneSetup> change) {
+    return withDrones(drones.stream().map(change).toList());
   }
 }

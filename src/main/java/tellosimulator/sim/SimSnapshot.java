@@ -1,12 +1,14 @@
 package tellosimulator.sim;
 
 import java.util.List;
+import java.util.OptionalInt;
 import tellosimulator.command.Link;
 import tellosimulator.math.Pose;
 import tellosimulator.model.DroneState;
 import tellosimulator.sim.SimConfig.Product;
 import tellosimulator.time.SimTime;
 import tellosimulator.time.TimeFactor;
+import tellosimulator.world.Arena;
 import tellosimulator.world.Decor;
 import tellosimulator.world.Room;
 
@@ -16,15 +18,23 @@ import tellosimulator.world.Room;
  *
  * @param time the end of the step
  * @param clock how simulated time relates to the wall clock
- * @param decor what the room looks like
+ * @param arena the room with all that is in it
  * @param drones in the order of their numbers
  */
-public record SimSnapshot(
-    SimTime time, Clock clock, Room room, Decor decor, List<DroneSnapshot> drones) {
+public record SimSnapshot(SimTime time, Clock clock, Arena arena, List<DroneSnapshot> drones) {
+
+  public Room room() {
+    return arena.room();
+  }
+
+  /** What the room looks like. */
+  public Decor decor() {
+    return arena.decor();
+  }
 
   /** The same moment with other drones. */
   public SimSnapshot withDrones(List<DroneSnapshot> newDrones) {
-    return new SimSnapshot(time, clock, room, decor, newDrones);
+    return new SimSnapshot(time, clock, arena, newDrones);
   }
 
   /** How simulated time relates to the wall clock. */
@@ -36,12 +46,19 @@ public record SimSnapshot(
    * @param link where its state and video go
    * @param product what it is
    * @param start where a reset puts it
+   * @param rgb colour of its cover, as one writes #rrggbb; empty for that of its number
    */
-  public record DroneSnapshot(DroneState state, Link link, Product product, Pose start) {
+  public record DroneSnapshot(
+      DroneState state, Link link, Product product, Pose start, OptionalInt rgb) {
+
+    /** In the colour of its number. */
+    public DroneSnapshot(DroneState state, Link link, Product product, Pose start) {
+      this(state, link, product, start, OptionalInt.empty());
+    }
 
     /** The same drone in another state. */
     public DroneSnapshot withState(DroneState newState) {
-      return new DroneSnapshot(newState, link, product, start);
+      return new DroneSnapshot(newState, link, product, start, rgb);
     }
   }
 }

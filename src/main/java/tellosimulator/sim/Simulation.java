@@ -18,7 +18,7 @@ import tellosimulator.sim.SimSnapshot.DroneSnapshot;
 import tellosimulator.time.SimTime;
 import tellosimulator.time.TimeFactor;
 import tellosimulator.words.Phrase;
-import tellosimulator.world.Decor;
+import tellosimulator.world.Arena;
 import tellosimulator.world.Room;
 
 /**
@@ -42,8 +42,7 @@ public final class Simulation {
   private final List<SimEvent> events = new ArrayList<>();
   private final List<SimListener> listeners;
   private final StatePort states;
-  private Room room;
-  private Decor decor;
+  private Arena arena;
   private Clock clock;
   private SimTime now = SimTime.ZERO;
   private volatile SimSnapshot snapshot;
@@ -59,12 +58,11 @@ public final class Simulation {
       IntFunction<ReplyPort> replies,
       StatePort states,
       List<SimListener> listeners) {
-    this.room = config.room();
-    this.decor = config.decor();
+    this.arena = config.arena();
     this.clock = new Clock(config.timeFactor(), false);
     this.states = states;
     this.listeners = new CopyOnWriteArrayList<>(listeners);
-    for (int number = 1; number <= config.starts().size(); number++) {
+    for (int number = 1; number <= config.drones().size(); number++) {
       drones.add(new Drone(number, config, replies.apply(number), events::add));
     }
     publish();
@@ -164,7 +162,7 @@ public final class Simulation {
       drone.integrate(Vec3.ZERO);
     }
     for (Drone drone : drones) {
-      drone.collide(room);
+      drone.collide(arena.room());
     }
     for (Drone drone : drones) {
       drone.consume();
@@ -186,16 +184,20 @@ public final class Simulation {
     if (control instanceof Control.Configure change) {
       drones.set(change.drone() - 1, drone(change.drone()).configured(change));
     } else if (control instanceof Control.ForDrone forDrone) {
-      drone(forDrone.drone()).apply(forDrone, room);
+      drone(forDrone.drone()).apply(forDrone, arena.room());
     } else if (control instanceof Control.SetRoom change) {
-      room = change.room();
+      Room room = change.room();
+      arena = arena.withRoom(room);
       drones.forEach(drone -> drone.moveInto(room));
       tell(
           Phrase.of(
               "the room is %.0f cm wide, %.0f cm deep and %.0f cm high now",
               room.width() * 100, room.depth() * 100, room.height() * 100));
+    } else if (control instanceof Control.Furnish change) {
+      arena = change.arena();
+      drones.forEach(drone -> drone.moveInto(arena.room()));
     } else if (control instanceof Control.Decorate change) {
-      decor = change.decor();
+      arena = arena.withDecor(change.decor());
     } else if (control instanceof Control.Pause pause) {
       clock = new Clock(clock.factor(), pause.paused());
       tell(pause.paused() ? Phrase.of("time stands still") : Phrase.of("time goes on"));
@@ -219,7 +221,7 @@ public final class Simulation {
     for (Drone drone : drones) {
       states.add(drone.publish());
     }
-    snapshot = new SimSnapshot(now, clock, room, decor, Collections.unmodifiableList(states));
+    snapshot = new SimSnapshot(now, clock, arena, Collections.unmodifiableList(states));
   }
 
   private void tell(Phrase phrase) {

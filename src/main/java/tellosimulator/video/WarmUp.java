@@ -12,7 +12,9 @@ import tellosimulator.math.Vec3;
 import tellosimulator.model.DroneModel;
 import tellosimulator.model.Motion;
 import tellosimulator.model.VideoSettings;
+import tellosimulator.sim.DroneSetup;
 import tellosimulator.sim.SimConfig;
+import tellosimulator.sim.SimConfig.Outlets;
 import tellosimulator.sim.SimSnapshot;
 import tellosimulator.sim.SimSnapshot.Clock;
 import tellosimulator.sim.SimSnapshot.DroneSnapshot;
@@ -107,20 +109,16 @@ public final class WarmUp implements AutoCloseable {
    */
   private static SimSnapshot beforeTheStart() {
     SimConfig config = SimConfig.DEFAULT;
-    Pose start = config.starts().get(0);
+    DroneSetup setup = config.drones().get(0);
+    Outlets outlets = setup.outlets();
     DroneSnapshot drone =
         new DroneSnapshot(
-            new DroneModel(1, start).snapshot(SimTime.ZERO),
-            new Link(
-                Optional.empty(), config.outlets(1).statePort(), config.outlets(1).videoPort()),
-            config.product(),
-            start);
+            new DroneModel(1, setup.start()).snapshot(SimTime.ZERO),
+            new Link(Optional.empty(), outlets.statePort(), outlets.videoPort()),
+            setup.product(),
+            setup.start());
     return new SimSnapshot(
-        SimTime.ZERO,
-        new Clock(config.timeFactor(), false),
-        config.room(),
-        config.decor(),
-        List.of(drone));
+        SimTime.ZERO, new Clock(config.timeFactor(), false), config.arena(), List.of(drone));
   }
 
   /** The same with the first drone turned, and in the air. */

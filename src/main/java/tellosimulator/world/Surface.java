@@ -2,8 +2,8 @@ package tellosimulator.world;
 
 import tellosimulator.words.Phrase;
 
-/** What a drone can run into. */
-public enum Surface {
+/** A side of the room. */
+public enum Surface implements Touchable {
   FLOOR(Phrase.of("the floor")),
   CEILING(Phrase.of("the ceiling")),
   FRONT_WALL(Phrase.of("the front wall")),
@@ -17,8 +17,13 @@ public enum Surface {
     this.phrase = phrase;
   }
 
-  /** For people. */
+  @Override
   public Phrase phrase() {
     return phrase;
+  }
+
+  /** Whether it stands upright. */
+  public boolean wall() {
+    return this != FLOOR && this != CEILING;
   }
 }

@@ -59,7 +59,7 @@ final class Projectionist {
             FlightPhase.FLYING,
             was.energy(),
             was.reference(),
-            was.pads(),
+            was.perception(),
             was.video());
     return empty.withDrones(List.of(drone.withState(now)));
   }

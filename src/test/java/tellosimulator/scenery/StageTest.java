@@ -79,7 +79,10 @@ class StageTest {
 
     SimSnapshot after =
         new SimSnapshot(
-            before.time(), before.clock(), new Room(9, 9, 3), before.decor(), before.drones());
+            before.time(),
+            before.clock(),
+            before.arena().withRoom(new Room(9, 9, 3)),
+            before.drones());
 
     Mesh floor = stage.scene(after).parts().get(0).part().mesh();
     assertThat(floor.point(0)).isEqualTo(new Vec3(-4.5, 4.5, 0));
@@ -128,13 +131,12 @@ class StageTest {
             FlightPhase.FLYING,
             was.energy(),
             was.reference(),
-            was.pads(),
+            was.perception(),
             was.video());
     return new SimSnapshot(
         one.time(),
         one.clock(),
-        one.room(),
-        one.decor(),
+        one.arena(),
         List.of(new DroneSnapshot(now, drone.link(), drone.product(), drone.start())));
   }
 }

@@ -10,6 +10,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.OptionalInt;
 import java.util.stream.IntStream;
+import tellosimulator.math.Pose;
 import tellosimulator.math.Vec3;
 import tellosimulator.network.AddressPlan;
 import tellosimulator.network.OnlineSimulation;
@@ -17,14 +18,13 @@ import tellosimulator.network.PortTakenException;
 import tellosimulator.profile.Behaviour;
 import tellosimulator.profile.Profile;
 import tellosimulator.sim.Control;
+import tellosimulator.sim.DroneSetup;
 import tellosimulator.sim.SimConfig;
 import tellosimulator.sim.SimConfig.Outlets;
 import tellosimulator.sim.SimConfig.Product;
 import tellosimulator.sim.Swarm;
-import tellosimulator.time.TimeFactor;
 import tellosimulator.video.camera.FrameSource;
 import tellosimulator.video.codec.H264Encoder;
-import tellosimulator.world.Decor;
 import tellosimulator.world.Room;
 
 /**
@@ -57,15 +57,13 @@ final class FilmedDrones implements AutoCloseable {
   FilmedDrones(Profile profile, int... videoPorts) throws IOException {
     List<Outlets> outlets =
         IntStream.of(videoPorts).mapToObj(port -> new Outlets(9, port)).toList();
+    Product product = new Product(profile, Behaviour.REPORT);
+    List<Pose> starts = Swarm.row(videoPorts.length, Vec3.ZERO, Room.DEFAULT);
     SimConfig config =
-        new SimConfig(
-            new Product(profile, Behaviour.REPORT),
-            Room.DEFAULT,
-            Decor.DEFAULT,
-            Swarm.row(videoPorts.length, Vec3.ZERO, Room.DEFAULT),
-            TimeFactor.REAL_TIME,
-            1,
-            outlets);
+        SimConfig.DEFAULT.withDrones(
+            IntStream.range(0, starts.size())
+                .mapToObj(i -> DroneSetup.at(starts.get(i), product, outlets.get(i)))
+                .toList());
     AddressPlan plan =
         AddressPlan.portPerDrone(videoPorts.length, List.of(InetAddress.getLoopbackAddress()), 0);
     simulation = new OnlineSimulation(config, plan, OptionalInt.empty(), List.of());

@@ -48,7 +48,7 @@ final class Moments {
         FlightPhase.FLYING,
         state.energy(),
         state.reference(),
-        state.pads(),
+        state.perception(),
         state.video());
   }
 }

@@ -18,6 +18,7 @@ import tellosimulator.video.camera.FrameSource;
 import tellosimulator.video.codec.EncodedPicture;
 import tellosimulator.video.codec.VideoEncoder;
 import tellosimulator.video.picture.Picture;
+import tellosimulator.world.Room;
 
 @Timeout(value = 20, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
 class WarmUpTest {
@@ -48,7 +49,7 @@ class WarmUpTest {
     warmUp().beginEarly();
 
     SimSnapshot early = filmed.take();
-    assertThat(early.room()).isEqualTo(SimConfig.DEFAULT.room());
+    assertThat(early.room()).isEqualTo(Room.DEFAULT);
     assertThat(early.drones()).hasSize(1);
     assertThat(filmed.poll(300, TimeUnit.MILLISECONDS)).isNull();
   }
@@ -73,7 +74,7 @@ class WarmUpTest {
             now.phase(),
             now.energy(),
             now.reference(),
-            now.pads(),
+            now.perception(),
             VideoSettings.DEFAULT.started());
     SimSnapshot filming = snapshot.withDrones(List.of(drone.withState(asked)));
 

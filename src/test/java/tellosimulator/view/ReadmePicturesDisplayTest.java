@@ -33,6 +33,7 @@ import tellosimulator.time.TimeFactor;
 import tellosimulator.view.layout.Theme;
 import tellosimulator.view.testing.NeedsDisplay;
 import tellosimulator.view.world.ViewCamera;
+import tellosimulator.world.Room;
 
 /**
  * Takes the pictures that the README shows. With {@code -Dupdate.docs=true} it writes them anew:
@@ -97,7 +98,7 @@ class ReadmePicturesDisplayTest {
     for (double y : new double[] {0.6, 0, -0.6}) {
       starts.add(new Pose(new Vec3(0, y, 0), Attitude.LEVEL));
     }
-    open(SimConfig.DEFAULT.withRoom(SimConfig.DEFAULT.room(), starts));
+    open(SimConfig.DEFAULT.withRoom(Room.DEFAULT, starts));
     window.change(() -> window.scene().camera().zoomBy(0.75));
     window.change(
         () ->

@@ -32,6 +32,7 @@ import tellosimulator.sim.Control;
 import tellosimulator.sim.SimConfig;
 import tellosimulator.sim.SimConfig.Outlets;
 import tellosimulator.sim.SimConfig.Product;
+import tellosimulator.world.Room;
 
 /** What the window shows and keeps of the drones' video. */
 class WindowVideoFxTest {
@@ -48,7 +49,7 @@ class WindowVideoFxTest {
 
   @BeforeEach
   void open() {
-    SimConfig config = SimConfig.DEFAULT.withRoom(SimConfig.DEFAULT.room(), STARTS);
+    SimConfig config = SimConfig.DEFAULT.withRoom(Room.DEFAULT, STARTS);
     window = WholeWindow.open(config, folder.resolve("settings"));
   }
 

@@ -42,7 +42,7 @@ final class StateChecks {
     text("lineto", () -> lastLine().to().toString().substring(1));
     text("phase", () -> drone.state().phase().words());
     text("motors", () -> drone.state().phase().motorsOn() ? "on" : "off");
-    text("pads", () -> drone.state().pads().name());
+    text("pads", () -> drone.state().perception().padMode().name());
     text("video", () -> drone.state().video().toString());
     text("operator", () -> drone.link().operator().map(peer -> peer.host()).orElse("none"));
     text("ports", () -> drone.link().statePort() + " " + drone.link().videoPort());

@@ -56,7 +56,7 @@ class RoomTest {
       String left) {
     Collision collision = ROOM.collide(vec(position), vec(velocity), HULL).orElseThrow();
 
-    assertThat(collision.surface()).isEqualTo(surface);
+    assertThat(collision.touched()).isEqualTo(surface);
     assertThat(collision.normal().distanceTo(vec(normal))).isZero();
     assertThat(collision.speed()).isEqualTo(speed);
     assertThat(collision.position()).isEqualTo(vec(held));

@@ -144,7 +144,7 @@ class TourTest {
   }
 
   private List<String> tour() {
-    return new Tour(room, config.product().behaviour(), drone.state()).commands();
+    return new Tour(room, config.drones().get(0).product().behaviour(), drone.state()).commands();
   }
 
   private void flyAndWatch(List<String> tour) {

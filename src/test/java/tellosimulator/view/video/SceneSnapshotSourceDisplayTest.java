@@ -27,6 +27,7 @@ import tellosimulator.video.picture.Picture;
 import tellosimulator.view.testing.NeedsDisplay;
 import tellosimulator.view.world.SceneFixture;
 import tellosimulator.world.Poster;
+import tellosimulator.world.Room;
 import tellosimulator.world.Surface;
 import tellosimulator.world.Walls;
 
@@ -39,7 +40,7 @@ class SceneSnapshotSourceDisplayTest {
 
   private static final SimConfig TWO_DRONES =
       SimConfig.DEFAULT.withRoom(
-          SimConfig.DEFAULT.room(),
+          Room.DEFAULT,
           List.of(
               new Pose(Vec3.ZERO, Attitude.LEVEL),
               new Pose(new Vec3(1.9, -0.1, 0), Attitude.LEVEL)));

@@ -24,6 +24,7 @@ import tellosimulator.video.VideoStreams;
 import tellosimulator.video.camera.Shot;
 import tellosimulator.video.codec.H264Encoder;
 import tellosimulator.video.picture.Picture;
+import tellosimulator.world.Room;
 
 class StreamViewFxTest {
 
@@ -38,7 +39,7 @@ class StreamViewFxTest {
     FxToolkit.registerPrimaryStage();
     SimConfig two =
         SimConfig.DEFAULT.withRoom(
-            SimConfig.DEFAULT.room(), List.of(START, new Pose(new Vec3(0, 1, 0), Attitude.LEVEL)));
+            Room.DEFAULT, List.of(START, new Pose(new Vec3(0, 1, 0), Attitude.LEVEL)));
     SimSnapshot snapshot =
         new Simulation(two, drone -> (peer, text) -> {}, report -> {}, List.of()).snapshot();
     streams = new VideoStreams(() -> snapshot, () -> this::film, H264Encoder::new);

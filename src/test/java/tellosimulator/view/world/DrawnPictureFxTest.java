@@ -19,6 +19,7 @@ import tellosimulator.model.FlightPhase;
 import tellosimulator.sim.SimConfig;
 import tellosimulator.view.world.SceneFixture.Spot;
 import tellosimulator.world.Decor;
+import tellosimulator.world.Room;
 import tellosimulator.world.Walls;
 
 /** What one sees of the room where JavaFX has no 3D, as here. */
@@ -31,7 +32,7 @@ class DrawnPictureFxTest {
   final SceneFixture fixture =
       new SceneFixture(
           SimConfig.DEFAULT
-              .withRoom(SimConfig.DEFAULT.room(), STARTS)
+              .withRoom(Room.DEFAULT, STARTS)
               .withDecor(Decor.DEFAULT.withWalls(Walls.PLAIN)));
 
   @Test

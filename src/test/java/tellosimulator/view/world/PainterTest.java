@@ -62,11 +62,7 @@ class PainterTest {
     assertThat(painted(view(snapshot, 0))).isPresent();
     SimSnapshot later =
         new SimSnapshot(
-            new SimTime(9_000_000_000L),
-            snapshot.clock(),
-            snapshot.room(),
-            snapshot.decor(),
-            snapshot.drones());
+            new SimTime(9_000_000_000L), snapshot.clock(), snapshot.arena(), snapshot.drones());
 
     assertThat(painted(view(later, 0))).isEmpty();
     assertThat(painter.settled()).isTrue();

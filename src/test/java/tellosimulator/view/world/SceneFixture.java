@@ -160,12 +160,12 @@ public final class SceneFixture implements BeforeEachCallback, AfterEachCallback
             phase,
             was.energy(),
             was.reference(),
-            was.pads(),
+            was.perception(),
             was.video());
     List<DroneSnapshot> drones = new ArrayList<>(snapshot.drones());
     drones.set(0, new DroneSnapshot(now, old.link(), old.product(), old.start()));
     SimTime time = snapshot.time();
-    snapshot = new SimSnapshot(time, snapshot.clock(), snapshot.room(), snapshot.decor(), drones);
+    snapshot = new SimSnapshot(time, snapshot.clock(), snapshot.arena(), drones);
   }
 
   /** Changes the looks of the room; the next beat shows it. */
@@ -174,8 +174,7 @@ public final class SceneFixture implements BeforeEachCallback, AfterEachCallback
         new SimSnapshot(
             snapshot.time(),
             snapshot.clock(),
-            snapshot.room(),
-            change.apply(snapshot.decor()),
+            snapshot.arena().withDecor(change.apply(snapshot.decor())),
             snapshot.drones());
   }
 

@@ -1,0 +1,27 @@
+package tellosimulator.model;
+
+import java.util.List;
+
+/**
+ * What a drone sees of mission pads. Immutable; for any thread.
+ *
+ * @param padMode where it looks for them
+ * @param pads those that it sees, the one first that it reports
+ */
+public record Perception(PadMode padMode, List<PadSighting> pads) {
+
+  /** It does not look. */
+  public static final Perception OFF = new Perception(PadMode.OFF, List.of());
+
+  public Perception {
+    pads = List.copyOf(pads);
+  }
+
+  /** What the state line says of them. */
+  public PadReading reading() {
+    if (padMode == PadMode.OFF) {
+      return PadReading.OFF;
+    }
+    return pads.isEmpty() ? PadReading.NONE : pads.get(0).reading();
+  }
+}

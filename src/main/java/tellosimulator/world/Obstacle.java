@@ -1,0 +1,33 @@
+package tellosimulator.world;
+
+import tellosimulator.math.Attitude;
+import tellosimulator.math.Pose;
+import tellosimulator.math.Vec3;
+import tellosimulator.words.Phrase;
+
+/**
+ * Something upright that stands or hangs in the room. Immutable; for any thread.
+ *
+ * @param name for people and goals, such as {@code table}
+ * @param foot middle of its foot, room frame [m]
+ * @param heading where its x axis points [rad], counter-clockwise seen from above, 0 along the
+ *     room's x
+ */
+public record Obstacle(String name, Shape shape, Vec3 foot, double heading, Cover cover)
+    implements Touchable {
+
+  @Override
+  public Phrase phrase() {
+    return Phrase.of("the obstacle %s", name);
+  }
+
+  /** Where its frame is. */
+  public Pose pose() {
+    return new Pose(foot, Attitude.ofHeading(heading));
+  }
+
+  /** The same elsewhere. */
+  public Obstacle movedTo(Vec3 newFoot, double newHeading) {
+    return new Obstacle(name, shape, newFoot, newHeading, cover);
+  }
+}
