@@ -113,7 +113,9 @@ public enum CommandSyntax {
           .from("SDK 2.0 and 3.0 guides; pad guides"),
       a ->
           new Command.Jump(
-              new Command.GoToPad(a.point(0), a.metres(3), a.pad(5)), a.heading(4), a.pad(6))),
+              new Command.GoToPad(a.point(0), a.metres(3), a.pad(5)),
+              StrictMath.toRadians(a.number(4)), // in a pad's frame as RoboMaster SDK counts it
+              a.pad(6))),
   SPEED(
       row("speed", SDK_1_3).with(number("x", "cm/s", 10, 100)).from("FHNW report; decided"),
       a -> new Command.SetSpeed(a.metres(0))),

@@ -16,12 +16,6 @@ final class GeometryRules {
   /** Half the edge of the cube in which a goal is too near [m], its faces included. Report. */
   private static final double TOO_NEAR = 0.20;
 
-  /** Smallest radius of a curve [m]. Report. */
-  private static final double SMALLEST_RADIUS = 0.5;
-
-  /** Largest radius of a curve [m]. Report. */
-  private static final double LARGEST_RADIUS = 10;
-
   private GeometryRules() {}
 
   static Optional<Refusal> go(Arguments arguments) {
@@ -86,19 +80,6 @@ final class GeometryRules {
   }
 
   private static Optional<Refusal> radius(Optional<Arc> arc) {
-    if (arc.isEmpty()) {
-      return Optional.of(
-          new Refusal(
-              Reply.RADIUS, Phrase.of("the three points lie on one line, no circle passes them")));
-    }
-    double radius = arc.get().radius();
-    if (radius >= SMALLEST_RADIUS && radius <= LARGEST_RADIUS) {
-      return Optional.empty();
-    }
-    Phrase reason =
-        Phrase.of(
-            "the radius is %.2f m, allowed is %.1f to %.0f m",
-            radius, SMALLEST_RADIUS, LARGEST_RADIUS);
-    return Optional.of(new Refusal(Reply.RADIUS, reason));
+    return CurveRadius.objection(arc).map(reason -> new Refusal(Reply.RADIUS, reason));
   }
 }

@@ -25,6 +25,9 @@ public record Reply(String text) {
   /** The mission pad is not seen. Measured: tello-asyncio issue 4. */
   public static final Reply NO_VALID_MARKER = new Reply("error No valid marker");
 
+  /** A mission pad was lost on the way. Measured: Tello-Python issue 88. */
+  public static final Reply RUN_TIMEOUT = new Reply("error Run timeout");
+
   /** No such circle, too large or too small. Report: FHNW 2020. */
   public static final Reply RADIUS = new Reply("error Radius is too large!");
 

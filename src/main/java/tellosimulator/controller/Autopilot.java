@@ -22,7 +22,9 @@ final class Autopilot {
     /** Something stood in the way for a second. Decided. */
     HELD,
     /** The drone did not come to rest. */
-    RESTLESS
+    RESTLESS,
+    /** The maneuver cannot be flown to its end. */
+    LOST
   }
 
   /** How far the target may lie inside an obstacle before the drone waits [m]. Assumed. */
@@ -117,6 +119,9 @@ final class Autopilot {
     }
     if (settling.settled()) {
       return Outcome.ARRIVED;
+    }
+    if (maneuver.lost().isPresent()) {
+      return Outcome.LOST;
     }
     return settling.givenUp() ? Outcome.RESTLESS : Outcome.RUNNING;
   }

@@ -15,7 +15,6 @@ import tellosimulator.model.DroneModel;
 import tellosimulator.model.DroneSpec;
 import tellosimulator.model.FlightPhase;
 import tellosimulator.physics.Setpoint;
-import tellosimulator.sensor.SeededNoise.Channel;
 import tellosimulator.time.SimTime;
 import tellosimulator.words.Phrase;
 import tellosimulator.world.Collision;
@@ -32,10 +31,11 @@ public final class DroneController implements CommandTarget {
   private final FlightObserver observer;
   private final Flight flight;
   private final Restart restart = new Restart();
+  private final Courses courses;
+  private final PadMissions padMissions;
   private final Equipment equipment;
   private SimTime now = SimTime.ZERO;
   private double speed = DroneSpec.DEFAULT_SPEED;
-  private long moves;
 
   public DroneController(Wiring wiring) {
     this.wiring = wiring;
@@ -43,6 +43,8 @@ public final class DroneController implements CommandTarget {
     this.session = wiring.session();
     this.observer = wiring.observer();
     this.flight = new Flight(model, wiring.behaviour(), observer);
+    this.courses = new Courses(wiring, flight);
+    this.padMissions = new PadMissions(model, flight, courses);
     this.equipment = new Equipment(model, wiring.profile(), wiring.session(), observer);
   }
 
@@ -200,8 +202,6 @@ public final class DroneController implements CommandTarget {
     if (refusedForBattery(responder)) {
       return;
     }
-    Vec3 way = command.direction().unit().times(command.distance());
-    Vec3 goal = goal(way);
     boolean stoppedShort =
         command.direction() == Direction.DOWN
             && flight.basePosition().z() - command.distance() < wiring.behaviour().lowestHover();
@@ -210,36 +210,29 @@ public final class DroneController implements CommandTarget {
       observer.happened(
           new Note(Phrase.of("stops above the floor and never answers `%s`", responder.text())));
     }
-    flight.fly(pathTo(goal, speed), silent ? Task.NOBODY : Task.of(responder));
+    Vec3 way = command.direction().unit().times(command.distance());
+    flight.fly(courses.by(way, speed), silent ? Task.NOBODY : Task.of(responder));
   }
 
   @Override
   public void go(Command.Go command, Responder responder) {
     if (!refusedForBattery(responder)) {
-      flight.fly(pathTo(goal(command.way()), command.speed()), Task.of(responder));
+      flight.fly(courses.by(command.way(), command.speed()), Task.of(responder));
     }
   }
 
   @Override
   public void curve(Command.Curve command, Responder responder) {
-    if (refusedForBattery(responder)) {
-      return;
+    if (!refusedForBattery(responder)) {
+      flight.fly(courses.along(command, flight.baseHeading()), Task.of(responder));
     }
-    double heading = flight.baseHeading();
-    Path path = new Path.Curve(flight.basePosition(), command.arc(), heading, miss());
-    flight.fly(new PathFlight(path, command.speed(), heading), Task.of(responder));
   }
 
   @Override
   public void turn(Command.Turn command, Responder responder) {
-    if (refusedForBattery(responder)) {
-      return;
+    if (!refusedForBattery(responder)) {
+      flight.fly(courses.turn(command.angle()), Task.of(responder));
     }
-    double miss = miss(Channel.MOVE_HEADING, wiring.behaviour().headingSigma());
-    moves++;
-    flight.fly(
-        new Turn(flight.basePosition(), flight.baseHeading(), command.angle() + miss),
-        Task.of(responder));
   }
 
   @Override
@@ -257,23 +250,33 @@ public final class DroneController implements CommandTarget {
       return;
     }
     flight.fly(
-        new Flip(flight.basePosition(), flight.baseHeading(), command.direction().unit(), miss()),
+        new Flip(
+            flight.basePosition(),
+            flight.baseHeading(),
+            command.direction().unit(),
+            courses.miss()),
         Task.of(responder));
   }
 
   @Override
   public void goToPad(Command.GoToPad command, Responder responder) {
-    refusePad(responder, command.pad().word());
+    if (!refusedForBattery(responder)) {
+      padMissions.go(command, responder);
+    }
   }
 
   @Override
   public void curveOverPad(Command.CurveOverPad command, Responder responder) {
-    refusePad(responder, command.pad().word());
+    if (!refusedForBattery(responder)) {
+      padMissions.curve(command, responder);
+    }
   }
 
   @Override
   public void jump(Command.Jump command, Responder responder) {
-    refusePad(responder, command.leg().pad().word());
+    if (!refusedForBattery(responder)) {
+      padMissions.jump(command, responder);
+    }
   }
 
   @Override
@@ -354,39 +357,10 @@ public final class DroneController implements CommandTarget {
     responder.reply(wiring.reads().reply(command.reading(), model, speed, now));
   }
 
-  private Vec3 goal(Vec3 way) {
-    Vec3 goal = flight.basePosition().plus(way.turned(flight.baseHeading())).plus(miss());
-    double lowest = wiring.behaviour().lowestHover();
-    return goal.withZ(Math.max(lowest, Math.min(DroneSpec.MAX_HEIGHT, goal.z())));
-  }
-
-  /** By how much the next motion ends elsewhere [m]. */
-  private Vec3 miss() {
-    double sigma = wiring.behaviour().positionSigma();
-    Vec3 miss =
-        new Vec3(
-            miss(Channel.MOVE_X, sigma), miss(Channel.MOVE_Y, sigma), miss(Channel.MOVE_Z, sigma));
-    moves++;
-    return miss;
-  }
-
-  private double miss(Channel channel, double sigma) {
-    return sigma == 0 ? 0 : sigma * wiring.noise().gaussian(channel, moves);
-  }
-
-  private Maneuver pathTo(Vec3 goal, double limit) {
-    return new PathFlight(
-        Path.Line.between(flight.basePosition(), goal), limit, flight.baseHeading());
-  }
-
   private boolean refusedForBattery(Responder responder) {
     if (flight.landsForBattery()) {
       responder.refuse(Reply.AUTO_LAND, Phrase.of("the drone lands because of its battery"));
     }
     return flight.landsForBattery();
-  }
-
-  private static void refusePad(Responder responder, String pad) {
-    responder.refuse(Reply.NO_VALID_MARKER, Phrase.of("the drone does not see the pad %s", pad));
   }
 }

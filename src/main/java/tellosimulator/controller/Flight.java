@@ -231,8 +231,9 @@ final class Flight {
           model.motion(), contacts.obstacle().map(Collision::normal).orElse(Vec3.ZERO), STEP);
       switch (autopilot.outcome()) {
         case ARRIVED -> arrived();
-        case HELD -> gaveUp(Phrase.of("it was held by %s for a second", obstacle()));
-        case RESTLESS -> gaveUp(Phrase.of("it did not come to rest"));
+        case HELD -> gaveUp(Reply.ERROR, Phrase.of("it was held by %s for a second", obstacle()));
+        case RESTLESS -> gaveUp(Reply.ERROR, Phrase.of("it did not come to rest"));
+        case LOST -> gaveUp(Reply.RUN_TIMEOUT, autopilot.maneuver().lost().orElseThrow());
         case RUNNING -> {}
       }
     }
@@ -291,10 +292,10 @@ final class Flight {
     finished.done();
   }
 
-  private void gaveUp(Phrase reason) {
+  private void gaveUp(Reply reply, Phrase reason) {
     Task failed = task;
     hover();
-    failed.failed(Reply.ERROR, reason);
+    failed.failed(reply, reason);
   }
 
   private boolean tooHard(Collision collision) {

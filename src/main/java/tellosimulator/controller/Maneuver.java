@@ -1,5 +1,6 @@
 package tellosimulator.controller;
 
+import java.util.Optional;
 import tellosimulator.model.Motion;
 import tellosimulator.physics.Setpoint;
 import tellosimulator.words.Phrase;
@@ -27,6 +28,11 @@ interface Maneuver {
 
   /** How far it is, in plain words: {@code 64 of 100 cm flown}. */
   Phrase progress();
+
+  /** Why it cannot be flown to its end, if that is so. */
+  default Optional<Phrase> lost() {
+    return Optional.empty();
+  }
 
   /** Whether nothing changes until the next command, so that no time need pass. */
   default boolean atRest() {

@@ -1,7 +1,6 @@
 package tellosimulator.controller;
 
 import tellosimulator.math.Frames;
-import tellosimulator.math.Vec3;
 import tellosimulator.model.Motion;
 import tellosimulator.physics.Setpoint;
 import tellosimulator.time.SimTime;
@@ -20,6 +19,17 @@ final class Settling {
 
   /** How long it must stay so [s]. Measured: about 0.3. */
   private static final double STEADY = 0.3;
+
+  /**
+   * After this the drone need only be about where it shall be [s]: gusts shake it. Assumed: still
+   * air lets it balance out in less.
+   */
+  private static final double SHAKEN = 2;
+
+  /** What is about there [m, m/s]. Assumed. */
+  private static final double ABOUT = 0.15;
+
+  private static final double SHAKING = 0.3;
 
   /** After this it gives up [s]. Assumed. */
   private static final double PATIENCE = 8;
@@ -50,14 +60,16 @@ final class Settling {
     return waited >= PATIENCE;
   }
 
-  private static boolean near(Setpoint setpoint, Motion motion) {
+  private boolean near(Setpoint setpoint, Motion motion) {
     if (!(setpoint instanceof Setpoint.Track track)) {
       return true;
     }
-    Vec3 drift = motion.velocity().minus(track.velocity());
+    boolean shaken = waited >= SHAKEN;
+    double drift = motion.velocity().minus(track.velocity()).norm();
+    double distance = motion.position().distanceTo(track.position());
     double turn = Frames.wrapped(track.heading().angle() - motion.attitude().heading());
-    return motion.position().distanceTo(track.position()) < DISTANCE
-        && drift.norm() < SPEED
+    return distance < (shaken ? ABOUT : DISTANCE)
+        && drift < (shaken ? SHAKING : SPEED)
         && Math.abs(turn) < HEADING;
   }
 }

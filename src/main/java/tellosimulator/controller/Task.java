@@ -33,10 +33,15 @@ interface Task {
 
   /** The sender of a command waits. */
   static Task of(Responder responder) {
+    return then(responder, () -> responder.reply(Reply.OK));
+  }
+
+  /** The sender of a command waits, but something else comes first. */
+  static Task then(Responder responder, Runnable next) {
     return new Task() {
       @Override
       public void done() {
-        responder.reply(Reply.OK);
+        next.run();
       }
 
       @Override

@@ -98,6 +98,18 @@ public final class DroneSpec {
   /** A fall from up to here does no harm [m]. Assumed. */
   public static final double HARMLESS_FALL = 1.3;
 
+  /**
+   * Field of view of the cameras from left to right [rad], and how high a picture is for its width.
+   * Measured: 55 degrees, 960 by 720 (calibrated pictures of several drones). Assumed: the same for
+   * the camera in the underside, whose longer edge lies along the nose.
+   */
+  public static final double CAMERA_FIELD_OF_VIEW = StrictMath.toRadians(55);
+
+  public static final double CAMERA_HEIGHT_SHARE = 0.75;
+
+  /** How far the camera in the nose looks down [rad]. Measured: about 15 degrees, once. */
+  public static final double CAMERA_TILT = StrictMath.toRadians(15);
+
   /** How long a full battery flies [s]. Documented: 13 minutes (Tello User Manual). */
   public static final double ENDURANCE = 13 * 60;
 

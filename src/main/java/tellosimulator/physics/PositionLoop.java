@@ -32,8 +32,12 @@ final class PositionLoop {
 
   private static final double GREATEST_LIFT = DroneSpec.MAX_THRUST_RATIO * DroneSpec.GRAVITY;
 
-  /** The thrust that is wanted, for each unit of mass [m/s²]. */
-  Vec3 thrust(Setpoint.Track target, Motion motion) {
+  /**
+   * The thrust that is wanted, for each unit of mass [m/s²].
+   *
+   * @param push of the wind, as far as it is known [m/s²]
+   */
+  Vec3 thrust(Setpoint.Track target, Motion motion, Vec3 push) {
     Vec3 error = target.position().minus(motion.position());
     Vec3 level = error.horizontal().times(LEVEL_POSITION_GAIN).limitedTo(FASTEST_CORRECTION);
     double vertical =
@@ -41,7 +45,7 @@ final class PositionLoop {
             -FASTEST_CORRECTION, Math.min(FASTEST_CORRECTION, error.z() * VERTICAL_POSITION_GAIN));
     Vec3 missing = target.velocity().plus(level.withZ(vertical)).minus(motion.velocity());
     Vec3 drag = target.velocity().times(Drag.factor(target.velocity()));
-    Vec3 wanted = target.acceleration().plus(drag);
+    Vec3 wanted = target.acceleration().plus(drag).minus(push);
     double lift = DroneSpec.GRAVITY + wanted.z() + missing.z() * VERTICAL_VELOCITY_GAIN;
     lift = Math.max(LEAST_LIFT, Math.min(GREATEST_LIFT, lift));
     return wanted

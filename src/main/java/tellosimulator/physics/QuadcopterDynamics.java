@@ -17,6 +17,7 @@ public final class QuadcopterDynamics {
   private final PositionLoop positionLoop = new PositionLoop();
   private final AttitudeLoop attitudeLoop = new AttitudeLoop();
   private final Integrator integrator = new Integrator();
+  private final WindSense windSense = new WindSense();
 
   /**
    * The motion a step later, as if nothing stood in the way.
@@ -25,12 +26,14 @@ public final class QuadcopterDynamics {
    * @param seconds length of the step
    */
   public Motion advance(Motion motion, Setpoint setpoint, Vec3 wind, double seconds) {
-    return integrator.step(motion, forces(motion, setpoint, wind), seconds);
+    Motion next = integrator.step(motion, forces(motion, setpoint, wind), seconds);
+    windSense.feel(motion.velocity(), wind, seconds);
+    return next;
   }
 
   private Forces forces(Motion motion, Setpoint setpoint, Vec3 wind) {
     if (setpoint instanceof Setpoint.Track track) {
-      Vec3 wanted = positionLoop.thrust(track, motion);
+      Vec3 wanted = positionLoop.thrust(track, motion, windSense.push());
       double along = wanted.dot(motion.attitude().up());
       double thrust = Math.max(0, Math.min(GREATEST_THRUST, along));
       return new Forces(thrust, attitudeLoop.towards(wanted, track.heading(), motion), wind);

@@ -2,6 +2,7 @@ package tellosimulator.sensor;
 
 import tellosimulator.math.Attitude;
 import tellosimulator.math.Frames;
+import tellosimulator.math.Pose;
 import tellosimulator.math.Vec3;
 import tellosimulator.model.DroneSpec;
 import tellosimulator.model.DroneState;
@@ -15,7 +16,8 @@ import tellosimulator.time.SimTime;
 
 /**
  * IMU, barometer, distance sensor and the rest: from the true state to what the drone reports. The
- * same state always gives the same readings, noise included. Immutable; for any thread.
+ * same state over the same ground always gives the same readings, noise included. Immutable; for
+ * the thread of the ground.
  */
 public final class Instruments {
 
@@ -49,8 +51,13 @@ public final class Instruments {
 
   private final boolean noisy;
   private final SeededNoise noise;
+  private final Ground ground;
 
-  public Instruments(Behaviour behaviour, SeededNoise noise) {
+  /**
+   * @param ground what the drone flies over
+   */
+  public Instruments(Behaviour behaviour, SeededNoise noise, Ground ground) {
+    this.ground = ground;
     this.noisy = behaviour.noisySensors();
     this.noise = noise;
   }
@@ -62,10 +69,15 @@ public final class Instruments {
     return new SensorReadings(
         attitude(state, sample),
         velocity(state, sample),
-        new Range(TimeOfFlight.read(motion, sample.error(Channel.TOF, TOF_NOISE)), heightDm(state)),
+        new Range(tofMm(motion.pose(), sample), heightDm(state)),
         barometer(state, sample),
         acceleration(motion, sample),
         health(state));
+  }
+
+  private int tofMm(Pose drone, Sample sample) {
+    double error = sample.error(Channel.TOF, TOF_NOISE);
+    return TimeOfFlight.read(drone.attitude(), ground.below(drone), error);
   }
 
   private AttitudeDeg attitude(DroneState state, Sample sample) {

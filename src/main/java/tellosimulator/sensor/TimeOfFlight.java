@@ -1,7 +1,6 @@
 package tellosimulator.sensor;
 
-import tellosimulator.math.Vec3;
-import tellosimulator.model.Motion;
+import tellosimulator.math.Attitude;
 
 /** The distance sensor in the belly. */
 public final class TimeOfFlight {
@@ -21,14 +20,14 @@ public final class TimeOfFlight {
   private TimeOfFlight() {}
 
   /**
-   * The distance from the belly to the floor along its own axis [mm].
+   * What it reports [mm].
    *
+   * @param attitude of the drone
+   * @param distance from the belly to what is below, along its own axis [m]
    * @param error of the sensor [m]
    */
-  static int read(Motion motion, double error) {
-    Vec3 up = motion.attitude().up();
-    double distance = motion.position().z() / up.z();
-    if (up.z() < STEEPEST || distance > GREATEST) {
+  static int read(Attitude attitude, double distance, double error) {
+    if (attitude.up().z() < STEEPEST || distance > GREATEST) {
       return NONE_MM;
     }
     return (int) Math.max(LEAST_MM, Math.round((distance + error) * 1000));

@@ -22,18 +22,22 @@ import tellosimulator.model.DroneModel;
 import tellosimulator.model.DroneSpec;
 import tellosimulator.model.DroneState;
 import tellosimulator.model.FlightPhase;
-import tellosimulator.model.Motion;
+import tellosimulator.model.PadMode;
+import tellosimulator.model.PadSighting;
+import tellosimulator.model.Perception;
 import tellosimulator.physics.QuadcopterDynamics;
 import tellosimulator.physics.Setpoint;
 import tellosimulator.profile.Behaviour;
 import tellosimulator.profile.Profile;
 import tellosimulator.sensor.Instruments;
+import tellosimulator.sensor.PadDetector;
 import tellosimulator.sensor.SeededNoise;
 import tellosimulator.sensor.SeededNoise.Channel;
 import tellosimulator.sim.SimConfig.Outlets;
 import tellosimulator.time.Periodic;
 import tellosimulator.time.SimTime;
 import tellosimulator.words.Phrase;
+import tellosimulator.world.Collision;
 import tellosimulator.world.Room;
 
 /** One drone with all its parts, and its share of each part of a step. */
@@ -58,7 +62,7 @@ final class Drone {
           Battery.LANDS_BY_ITSELF);
 
   private final DroneSetup setup;
-  private final long seed;
+  private final Neighbourhood neighbourhood;
   private final ReplyPort replies;
   private final Profile profile;
   private final Behaviour behaviour;
@@ -71,7 +75,9 @@ final class Drone {
   private final DroneController controller;
   private final QuadcopterDynamics dynamics = new QuadcopterDynamics();
   private final Consumer<SimEvent> events;
+  private final PadDetector padDetector = new PadDetector();
   private SimTime now = SimTime.ZERO;
+  private Vec3 before;
   private DroneState state;
   private Optional<Periodic> stateLines = Optional.empty();
 
@@ -82,31 +88,36 @@ final class Drone {
   private long replyCount;
 
   /**
-   * @param number from 1
+   * What all drones of a simulation share.
+   *
+   * @param seed of everything random
+   * @param surroundings what is around them
    * @param events takes what happens
    */
-  Drone(int number, SimConfig config, ReplyPort replies, Consumer<SimEvent> events) {
-    this(number, config.drones().get(number - 1), config.seed(), replies, events);
-  }
+  record Neighbourhood(long seed, Surroundings surroundings, Consumer<SimEvent> events) {}
 
-  private Drone(
-      int number, DroneSetup setup, long seed, ReplyPort replies, Consumer<SimEvent> events) {
-    this(new DroneModel(number, setup.start()), setup, seed, replies, events);
+  /**
+   * @param number from 1
+   */
+  Drone(int number, DroneSetup setup, ReplyPort replies, Neighbourhood neighbourhood) {
+    this(new DroneModel(number, setup.start()), setup, replies, neighbourhood);
     model.setBattery(new Battery(setup.batteryPercent() / 100));
   }
 
   private Drone(
-      DroneModel model, DroneSetup setup, long seed, ReplyPort replies, Consumer<SimEvent> events) {
+      DroneModel model, DroneSetup setup, ReplyPort replies, Neighbourhood neighbourhood) {
     int number = model.drone();
     this.model = model;
     this.setup = setup;
-    this.seed = seed;
+    this.neighbourhood = neighbourhood;
+    this.before = model.motion().position();
     this.replies = replies;
     this.profile = setup.product().profile();
     this.behaviour = setup.product().behaviour();
-    this.events = events;
-    this.noise = new SeededNoise(seed, number);
-    this.instruments = new Instruments(behaviour, noise);
+    this.events = neighbourhood.events();
+    this.noise = new SeededNoise(neighbourhood.seed(), number);
+    this.instruments =
+        new Instruments(behaviour, noise, neighbourhood.surroundings().ground(number));
     this.state = model.snapshot(now);
     Outlets outlets = setup.outlets();
     this.session = new OperatorSession(outlets.statePort(), outlets.videoPort());
@@ -173,7 +184,7 @@ final class Drone {
     Profile newProfile = change.product().profile();
     Behaviour newBehaviour = change.product().behaviour();
     DroneSetup newSetup = setup.withProduct(change.product()).withOutlets(change.outlets());
-    Drone other = new Drone(model, newSetup, seed, replies, events);
+    Drone other = new Drone(model, newSetup, replies, neighbourhood);
     other.plan(now);
     if (!change.product().equals(setup.product())) {
       other.note(
@@ -189,8 +200,41 @@ final class Drone {
     return other;
   }
 
-  void moveInto(Room room) {
-    model.moveInto(room);
+  /** Other things stand around it: what carried it may be gone, or something is where it is. */
+  void lookAround(Surroundings surroundings) {
+    model.moveInto(surroundings.arena().room());
+    if (model.resting() && surroundings.unsettles(this)) {
+      model.setMotion(model.motion());
+    }
+    padDetector.forget();
+  }
+
+  // --- what others ask ---
+
+  int number() {
+    return model.drone();
+  }
+
+  Vec3 position() {
+    return model.motion().position();
+  }
+
+  Vec3 velocity() {
+    return model.motion().velocity();
+  }
+
+  /** Where it was at the beginning of the step. */
+  Vec3 before() {
+    return before;
+  }
+
+  boolean resting() {
+    return model.resting();
+  }
+
+  /** Distance along a ray to its body [m]; infinite if the ray misses it. */
+  double distanceAlong(Vec3 origin, Vec3 direction) {
+    return DroneSpec.HULL.distance(position(), origin, direction);
   }
 
   // --- steps 3 to 9 ---
@@ -202,6 +246,7 @@ final class Drone {
   }
 
   void integrate(Vec3 wind) {
+    before = position();
     Setpoint setpoint = controller.setpoint();
     if (model.resting() && setpoint instanceof Setpoint.MotorsOff) {
       return;
@@ -209,17 +254,29 @@ final class Drone {
     model.setMotion(dynamics.advance(model.motion(), setpoint, wind, SimTime.STEP));
   }
 
-  void collide(Room room) {
-    if (model.resting()) {
-      return;
+  void collide(Surroundings surroundings) {
+    if (!model.resting()) {
+      surroundings.obstacle(this).ifPresent(this::stopBy);
     }
-    Motion motion = model.motion();
-    room.collide(motion.position(), motion.velocity(), DroneSpec.HULL)
-        .ifPresent(
-            collision -> {
-              model.setMotion(motion.heldAt(collision.position(), collision.velocity()));
-              controller.touch(collision);
-            });
+    if (!model.resting()) {
+      surroundings.surface(this).ifPresent(this::stopBy);
+    }
+  }
+
+  void stopBy(Collision collision) {
+    model.setMotion(model.motion().heldAt(collision.position(), collision.velocity()));
+    controller.touch(collision);
+  }
+
+  /** Looks for mission pads. */
+  void sense(Surroundings surroundings) {
+    PadMode mode = model.perception().padMode();
+    if (PadDetector.looksAt(now, mode)) {
+      PadSighting.Moment moment = new PadSighting.Moment(now, model.motion().pose());
+      model.setPerception(
+          new Perception(
+              mode, padDetector.look(moment, mode, surroundings.cards(), surroundings::free)));
+    }
   }
 
   void consume() {

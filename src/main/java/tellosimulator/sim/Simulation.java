@@ -13,6 +13,7 @@ import org.slf4j.LoggerFactory;
 import tellosimulator.command.Peer;
 import tellosimulator.command.ReplyPort;
 import tellosimulator.math.Vec3;
+import tellosimulator.sim.Drone.Neighbourhood;
 import tellosimulator.sim.SimSnapshot.Clock;
 import tellosimulator.sim.SimSnapshot.DroneSnapshot;
 import tellosimulator.time.SimTime;
@@ -42,7 +43,7 @@ public final class Simulation {
   private final List<SimEvent> events = new ArrayList<>();
   private final List<SimListener> listeners;
   private final StatePort states;
-  private Arena arena;
+  private final Surroundings surroundings;
   private Clock clock;
   private SimTime now = SimTime.ZERO;
   private volatile SimSnapshot snapshot;
@@ -58,12 +59,14 @@ public final class Simulation {
       IntFunction<ReplyPort> replies,
       StatePort states,
       List<SimListener> listeners) {
-    this.arena = config.arena();
+    this.surroundings = new Surroundings(config.arena(), drones, config.seed());
     this.clock = new Clock(config.timeFactor(), false);
     this.states = states;
     this.listeners = new CopyOnWriteArrayList<>(listeners);
-    for (int number = 1; number <= config.drones().size(); number++) {
-      drones.add(new Drone(number, config, replies.apply(number), events::add));
+    Neighbourhood neighbourhood = new Neighbourhood(config.seed(), surroundings, events::add);
+    for (DroneSetup setup : config.drones()) {
+      int number = drones.size() + 1;
+      drones.add(new Drone(number, setup, replies.apply(number), neighbourhood));
     }
     publish();
   }
@@ -158,14 +161,17 @@ public final class Simulation {
     for (Drone drone : drones) {
       drone.plan(now);
     }
+    Vec3 wind = surroundings.wind(now);
     for (Drone drone : drones) {
-      drone.integrate(Vec3.ZERO);
+      drone.integrate(wind);
     }
     for (Drone drone : drones) {
-      drone.collide(arena.room());
+      drone.collide(surroundings);
     }
+    Encounters.resolve(drones);
     for (Drone drone : drones) {
       drone.consume();
+      drone.sense(surroundings);
     }
     for (Drone drone : drones) {
       drone.finish();
@@ -184,20 +190,18 @@ public final class Simulation {
     if (control instanceof Control.Configure change) {
       drones.set(change.drone() - 1, drone(change.drone()).configured(change));
     } else if (control instanceof Control.ForDrone forDrone) {
-      drone(forDrone.drone()).apply(forDrone, arena.room());
+      drone(forDrone.drone()).apply(forDrone, surroundings.arena().room());
     } else if (control instanceof Control.SetRoom change) {
       Room room = change.room();
-      arena = arena.withRoom(room);
-      drones.forEach(drone -> drone.moveInto(room));
+      furnish(surroundings.arena().withRoom(room));
       tell(
           Phrase.of(
               "the room is %.0f cm wide, %.0f cm deep and %.0f cm high now",
               room.width() * 100, room.depth() * 100, room.height() * 100));
     } else if (control instanceof Control.Furnish change) {
-      arena = change.arena();
-      drones.forEach(drone -> drone.moveInto(arena.room()));
+      furnish(change.arena());
     } else if (control instanceof Control.Decorate change) {
-      arena = arena.withDecor(change.decor());
+      furnish(surroundings.arena().withDecor(change.decor()));
     } else if (control instanceof Control.Pause pause) {
       clock = new Clock(clock.factor(), pause.paused());
       tell(pause.paused() ? Phrase.of("time stands still") : Phrase.of("time goes on"));
@@ -206,6 +210,11 @@ public final class Simulation {
       clock = new Clock(factor, clock.paused());
       tell(Phrase.of("the time factor is %s now", factor));
     }
+  }
+
+  private void furnish(Arena arena) {
+    surroundings.change(arena);
+    drones.forEach(drone -> drone.lookAround(surroundings));
   }
 
   private static void guarded(String failure, Runnable work) {
@@ -221,7 +230,8 @@ public final class Simulation {
     for (Drone drone : drones) {
       states.add(drone.publish());
     }
-    snapshot = new SimSnapshot(now, clock, arena, Collections.unmodifiableList(states));
+    snapshot =
+        new SimSnapshot(now, clock, surroundings.arena(), Collections.unmodifiableList(states));
   }
 
   private void tell(Phrase phrase) {

@@ -1,5 +1,6 @@
 package tellosimulator.world;
 
+import java.util.List;
 import java.util.Optional;
 import tellosimulator.math.Vec3;
 
@@ -21,6 +22,9 @@ record Hoop(Vec3 middle, double radius, double tube, Vec3 ahead) implements Soli
 
   private static final int MOST_STEPS = 200;
 
+  /** How often the nearest points of hull and ring are looked for in turn. Decided: to a mm. */
+  private static final int MOST_TURNS = 6;
+
   @Override
   public Bounds bounds() {
     double out = radius + tube;
@@ -29,23 +33,50 @@ record Hoop(Vec3 middle, double radius, double tube, Vec3 ahead) implements Soli
     return Bounds.around(middle, new Vec3(x, y, out));
   }
 
-  /**
-   * The way out of the nearest piece of the tube, as if it were straight: on a ring that a drone
-   * can fly through the difference is less than a centimetre.
-   */
+  /** The way out of that piece of the tube which reaches farthest into the hull. */
   @Override
   public Optional<Exit> exit(Vec3 position, Vec3 before, Hull hull) {
-    Vec3 centre = position.plusScaled(Vec3.UP, hull.height() / 2);
+    Vec3 across = new Vec3(-ahead.y(), ahead.x(), 0).times(hull.radius());
+    Vec3 middle = middleOf(position, hull);
+    Vec3 away = between(middle, position, hull);
+    for (Vec3 side : List.of(middle.plus(across), middle.minus(across))) {
+      Vec3 there = between(side, position, hull);
+      away = there.norm() < away.norm() ? there : away;
+    }
+    double distance = away.norm();
+    if (distance >= tube) {
+      return Optional.empty();
+    }
+    return Optional.of(
+        distance < REACHED
+            ? deep(position, hull)
+            : new Exit(away.times(1 / distance), tube - distance));
+  }
+
+  /** From the ring to the hull where they are nearest, looked for around a place in the hull. */
+  private Vec3 between(Vec3 start, Vec3 position, Hull hull) {
+    Vec3 onRing = nearest(start);
+    Vec3 onHull = start;
+    for (int i = 0; i < MOST_TURNS; i++) {
+      onHull = hull.nearest(position, onRing);
+      onRing = nearest(onHull);
+    }
+    return onHull.minus(onRing);
+  }
+
+  /** For a hull that the middle of the tube is in: away from there, as far as the hull reaches. */
+  private Exit deep(Vec3 position, Hull hull) {
+    Vec3 centre = middleOf(position, hull);
     Vec3 away = centre.minus(nearest(centre));
     double distance = away.norm();
-    if (distance == 0) {
-      return Optional.of(new Exit(ahead, tube + hull.radius()));
-    }
-    Vec3 normal = away.times(1 / distance);
+    Vec3 normal = distance == 0 ? ahead : away.times(1 / distance);
     double reach =
         hull.radius() * normal.horizontal().norm() + hull.height() / 2 * Math.abs(normal.z());
-    double depth = tube + reach - distance;
-    return depth > 0 ? Optional.of(new Exit(normal, depth)) : Optional.empty();
+    return new Exit(normal, tube + reach - distance);
+  }
+
+  private static Vec3 middleOf(Vec3 position, Hull hull) {
+    return position.plusScaled(Vec3.UP, hull.height() / 2);
   }
 
   /** Goes along the ray as far as nothing can be in the way, again and again. */

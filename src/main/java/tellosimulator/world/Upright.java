@@ -39,7 +39,8 @@ record Upright(double bottom, double top) {
     if (before.z() + hull.height() <= bottom + TOUCHING) {
       return Optional.of(new Exit(DOWN, under));
     }
-    return Optional.of(shortest(sidewards, over, under));
+    boolean passable = bottom >= hull.height(); // or there is only the floor below
+    return Optional.of(shortest(sidewards, over, passable ? under : Double.POSITIVE_INFINITY));
   }
 
   /** For a hull that was in the body already. */

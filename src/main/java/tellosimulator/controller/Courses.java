@@ -1,0 +1,81 @@
+package tellosimulator.controller;
+
+import tellosimulator.command.Command;
+import tellosimulator.math.Vec3;
+import tellosimulator.model.DroneSpec;
+import tellosimulator.sensor.SeededNoise.Channel;
+
+/**
+ * Lays the course from where a drone is to where a command sends it, as exactly as the behaviour
+ * has it. For one drone and the simulation thread.
+ */
+final class Courses {
+
+  private final Wiring wiring;
+  private final Flight flight;
+  private long moves;
+
+  Courses(Wiring wiring, Flight flight) {
+    this.wiring = wiring;
+    this.flight = flight;
+  }
+
+  /**
+   * Straight by a way in the level body frame.
+   *
+   * @param way metres
+   * @param speed metres per second
+   */
+  Maneuver by(Vec3 way, double speed) {
+    return to(flight.basePosition().plus(way.turned(flight.baseHeading())), speed);
+  }
+
+  /**
+   * Straight to a place; heights at which no drone hovers become the nearest at which one does.
+   *
+   * @param place room frame [m]
+   * @param speed metres per second
+   */
+  Maneuver to(Vec3 place, double speed) {
+    Vec3 goal = place.plus(miss());
+    double lowest = wiring.behaviour().lowestHover();
+    double height = Math.max(lowest, Math.min(DroneSpec.MAX_HEIGHT, goal.z()));
+    Path path = Path.Line.between(flight.basePosition(), goal.withZ(height));
+    return new PathFlight(path, speed, flight.baseHeading());
+  }
+
+  /**
+   * Along an arc from here.
+   *
+   * @param turn heading of the arc's axes [rad]
+   */
+  Maneuver along(Command.Curve curve, double turn) {
+    Path path = new Path.Curve(flight.basePosition(), curve.arc(), turn, miss());
+    return new PathFlight(path, curve.speed(), flight.baseHeading());
+  }
+
+  /**
+   * On the spot.
+   *
+   * @param angle counter-clockwise seen from above [rad]
+   */
+  Maneuver turn(double angle) {
+    double miss = miss(Channel.MOVE_HEADING, wiring.behaviour().headingSigma());
+    moves++;
+    return new Turn(flight.basePosition(), flight.baseHeading(), angle + miss);
+  }
+
+  /** By how much the next motion ends elsewhere [m]. */
+  Vec3 miss() {
+    double sigma = wiring.behaviour().positionSigma();
+    Vec3 miss =
+        new Vec3(
+            miss(Channel.MOVE_X, sigma), miss(Channel.MOVE_Y, sigma), miss(Channel.MOVE_Z, sigma));
+    moves++;
+    return miss;
+  }
+
+  private double miss(Channel channel, double sigma) {
+    return sigma == 0 ? 0 : sigma * wiring.noise().gaussian(channel, moves);
+  }
+}

@@ -1,0 +1,148 @@
+package tellosimulator.controller;
+
+import java.util.Comparator;
+import java.util.Optional;
+import java.util.function.Consumer;
+import tellosimulator.command.Command;
+import tellosimulator.command.CurveRadius;
+import tellosimulator.command.PadChoice;
+import tellosimulator.command.Reply;
+import tellosimulator.command.Responder;
+import tellosimulator.math.Arc;
+import tellosimulator.math.Frames;
+import tellosimulator.math.Vec3;
+import tellosimulator.model.DroneModel;
+import tellosimulator.model.PadSighting;
+import tellosimulator.words.Phrase;
+
+/** The commands that fly by mission pads. For one drone and the simulation thread. */
+final class PadMissions {
+
+  /** Means the pad that was identified first. Documented: SDK 3.0 User Guide. */
+  private static final int FIRST = -1;
+
+  /** Means the nearest pad. Documented: SDK 3.0 User Guide. */
+  private static final int NEAREST = -2;
+
+  private final DroneModel model;
+  private final Flight flight;
+  private final Courses courses;
+
+  PadMissions(DroneModel model, Flight flight, Courses courses) {
+    this.model = model;
+    this.flight = flight;
+    this.courses = courses;
+  }
+
+  /** Flies to a point in the pad's frame; the heading stays. */
+  void go(Command.GoToPad command, Responder responder) {
+    seek(command.pad(), responder, pad -> flight.fly(way(pad, command), Task.of(responder)));
+  }
+
+  /** Flies an arc through two points in the pad's frame. */
+  void curve(Command.CurveOverPad command, Responder responder) {
+    seek(command.pad(), responder, pad -> curve(pad, command, responder));
+  }
+
+  /**
+   * Flies to a point over the first pad, looks for the second one, flies over its middle and turns.
+   * Documented: Mission Pad User Guide.
+   */
+  void jump(Command.Jump command, Responder responder) {
+    Task second =
+        Task.then(
+            responder,
+            () -> seek(command.second(), responder, pad -> cross(pad, command, responder)));
+    seek(command.leg().pad(), responder, pad -> flight.fly(way(pad, command.leg()), second));
+  }
+
+  private void curve(PadSighting pad, Command.CurveOverPad command, Responder responder) {
+    Vec3 here = flight.basePosition();
+    Optional<Arc> arc =
+        Arc.through(place(pad, command.via()).minus(here), place(pad, command.end()).minus(here));
+    Optional<Phrase> objection = CurveRadius.objection(arc);
+    if (objection.isPresent()) {
+      responder.refuse(Reply.RADIUS, objection.get());
+      return;
+    }
+    Maneuver curve = courses.along(new Command.Curve(arc.orElseThrow(), command.speed()), 0);
+    flight.fly(watching(pad, curve), Task.of(responder));
+  }
+
+  /** Over the middle of the second pad of a jump. */
+  private void cross(PadSighting pad, Command.Jump command, Responder responder) {
+    Vec3 over = new Vec3(0, 0, command.leg().goal().z());
+    Maneuver way = courses.to(place(pad, over), command.leg().speed());
+    double heading = pad.pad().attitude().heading() + command.heading();
+    flight.fly(watching(pad, way), Task.then(responder, () -> turn(heading, responder)));
+  }
+
+  /** Goes on when the pad is seen, at once or after a look around; answers if it is not. */
+  private void seek(PadChoice choice, Responder responder, Consumer<PadSighting> next) {
+    Optional<Phrase> blind = blind();
+    if (blind.isPresent()) {
+      responder.refuse(Reply.NO_VALID_MARKER, blind.get());
+      return;
+    }
+    Optional<PadSighting> seen = find(choice);
+    if (seen.isPresent()) {
+      next.accept(seen.get());
+      return;
+    }
+    PadSearch search =
+        new PadSearch(flight.basePosition(), flight.baseHeading(), () -> find(choice).isPresent());
+    Runnable end =
+        () ->
+            find(choice)
+                .ifPresentOrElse(next, () -> responder.fail(Reply.NO_VALID_MARKER, unseen(choice)));
+    flight.fly(search, Task.then(responder, end));
+  }
+
+  private void turn(double heading, Responder responder) {
+    double angle = Frames.wrapped(heading - flight.baseHeading());
+    flight.fly(courses.turn(angle), Task.of(responder));
+  }
+
+  private Maneuver way(PadSighting pad, Command.GoToPad command) {
+    return watching(pad, courses.to(place(pad, command.goal()), command.speed()));
+  }
+
+  private Maneuver watching(PadSighting pad, Maneuver maneuver) {
+    return new PadWatch(maneuver, pad.id(), () -> sees(pad.id()));
+  }
+
+  private boolean sees(int id) {
+    return model.perception().pads().stream().anyMatch(pad -> pad.id() == id);
+  }
+
+  private static Vec3 place(PadSighting pad, Vec3 inPadFrame) {
+    return pad.pad().position().plus(pad.pad().attitude().toRoom(inPadFrame));
+  }
+
+  /** The pad that is meant, if the camera in the underside sees it. */
+  private Optional<PadSighting> find(PadChoice choice) {
+    var below = model.perception().pads().stream().filter(PadSighting::below);
+    return switch (choice.id()) {
+      case FIRST -> below.min(Comparator.comparing(pad -> pad.moment().since().nanos()));
+      case NEAREST -> below.min(Comparator.comparing(pad -> pad.offset().norm()));
+      default -> below.filter(pad -> pad.id() == choice.id()).findFirst();
+    };
+  }
+
+  /** Why it does not look for pads below. */
+  private Optional<Phrase> blind() {
+    return switch (model.perception().padMode()) {
+      case OFF -> Optional.of(Phrase.of("pad detection is off, send `mon` first"));
+      case FORWARD ->
+          Optional.of(
+              Phrase.of("the drone does not look down for pads, send `mdirection 0` or 2 first"));
+      case DOWN, BOTH -> Optional.empty();
+    };
+  }
+
+  private static Phrase unseen(PadChoice choice) {
+    return choice.id() < 0
+        ? Phrase.of("the drone does not see any pad below it")
+        : Phrase.of("the drone does not see the pad %s", choice.word());
+  }
+}

@@ -1,0 +1,43 @@
+package tellosimulator.physics;
+
+import tellosimulator.math.Vec3;
+
+/**
+ * What a drone knows of the wind: the push that its accelerometer feels beyond its own thrust and
+ * the drag of still air. It knows it late, so gusts still move it. In still air it is exactly zero.
+ * For one drone and one thread.
+ */
+final class WindSense {
+
+  /** How late it is [s]. Assumed: as long as a drone takes to lean against a push. */
+  private static final double LAG = 0.4;
+
+  /** A push below this is forgotten when the air stands still [m/s²]. Decided: nobody feels it. */
+  private static final double NOTHING = 1e-6;
+
+  private Vec3 push = Vec3.ZERO;
+
+  /** Acceleration by the wind, as far as it is known, room frame [m/s²]. */
+  Vec3 push() {
+    return push;
+  }
+
+  /**
+   * Feels the air for a step.
+   *
+   * @param velocity of the drone, room frame [m/s]
+   * @param wind velocity of the air, room frame [m/s]
+   */
+  void feel(Vec3 velocity, Vec3 wind, double seconds) {
+    if (wind.equals(Vec3.ZERO) && push.equals(Vec3.ZERO)) {
+      return;
+    }
+    Vec3 airspeed = velocity.minus(wind);
+    Vec3 present =
+        velocity.times(Drag.factor(velocity)).plusScaled(airspeed, -Drag.factor(airspeed));
+    push = push.plusScaled(present.minus(push), seconds / LAG);
+    if (push.norm() < NOTHING) {
+      push = Vec3.ZERO;
+    }
+  }
+}

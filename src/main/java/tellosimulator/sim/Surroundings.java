@@ -1,0 +1,105 @@
+package tellosimulator.sim;
+
+import java.util.List;
+import java.util.Optional;
+import tellosimulator.math.Pose;
+import tellosimulator.math.Vec3;
+import tellosimulator.model.DroneSpec;
+import tellosimulator.sensor.Ground;
+import tellosimulator.sensor.PadDetector.Card;
+import tellosimulator.time.SimTime;
+import tellosimulator.world.Arena;
+import tellosimulator.world.Collision;
+import tellosimulator.world.Hull;
+import tellosimulator.world.Obstacles;
+import tellosimulator.world.WindField;
+
+/** What is around each drone now: the room, what stands in it, and the others. For one thread. */
+final class Surroundings {
+
+  private static final Hull HULL = DroneSpec.HULL;
+
+  private final List<Drone> drones;
+  private final long seed;
+  private Arena arena;
+  private Obstacles obstacles;
+  private List<Card> cards;
+  private WindField wind;
+
+  /**
+   * @param drones in the order of their numbers; may change
+   * @param seed of everything random
+   */
+  Surroundings(Arena arena, List<Drone> drones, long seed) {
+    this.drones = drones;
+    this.seed = seed;
+    change(arena);
+  }
+
+  /** Something else is there now. */
+  void change(Arena newArena) {
+    arena = newArena;
+    obstacles = Obstacles.of(arena);
+    cards = arena.pads().stream().map(pad -> new Card(pad.id(), pad.pose(arena.room()))).toList();
+    wind = new WindField(arena.wind(), seed);
+  }
+
+  Arena arena() {
+    return arena;
+  }
+
+  /** Velocity of the air, room frame [m/s]. */
+  Vec3 wind(SimTime time) {
+    return wind.at(time);
+  }
+
+  /** The obstacle that stops a drone on its way through a step. */
+  Optional<Collision> obstacle(Drone drone) {
+    return obstacles.collide(drone.before(), drone.position(), drone.velocity(), HULL);
+  }
+
+  /** The side of the room that stops a drone. */
+  Optional<Collision> surface(Drone drone) {
+    return arena.room().collide(drone.position(), drone.velocity(), HULL);
+  }
+
+  /** Whether nothing carries a drone that rests, or something is where it is. */
+  boolean unsettles(Drone drone) {
+    Vec3 place = drone.position();
+    return place.z() > 0
+        || !arena.room().contains(place, HULL)
+        || obstacles.around(place, HULL).isPresent();
+  }
+
+  /** Mission pads in the room. */
+  List<Card> cards() {
+    return cards;
+  }
+
+  /** Whether no obstacle stands between two places; the last centimetres do not count. */
+  boolean free(Vec3 from, Vec3 to) {
+    Vec3 way = to.minus(from);
+    double distance = way.norm();
+    return obstacles.distance(from, way.normalized(), distance) >= distance - 0.01;
+  }
+
+  /** What a drone flies over: floor, obstacles, other drones. */
+  Ground ground(int number) {
+    return drone -> below(drone, number);
+  }
+
+  private double below(Pose pose, int number) {
+    double floor = Ground.FLOOR.below(pose);
+    if (Double.isInfinite(floor)) {
+      return floor;
+    }
+    Vec3 down = pose.attitude().up().times(-1);
+    double nearest = obstacles.distance(pose.position(), down, floor);
+    for (Drone other : drones) {
+      if (other.number() != number) {
+        nearest = Math.min(nearest, other.distanceAlong(pose.position(), down));
+      }
+    }
+    return nearest;
+  }
+}

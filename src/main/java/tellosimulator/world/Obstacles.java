@@ -1,0 +1,152 @@
+package tellosimulator.world;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Optional;
+import tellosimulator.math.Vec3;
+import tellosimulator.world.Solid.Bounds;
+
+/**
+ * The obstacles of a room, in cells on the floor, so that only those nearby are looked at.
+ * Immutable; for any thread.
+ */
+public final class Obstacles {
+
+  /**
+   * Smallest edge of a cell [m]. Decided: most obstacles are in a few, a drone is in one or two.
+   */
+  private static final double SMALLEST_CELL = 1;
+
+  /** Most cells along an edge of the room. Decided: some megabytes at the most. */
+  private static final int MOST_CELLS = 64;
+
+  private static final Part[] NOTHING = {};
+
+  /** A solid, and whose it is. */
+  record Part(Solid solid, Bounds bounds, Obstacle obstacle) {}
+
+  private final Room room;
+  private final double cell;
+  private final int columns;
+  private final int rows;
+  private final Part[][] cells;
+  private final boolean empty;
+
+  private Obstacles(Room room, List<Part> parts) {
+    this.room = room;
+    this.cell = Math.max(SMALLEST_CELL, Math.max(room.depth(), room.width()) / MOST_CELLS);
+    this.columns = (int) Math.ceil(room.depth() / cell);
+    this.rows = (int) Math.ceil(room.width() / cell);
+    this.empty = parts.isEmpty();
+    this.cells = new Part[columns * rows][];
+    Arrays.fill(cells, NOTHING);
+    List<List<Part>> lists = new ArrayList<>();
+    for (int i = 0; i < cells.length; i++) {
+      lists.add(new ArrayList<>());
+    }
+    parts.forEach(part -> forCells(part.bounds, index -> lists.get(index).add(part)));
+    for (int i = 0; i < cells.length; i++) {
+      cells[i] = lists.get(i).toArray(NOTHING);
+    }
+  }
+
+  /** Those of a room with all that is in it. */
+  public static Obstacles of(Arena arena) {
+    List<Part> parts = new ArrayList<>();
+    for (Obstacle obstacle : arena.obstacles()) {
+      for (Solid solid : Solids.of(obstacle)) {
+        parts.add(new Part(solid, solid.bounds(), obstacle));
+      }
+    }
+    return new Obstacles(arena.room(), parts);
+  }
+
+  /**
+   * What stops a body on its way through a step; it slides along what it touches.
+   *
+   * @param before where it was [m]
+   * @param position where it would be [m]
+   * @param velocity how it moves [m/s]
+   */
+  public Optional<Collision> collide(Vec3 before, Vec3 position, Vec3 velocity, Hull hull) {
+    if (empty) {
+      return Optional.empty();
+    }
+    Vec3 grown = new Vec3(hull.radius(), hull.radius(), hull.height());
+    Bounds swept = Bounds.around(before, grown).with(Bounds.around(position, grown));
+    List<Part> near = near(swept);
+    return near.isEmpty()
+        ? Optional.empty()
+        : new Sweep(near, hull).along(before, position, velocity);
+  }
+
+  /** Whether a hull is in any of them, and in which. */
+  public Optional<Obstacle> around(Vec3 position, Hull hull) {
+    Vec3 grown = new Vec3(hull.radius(), hull.radius(), hull.height());
+    return near(Bounds.around(position, grown)).stream()
+        .filter(part -> part.solid.exit(position, position, hull).isPresent())
+        .map(Part::obstacle)
+        .findFirst();
+  }
+
+  /**
+   * How far one sees along a ray [m].
+   *
+   * @param direction unit vector
+   * @param limit beyond this nothing matters [m]
+   * @return the distance to the nearest obstacle, or {@code limit}
+   */
+  public double distance(Vec3 origin, Vec3 direction, double limit) {
+    if (empty) {
+      return limit;
+    }
+    Vec3 end = origin.plusScaled(direction, limit);
+    Bounds along = Bounds.around(origin, Vec3.ZERO).with(Bounds.around(end, Vec3.ZERO));
+    double nearest = limit;
+    for (Part part : near(along)) {
+      nearest = Math.min(nearest, part.solid.distance(origin, direction));
+    }
+    return nearest;
+  }
+
+  /** The parts whose bounds meet other ones; some of them may be there twice. */
+  private List<Part> near(Bounds bounds) {
+    int firstColumn = column(bounds.least().x());
+    int lastColumn = column(bounds.most().x());
+    int firstRow = row(bounds.least().y());
+    int lastRow = row(bounds.most().y());
+    List<Part> near = List.of();
+    for (int column = firstColumn; column <= lastColumn; column++) {
+      for (int row = firstRow; row <= lastRow; row++) {
+        for (Part part : cells[column * rows + row]) {
+          if (part.bounds.meets(bounds)) {
+            near = near.isEmpty() ? new ArrayList<>(4) : near;
+            near.add(part);
+          }
+        }
+      }
+    }
+    return near;
+  }
+
+  private void forCells(Bounds bounds, java.util.function.IntConsumer consumer) {
+    for (int column = column(bounds.least().x()); column <= column(bounds.most().x()); column++) {
+      for (int row = row(bounds.least().y()); row <= row(bounds.most().y()); row++) {
+        consumer.accept(column * rows + row);
+      }
+    }
+  }
+
+  private int column(double x) {
+    return clamped((int) Math.floor((x + room.depth() / 2) / cell), columns);
+  }
+
+  private int row(double y) {
+    return clamped((int) Math.floor((y + room.width() / 2) / cell), rows);
+  }
+
+  private static int clamped(int index, int count) {
+    return Math.max(0, Math.min(count - 1, index));
+  }
+}
