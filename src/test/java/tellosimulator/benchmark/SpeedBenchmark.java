@@ -7,8 +7,12 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.SplittableRandom;
 import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import tellosimulator.command.Peer;
+import tellosimulator.math.Attitude;
+import tellosimulator.math.Pose;
 import tellosimulator.math.Vec3;
 import tellosimulator.network.DatagramPort;
 import tellosimulator.network.Ports;
@@ -16,8 +20,11 @@ import tellosimulator.network.StateConnection;
 import tellosimulator.sim.Control;
 import tellosimulator.sim.SimConfig;
 import tellosimulator.sim.Simulation;
-import tellosimulator.sim.Swarm;
+import tellosimulator.world.Arena;
+import tellosimulator.world.Cover;
+import tellosimulator.world.Obstacle;
 import tellosimulator.world.Room;
+import tellosimulator.world.Shape;
 
 /**
  * How much faster than the wall clock drones fly on one thread, each flying a tour by commands and
@@ -40,6 +47,15 @@ final class SpeedBenchmark {
           "back 100",
           "land");
 
+  private static final Room HALL = new Room(20, 20, 5);
+  private static final Shape.Box BOX = new Shape.Box(0.2, 0.2, 0.2);
+
+  /** No box is nearer to a start than this [m]: it would be in the way of the takeoff. */
+  private static final double CLEAR = 0.25;
+
+  private static final int ROW = 10;
+  private static final double APART = 0.6;
+
   private static final double WARM_UP_SECONDS = 3;
   private static final double RUN_SECONDS = 2;
   private static final int RUNS = 5;
@@ -47,14 +63,17 @@ final class SpeedBenchmark {
 
   private SpeedBenchmark() {}
 
-  static Row measure(int drones, int target) {
-    Tour tour = new Tour(drones);
+  private static Row measure(int drones, int obstacles, int target) {
+    Tour tour = new Tour(drones, obstacles);
     tour.factor(WARM_UP_SECONDS);
     List<Double> factors =
         IntStream.range(0, RUNS).mapToObj(run -> tour.factor(RUN_SECONDS)).toList();
     double median = new Statistics(factors).median();
     return new Row(
-        drones + (drones == 1 ? " drone" : " drones") + ", simulated over wall time",
+        drones
+            + (drones == 1 ? " drone" : " drones")
+            + (obstacles == 0 ? "" : " over " + obstacles + " obstacles")
+            + ", simulated over wall time",
         "at least " + target + " ×",
         String.format(Locale.ROOT, "%.0f ×", median),
         median >= target);
@@ -67,14 +86,16 @@ final class SpeedBenchmark {
     private final Map<Integer, Integer> next = new HashMap<>();
     private long lines;
 
-    Tour(int drones) {
-      Room room = new Room(20, 20, 5);
+    Tour(int drones, int obstacles) {
+      List<Pose> starts = square(drones);
       DatagramPort port = new Sink();
       Peer peer =
           new Peer(new InetSocketAddress(InetAddress.getLoopbackAddress(), 9), port.address());
       simulation =
           new Simulation(
-              SimConfig.DEFAULT.withRoom(room, Swarm.row(drones, Vec3.ZERO, room)),
+              SimConfig.DEFAULT
+                  .withRoom(HALL, starts)
+                  .withArena(Arena.DEFAULT.withRoom(HALL).withObstacles(boxes(obstacles, starts))),
               drone -> (to, text) -> fly(drone, peer),
               new StateConnection(new Ports(List.of(port))),
               List.of());
@@ -84,11 +105,34 @@ final class SpeedBenchmark {
       }
     }
 
+    /** In rows of ten in the middle of the hall, so that no tour reaches a wall. */
+    private static List<Pose> square(int drones) {
+      return IntStream.range(0, drones)
+          .mapToObj(i -> new Vec3(i / ROW - ROW / 2, i % ROW - ROW / 2, 0).times(APART))
+          .map(place -> new Pose(place, Attitude.LEVEL))
+          .toList();
+    }
+
+    /** Low boxes all over the floor: drones fly over them, and some land on them. */
+    private static List<Obstacle> boxes(int count, List<Pose> starts) {
+      SplittableRandom random = new SplittableRandom(1);
+      double reach = (HALL.depth() - BOX.depth()) / 2;
+      return Stream.generate(
+              () -> new Vec3(random.nextDouble(-reach, reach), random.nextDouble(-reach, reach), 0))
+          .filter(
+              place ->
+                  starts.stream().noneMatch(start -> start.position().distanceTo(place) < CLEAR))
+          .limit(count)
+          .map(place -> new Obstacle("box", BOX, place, place.x(), Cover.DEFAULT))
+          .toList();
+    }
+
     private void fly(int drone, Peer peer) {
       int index = next.merge(drone, 1, Integer::sum) - 1;
       String command = TOUR.get(index % TOUR.size());
-      if (command.equals("land")) {
+      if (command.equals("command")) {
         simulation.control(new Control.SetBattery(drone, 100));
+        simulation.control(new Control.Reset(drone)); // all tours go the same way
       }
       simulation.submit(drone, peer, command);
       if (command.startsWith("rc ")) {
@@ -141,9 +185,10 @@ final class SpeedBenchmark {
 
   static List<Row> all() {
     List<Row> rows = new ArrayList<>();
-    rows.add(measure(1, 5000));
-    rows.add(measure(10, 500));
-    rows.add(measure(100, 50));
+    rows.add(measure(1, 0, 5000));
+    rows.add(measure(10, 0, 500));
+    rows.add(measure(100, 0, 50));
+    rows.add(measure(100, 200, 20));
     return rows;
   }
 }
