@@ -4,7 +4,7 @@ import os
 import shutil
 import subprocess
 
-DRONE = "192.168.10.1"
+DRONES = ("192.168.10.1", "192.168.10.3", "192.168.10.4")
 CLIENT = "192.168.10.2"
 MASK = "24"
 
@@ -55,7 +55,8 @@ class PrivateNetwork:
         self._keeper.stdout.readline()
         pid = str(self._keeper.pid)
         _ip("link", "add", "drone", "type", "veth", "peer", "name", "client", "netns", pid)
-        _ip("address", "add", f"{DRONE}/{MASK}", "dev", "drone")
+        for drone in DRONES:
+            _ip("address", "add", f"{drone}/{MASK}", "dev", "drone")
         _ip("link", "set", "drone", "up")
         for words in (
             ["link", "set", "lo", "up"],

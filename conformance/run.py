@@ -49,9 +49,16 @@ SEARCH = ["--poster", f"right,-60,100,40,{MARKER}"]
 class Client:
     """How a client is started, how to see whether it is installed, and in which room it flies."""
 
-    def __init__(self, start, probe, install, room=HALL, time_factor="5", fewest_steps=15):
+    def __init__(
+        self, start, probe, install, room=HALL, time_factor="5", fewest_steps=15, drones=1
+    ):
         self.start, self.probe, self.install = start, probe, install
         self.room, self.time_factor, self.fewest_steps = room, time_factor, fewest_steps
+        self.drones = drones
+
+    def swarm(self):
+        """Whether its drones can only be told apart by their addresses."""
+        return self.drones > 1
 
     def missing(self):
         """Why it cannot fly; empty if it can."""
@@ -83,6 +90,13 @@ CLIENTS = {
         time_factor="1",
         fewest_steps=3,
     ),
+    "djitellopy-swarm": Client(
+        [python(), "fly_swarm.py"],
+        ["-c", "import djitellopy"],
+        PIP,
+        fewest_steps=5,
+        drones=3,
+    ),
     "tello-asyncio": Client(
         [python(), "fly_tello_asyncio.py"], ["-c", "import tello_asyncio"], PIP
     ),
@@ -109,7 +123,14 @@ def options():
     unknown = [name for name in chosen.clients if name not in CLIENTS]
     if unknown:
         parser.error("there is no client " + ", ".join(unknown))
-    chosen.clients = chosen.clients or list(CLIENTS)
+    if not chosen.clients:
+        chosen.clients = [
+            name
+            for name, client in CLIENTS.items()
+            if chosen.private_network or not client.swarm()
+        ]
+    elif not chosen.private_network and any(CLIENTS[name].swarm() for name in chosen.clients):
+        parser.error("a swarm flies with --private-network only")
     return chosen
 
 
@@ -125,7 +146,8 @@ def fly(name, chosen):
         command = list(client.start)
         if chosen.private_network:
             cable = stack.enter_context(network.PrivateNetwork())
-            simulator_options += ["--bind", network.DRONE, "--command-port", "8889"]
+            drones = ",".join(network.DRONES[: client.drones])
+            simulator_options += ["--bind", drones, "--command-port", "8889"]
             command = cable.way_in() + command
         else:
             command += LOOPBACK

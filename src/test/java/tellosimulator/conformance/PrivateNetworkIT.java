@@ -8,7 +8,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 class PrivateNetworkIT {
 
   @ParameterizedTest
-  @ValueSource(strings = {"djitellopy", "tello-asyncio", "tellojs"})
+  @ValueSource(strings = {"djitellopy", "djitellopy-swarm", "tello-asyncio", "tellojs"})
   void unchangedClientFliesWhereItsCommandsLead(String client)
       throws IOException, InterruptedException {
     ClientFlight.fly("--private-network", client);
