@@ -52,7 +52,7 @@ final class PadMissions {
     Task second =
         Task.then(
             responder,
-            () -> seek(command.second(), responder, pad -> cross(pad, command, responder)));
+            () -> search(command.second(), responder, pad -> cross(pad, command, responder)));
     seek(command.leg().pad(), responder, pad -> flight.fly(way(pad, command.leg()), second));
   }
 
@@ -77,18 +77,23 @@ final class PadMissions {
     flight.fly(watching(pad, way), Task.then(responder, () -> turn(heading, responder)));
   }
 
-  /** Goes on when the pad is seen, at once or after a look around; answers if it is not. */
+  /** Goes on with the pad if it is seen; waits for the first look if there was none yet. */
   private void seek(PadChoice choice, Responder responder, Consumer<PadSighting> next) {
     Optional<Phrase> blind = blind();
+    Optional<PadSighting> pad = find(choice);
     if (blind.isPresent()) {
       responder.refuse(Reply.NO_VALID_MARKER, blind.get());
-      return;
+    } else if (pad.isPresent()) {
+      next.accept(pad.get());
+    } else if (model.perception().looked()) {
+      responder.refuse(Reply.NO_VALID_MARKER, unseen(choice));
+    } else {
+      search(choice, responder, next);
     }
-    Optional<PadSighting> seen = find(choice);
-    if (seen.isPresent()) {
-      next.accept(seen.get());
-      return;
-    }
+  }
+
+  /** Hovers until the pad is seen, or for as long as it looks for one. */
+  private void search(PadChoice choice, Responder responder, Consumer<PadSighting> next) {
     PadSearch search =
         new PadSearch(flight.basePosition(), flight.baseHeading(), () -> find(choice).isPresent());
     Runnable end =

@@ -126,7 +126,7 @@ public final class DroneModel {
 
   /** Looks for mission pads elsewhere; none is seen yet. */
   public void look(PadMode newPads) {
-    perception = new Perception(newPads, List.of());
+    perception = new Perception(newPads, false, List.of());
   }
 
   public void setPerception(Perception newPerception) {

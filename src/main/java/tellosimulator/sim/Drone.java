@@ -275,7 +275,9 @@ final class Drone {
       PadSighting.Moment moment = new PadSighting.Moment(now, model.motion().pose());
       model.setPerception(
           new Perception(
-              mode, padDetector.look(moment, mode, surroundings.cards(), surroundings::free)));
+              mode,
+              true,
+              padDetector.look(moment, mode, surroundings.cards(), surroundings::free)));
     }
   }
 

@@ -3,6 +3,7 @@ package tellosimulator.wire;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.net.InetSocketAddress;
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
@@ -10,6 +11,8 @@ import tellosimulator.math.Vec3;
 import tellosimulator.sim.Control;
 import tellosimulator.testing.SimulatedDrone;
 import tellosimulator.testing.SimulatedDrone.Sent;
+import tellosimulator.world.Arena;
+import tellosimulator.world.MissionPad;
 import tellosimulator.world.Room;
 
 /** Carries out one row of the table. */
@@ -30,6 +33,8 @@ final class WireRun {
   private final StateChecks checks;
 
   /** Replies that were expected and came. */
+  private final List<MissionPad> pads = new ArrayList<>();
+
   private int seen;
 
   WireRun(WireRow row) {
@@ -137,8 +142,21 @@ final class WireRun {
                       Double.parseDouble(words.get(1)) / 100,
                       Double.parseDouble(words.get(2)) / 100,
                       Double.parseDouble(words.get(3)) / 100)));
+      case "pad" -> lay(words);
       default -> throw new IllegalArgumentException("unknown step @" + words.get(0));
     }
+  }
+
+  /** Number, x, y and heading of one more mission pad, in cm and degrees. */
+  private void lay(List<String> words) {
+    Vec3 place =
+        new Vec3(Double.parseDouble(words.get(2)) / 100, Double.parseDouble(words.get(3)) / 100, 0);
+    pads.add(
+        MissionPad.onFloor(
+            Integer.parseInt(words.get(1)),
+            place,
+            Math.toRadians(Double.parseDouble(words.get(4)))));
+    drone.control(new Control.Furnish(Arena.DEFAULT.withPads(pads)));
   }
 
   private record Message(InetSocketAddress from, String text) {}
