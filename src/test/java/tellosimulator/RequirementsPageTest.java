@@ -10,6 +10,7 @@ import java.util.Map;
 import java.util.regex.MatchResult;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 
@@ -17,7 +18,8 @@ import org.junit.jupiter.api.Test;
 class RequirementsPageTest {
 
   private static final Path PAGE = Path.of("docs", "requirements.md");
-  private static final Pattern NAMED_TEST = Pattern.compile("`(\\w+Test)(?:\\.(\\w+))?`");
+  private static final Pattern NAMED_TEST = Pattern.compile("`(\\w+(?:Test|IT))(?:\\.(\\w+))?`");
+  private static final Pattern ROW = Pattern.compile("(?m)^\\| R(\\d+) \\|");
   private static final Pattern PICTURE = Pattern.compile("\\((images/[^)]+)\\)");
 
   @Test
@@ -29,9 +31,29 @@ class RequirementsPageTest {
     for (MatchResult test : named) {
       assertThat(sources).containsKey(test.group(1));
       if (test.group(2) != null) {
-        assertThat(sources.get(test.group(1))).contains("void " + test.group(2) + "(");
+        assertThat(sources.get(test.group(1)))
+            .containsPattern("  [\\w<>]+ " + test.group(2) + "\\(");
       }
     }
+  }
+
+  @Test
+  void eachRowOfTheReportIsThere() throws IOException {
+    List<Integer> rows =
+        ROW.matcher(Files.readString(PAGE))
+            .results()
+            .map(row -> Integer.valueOf(row.group(1)))
+            .toList();
+
+    assertThat(rows)
+        .containsExactlyElementsOf(
+            Stream.of(
+                    IntStream.rangeClosed(1, 14),
+                    IntStream.rangeClosed(20, 25),
+                    IntStream.rangeClosed(30, 33),
+                    IntStream.rangeClosed(40, 41))
+                .flatMap(IntStream::boxed)
+                .toList());
   }
 
   @Test
@@ -45,7 +67,7 @@ class RequirementsPageTest {
   private static Map<String, String> sources() throws IOException {
     try (Stream<Path> files = Files.walk(Path.of("src", "test", "java"))) {
       return files
-          .filter(file -> file.toString().endsWith("Test.java"))
+          .filter(file -> file.toString().matches(".*(Test|IT)\\.java"))
           .collect(
               Collectors.toMap(
                   file -> file.getFileName().toString().replace(".java", ""),
