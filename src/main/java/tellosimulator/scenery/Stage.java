@@ -12,10 +12,13 @@ import tellosimulator.model.DroneState;
 import tellosimulator.scenery.drone.DroneParts;
 import tellosimulator.scenery.drone.PropellerSpin;
 import tellosimulator.scenery.drone.StatusLight;
+import tellosimulator.scenery.furniture.Furniture;
+import tellosimulator.scenery.pad.PadCards;
 import tellosimulator.scenery.room.GroundMark;
 import tellosimulator.scenery.room.Interior;
 import tellosimulator.sim.SimSnapshot;
 import tellosimulator.sim.SimSnapshot.DroneSnapshot;
+import tellosimulator.world.Arena;
 import tellosimulator.world.Decor;
 import tellosimulator.world.Room;
 
@@ -31,6 +34,8 @@ public final class Stage {
   private record Furnished(Room room, Decor decor, List<Placed> parts) {}
 
   private final Interior interior = new Interior();
+  private final PadCards pads = new PadCards();
+  private final Furniture furniture = new Furniture();
   private final Map<Integer, DroneParts> figures = new ConcurrentHashMap<>();
   private final Map<Integer, GroundMark> marks = new ConcurrentHashMap<>();
   private volatile Furnished furnished;
@@ -50,10 +55,13 @@ public final class Stage {
   }
 
   private Scene scene(SimSnapshot snapshot, OptionalInt without) {
+    Arena arena = snapshot.arena();
     List<Placed> parts = new ArrayList<>(room(snapshot));
+    parts.addAll(pads.placed(arena.room(), arena.pads()));
     for (DroneSnapshot drone : snapshot.drones()) {
       addMarks(parts, drone);
     }
+    parts.addAll(furniture.placed(arena.obstacles()));
     List<DroneSnapshot> seen =
         snapshot.drones().stream()
             .filter(drone -> without.isEmpty() || without.getAsInt() != drone.state().drone())

@@ -12,6 +12,7 @@ import javafx.collections.FXCollections;
 import javafx.collections.ObservableList;
 import tellosimulator.sim.SimSnapshot;
 import tellosimulator.time.TimeFactor;
+import tellosimulator.world.Arena;
 import tellosimulator.world.Decor;
 import tellosimulator.world.Room;
 
@@ -25,6 +26,7 @@ public final class FxSimulation {
   private final ObservableList<FxDroneModel> readOnlyDrones =
       FXCollections.unmodifiableObservableList(drones);
   private final ObjectProperty<FxDroneModel> selected = new SimpleObjectProperty<>();
+  private final ReadOnlyObjectWrapper<Arena> arena = new ReadOnlyObjectWrapper<>();
   private final ReadOnlyObjectWrapper<Room> room = new ReadOnlyObjectWrapper<>();
   private final ReadOnlyObjectWrapper<Decor> decor = new ReadOnlyObjectWrapper<>();
   private final ReadOnlyObjectWrapper<TimeFactor> timeFactor = new ReadOnlyObjectWrapper<>();
@@ -43,6 +45,7 @@ public final class FxSimulation {
   /** Takes over what the newest snapshot says; called once a pulse. */
   public void update(SimSnapshot newest) {
     snapshot = newest;
+    arena.set(newest.arena());
     room.set(newest.room());
     decor.set(newest.decor());
     timeFactor.set(newest.clock().factor());
@@ -71,6 +74,11 @@ public final class FxSimulation {
   /** The drone that panels and cameras show. */
   public FxDroneModel selected() {
     return selected.get();
+  }
+
+  /** The room with all that is in it. */
+  public ReadOnlyObjectProperty<Arena> arenaProperty() {
+    return arena.getReadOnlyProperty();
   }
 
   public ReadOnlyObjectProperty<Room> roomProperty() {

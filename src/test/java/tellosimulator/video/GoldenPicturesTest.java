@@ -12,6 +12,7 @@ import tellosimulator.math.Attitude;
 import tellosimulator.math.Pose;
 import tellosimulator.math.Vec3;
 import tellosimulator.video.camera.Shot;
+import tellosimulator.world.Arena;
 
 /**
  * Compares pictures of the software camera with kept ones. Where they shall look different, make
@@ -35,12 +36,20 @@ class GoldenPicturesTest {
         false,
         new Pose(new Vec3(-1, 0, 1), Attitude.LEVEL),
         new Pose(new Vec3(-0.4, 0.05, 0.9), Attitude.ofHeading(2.5))),
-    BELOW(true, new Pose(new Vec3(-2, 0, 1), Attitude.LEVEL));
+    BELOW(true, new Pose(new Vec3(-2, 0, 1), Attitude.LEVEL)),
+    FURNISHED(FurnishedRoom.ARENA, false, new Pose(new Vec3(-1.9, 0, 1.1), Attitude.LEVEL)),
+    PADS(FurnishedRoom.ARENA, true, new Pose(new Vec3(-0.65, 0, 0.8), Attitude.LEVEL));
 
+    private final Arena arena;
     private final boolean downward;
     private final Pose[] drones;
 
     Golden(boolean downward, Pose... drones) {
+      this(Arena.DEFAULT, downward, drones);
+    }
+
+    Golden(Arena arena, boolean downward, Pose... drones) {
+      this.arena = arena;
       this.downward = downward;
       this.drones = drones;
     }
@@ -50,7 +59,7 @@ class GoldenPicturesTest {
     }
 
     Still take() {
-      return Still.of(Moments.flying(drones), new Shot(1, downward));
+      return Still.of(Moments.flying(arena, drones), new Shot(1, downward));
     }
   }
 

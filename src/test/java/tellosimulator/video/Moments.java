@@ -12,8 +12,8 @@ import tellosimulator.sim.SimSnapshot;
 import tellosimulator.sim.SimSnapshot.DroneSnapshot;
 import tellosimulator.sim.Simulation;
 import tellosimulator.sim.Swarm;
+import tellosimulator.world.Arena;
 import tellosimulator.world.Decor;
-import tellosimulator.world.Room;
 
 /** Moments of simulations in the default room, with drones in the air wherever one wants them. */
 final class Moments {
@@ -27,8 +27,13 @@ final class Moments {
 
   /** The same in a room that looks different. */
   static SimSnapshot flying(Decor decor, Pose... poses) {
-    List<Pose> starts = Swarm.row(poses.length, Vec3.ZERO, Room.DEFAULT);
-    SimConfig config = SimConfig.DEFAULT.withRoom(Room.DEFAULT, starts).withDecor(decor);
+    return flying(Arena.DEFAULT.withDecor(decor), poses);
+  }
+
+  /** The same in a room with other things in it. */
+  static SimSnapshot flying(Arena arena, Pose... poses) {
+    List<Pose> starts = Swarm.row(poses.length, Vec3.ZERO, arena.room());
+    SimConfig config = SimConfig.DEFAULT.withRoom(arena.room(), starts).withArena(arena);
     Simulation simulation =
         new Simulation(config, number -> (peer, text) -> {}, report -> {}, List.of());
     SimSnapshot snapshot = simulation.snapshot();

@@ -92,6 +92,20 @@ public final class Sketch {
     return new Texture(size, size, pixels);
   }
 
+  /** Prints what was drawn in an ink over the pixels of a sheet of the same size. */
+  void print(Rgb color, int[] pixels) {
+    for (int i = 0; i < pixels.length; i++) {
+      if (ink[i] > 0) {
+        pixels[i] = Rgb.of(pixels[i]).towards(color, ink[i]).argb();
+      }
+    }
+  }
+
+  /** A round spot. */
+  public Sketch dot(Point middle, double radius) {
+    return stroke(List.of(middle, middle), 2 * radius);
+  }
+
   /**
    * Gives ink to all pixels around some points.
    *

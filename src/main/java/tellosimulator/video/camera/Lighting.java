@@ -14,11 +14,6 @@ import tellosimulator.scenery.Rgb;
  */
 final class Lighting {
 
-  private static final double AMBIENT = brightness(Lamps.AMBIENT);
-
-  private static final double[] STRENGTHS =
-      Lamps.ALL.stream().mapToDouble(lamp -> brightness(lamp.color())).toArray();
-
   private float[] lights = new float[0];
 
   /** The brightness of each normal, 0 to 1. */
@@ -26,16 +21,16 @@ final class Lighting {
     return lights;
   }
 
-  void shine(Shape shape, Attitude attitude) {
+  /** From now on the lights are those on a part in some attitude. */
+  void shine(Lamps lamps, Shape shape, Attitude attitude) {
     float[] normals = shape.normals;
     int count = normals.length / 3;
     if (lights.length < count) {
       lights = new float[count];
     }
-    Arrays.fill(lights, 0, count, (float) AMBIENT);
-    for (int i = 0; i < STRENGTHS.length; i++) {
-      Lamp lamp = Lamps.ALL.get(i);
-      Vec3 towards = attitude.toBody(lamp.direction()).times(-STRENGTHS[i]);
+    Arrays.fill(lights, 0, count, (float) brightness(lamps.ambient()));
+    for (Lamp lamp : lamps.all()) {
+      Vec3 towards = attitude.toBody(lamp.direction()).times(-brightness(lamp.color()));
       add(normals, count, towards);
     }
   }

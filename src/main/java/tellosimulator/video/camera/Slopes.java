@@ -23,6 +23,12 @@ final class Slopes {
   double lightDown;
   double light;
 
+  /** Whether the whole triangle is equally bright, as that of a flat thing is. */
+  boolean even;
+
+  /** How bright it then is, 0 to 1. */
+  double evenLight;
+
   /** The inverse of the matrix of the corners, column by column. */
   private final double[] inverse = new double[9];
 
@@ -79,6 +85,8 @@ final class Slopes {
     double a = lights[normals[at]];
     double b = lights[normals[at + 1]];
     double c = lights[normals[at + 2]];
+    even = a == b && b == c;
+    evenLight = a;
     lightAcross = a * inverse[0] + b * inverse[3] + c * inverse[6];
     lightDown = a * inverse[1] + b * inverse[4] + c * inverse[7];
     light = a * inverse[2] + b * inverse[5] + c * inverse[8];
@@ -86,6 +94,8 @@ final class Slopes {
 
   /** Lights the triangle fully. */
   void fullLight() {
+    even = true;
+    evenLight = 1;
     lightAcross = nearAcross;
     lightDown = nearDown;
     light = near;

@@ -78,15 +78,14 @@ public final class SoftwareCamera {
     }
     corners.project(shape, projection);
     Finish finish = placed.part().finish();
-    if (finish == Finish.LIT) {
-      lighting.shine(shape, placed.pose().attitude());
-    }
+    finish.lamps().ifPresent(lamps -> lighting.shine(lamps, shape, placed.pose().attitude()));
     decal.opacity(placed.opacity(), finish == Finish.DECAL);
     drawTriangles(shape, placed.part());
   }
 
   private void drawTriangles(Shape shape, Part part) {
     Finish finish = part.finish();
+    boolean lighted = finish.lamps().isPresent();
     TextureBrush brush = brush(finish);
     MipMaps texture = null;
     for (int i = 0; i < shape.triangles(); i++) {
@@ -95,9 +94,9 @@ public final class SoftwareCamera {
       }
       if (texture == null) { // not before, as it takes long to make one
         texture = props.texture(part);
-        brush.texture(texture, finish == Finish.LIT);
+        brush.texture(texture, lighted);
       }
-      if (finish == Finish.LIT) {
+      if (lighted) {
         slopes.light(lighting.lights(), shape.normalOf, 3 * i);
       } else {
         slopes.fullLight();
@@ -139,7 +138,7 @@ public final class SoftwareCamera {
   private TextureBrush brush(Finish finish) {
     return switch (finish) {
       case PAINTED -> painted;
-      case LIT -> lit;
+      case LIT, MATT -> lit;
       case DECAL, SHEER -> decal;
     };
   }

@@ -6,6 +6,7 @@ import javafx.geometry.Point3D;
 import javafx.scene.AmbientLight;
 import javafx.scene.DirectionalLight;
 import javafx.scene.Group;
+import javafx.scene.LightBase;
 import javafx.scene.Node;
 import javafx.scene.paint.Color;
 import tellosimulator.math.Pose;
@@ -20,7 +21,7 @@ import tellosimulator.view.drone.DroneView;
 
 /**
  * Everything in the room, in the room frame. Its order is that of drawing: floor and walls, what
- * lies on the floor, drones, and last what one sees through.
+ * lies on them, obstacles, drones, and last what one sees through.
  */
 final class World extends Group {
 
@@ -31,6 +32,8 @@ final class World extends Group {
   private final FxSimulation simulation;
   private final List<Parts> drones = new ArrayList<>();
   private final RoomView room;
+  private final PadsView pads;
+  private final FurnitureView furniture;
   private final Group marks = new Group();
   private final Group bodies = new Group();
   private final Group trails = new Group();
@@ -39,6 +42,8 @@ final class World extends Group {
   World(FxSimulation simulation) {
     this.simulation = simulation;
     room = new RoomView(simulation);
+    pads = new PadsView(simulation);
+    furniture = new FurnitureView(simulation);
     initializeSelf();
     initializeParts();
     layoutParts();
@@ -114,30 +119,36 @@ final class World extends Group {
       aids.getChildren().addAll(drone.tags);
     }
     aids.getChildren().add(trails);
-    getChildren().addAll(room, marks, bodies, aids);
+    getChildren().addAll(room, pads, marks, furniture, bodies, aids);
   }
 
   /**
-   * Lights that shine as those of the world do; made anew with each call. The room has its light in
-   * its pictures; only drones are lit, which is cheaper.
+   * Lights that shine as those of the world do; made anew with each call. Most things have their
+   * light in their pictures, which is cheaper.
    */
   Group lights() {
     AmbientLight asPainted = new AmbientLight(Color.WHITE);
-    asPainted.getScope().addAll(room, marks, aids);
+    asPainted.getScope().addAll(room, pads, marks, furniture.pictured(), aids);
     drones.forEach(drone -> asPainted.getScope().add(drone.view.lamp()));
-    AmbientLight onDrones = new AmbientLight(FxTextures.color(Lamps.AMBIENT));
-    onDrones.getScope().add(bodies);
-    Group lights = new Group(asPainted, onDrones);
-    Lamps.ALL.forEach(lamp -> lights.getChildren().add(directional(lamp)));
+    Group lights = new Group(asPainted);
+    lights.getChildren().addAll(lights(Lamps.ON_DRONES, bodies));
+    lights.getChildren().addAll(lights(Lamps.ON_FURNITURE, furniture.lit()));
     lights.getTransforms().add(FxFrames.ofRoom());
     return lights;
   }
 
-  private DirectionalLight directional(Lamp lamp) {
+  private static List<LightBase> lights(Lamps lamps, Node on) {
+    List<LightBase> lights = new ArrayList<>();
+    lights.add(new AmbientLight(FxTextures.color(lamps.ambient())));
+    lamps.all().forEach(lamp -> lights.add(directional(lamp)));
+    lights.forEach(light -> light.getScope().add(on));
+    return lights;
+  }
+
+  private static DirectionalLight directional(Lamp lamp) {
     DirectionalLight light = new DirectionalLight(FxTextures.color(lamp.color()));
     Vec3 direction = lamp.direction();
     light.setDirection(new Point3D(direction.x(), direction.y(), direction.z()));
-    light.getScope().add(bodies);
     return light;
   }
 }

@@ -11,6 +11,7 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.function.Predicate;
 import javafx.scene.image.Image;
 import javafx.scene.image.PixelFormat;
@@ -34,9 +35,14 @@ import tellosimulator.video.camera.Raster;
 import tellosimulator.video.camera.SoftwareCamera;
 import tellosimulator.view.testing.NeedsDisplay;
 import tellosimulator.view.world.SceneFixture.Spot;
+import tellosimulator.world.Cover;
+import tellosimulator.world.Cover.Pattern;
 import tellosimulator.world.Decor;
+import tellosimulator.world.MissionPad;
+import tellosimulator.world.Obstacle;
 import tellosimulator.world.Poster;
 import tellosimulator.world.Room;
+import tellosimulator.world.Shape;
 import tellosimulator.world.Surface;
 import tellosimulator.world.Walls;
 
@@ -82,6 +88,32 @@ class SameWorldDisplayTest {
       assertSame(window, drawn, color -> isLike(color, Color.CYAN));
       assertSame(window, drawn, SameWorldDisplayTest::isOrange);
     }
+  }
+
+  @Test
+  void obstaclesAndPadsAreAtTheSamePixelAndLookAlike() {
+    fixture.furnish(
+        arena ->
+            arena
+                .withObstacles(
+                    List.of(
+                        obstacle(new Shape.Box(0.4, 0.5, 0.4), new Vec3(0.9, 0.5, 0), 0xff0000),
+                        obstacle(new Shape.Cylinder(0.15, 0.8), new Vec3(1.2, -0.6, 0), 0x00ff00),
+                        obstacle(new Shape.Ring(0.3, 0.06, 1), new Vec3(1.5, 0, 0), 0x0000ff)))
+                .withPads(List.of(MissionPad.onFloor(4, new Vec3(1.4, -0.2, 0), 0.4))));
+    fixture.change(() -> fixture.scene().viewCameraProperty().set(ViewCamera.DRONE));
+    fixture.put(new Pose(new Vec3(-0.6, 0.1, 0.9), Attitude.ofHeading(0.1)), FlightPhase.FLYING);
+    Image window = fixture.settledPicture();
+    Image drawn = drawn();
+
+    assertSame(window, drawn, color -> isLike(color, Color.RED));
+    assertSame(window, drawn, color -> isLike(color, Color.LIME));
+    assertSame(window, drawn, SameWorldDisplayTest::isBlue);
+    assertSame(lowerHalf(window), lowerHalf(drawn), SameWorldDisplayTest::isPaper);
+  }
+
+  private static Obstacle obstacle(Shape shape, Vec3 foot, int rgb) {
+    return new Obstacle("thing", shape, foot, 0.3, new Cover(rgb, Pattern.PLAIN, Map.of()));
   }
 
   private static void assertSame(Image window, Image drawn, Predicate<Color> wanted) {
@@ -133,6 +165,21 @@ class SameWorldDisplayTest {
     return Math.abs(color.getRed() - wanted.getRed()) < 0.25
         && Math.abs(color.getGreen() - wanted.getGreen()) < 0.25
         && Math.abs(color.getBlue() - wanted.getBlue()) < 0.25;
+  }
+
+  /** Without the window's buttons. */
+  private static Image lowerHalf(Image picture) {
+    return new WritableImage(picture.getPixelReader(), 0, HEIGHT / 2, WIDTH, HEIGHT / 2);
+  }
+
+  /** As only the ring is, in light and in shade. */
+  private static boolean isBlue(Color color) {
+    return color.getBlue() > 0.4 && color.getRed() < 0.1 && color.getGreen() < 0.1;
+  }
+
+  /** As only what pads are printed on is. */
+  private static boolean isPaper(Color color) {
+    return color.getBrightness() > 0.95 && color.getSaturation() < 0.1;
   }
 
   /** As only the second drone's cover and its start mark are. */

@@ -40,6 +40,7 @@ import tellosimulator.view.ViewContext;
 import tellosimulator.view.text.Language;
 import tellosimulator.view.video.Album;
 import tellosimulator.view.video.WindowVideo;
+import tellosimulator.world.Arena;
 import tellosimulator.world.Decor;
 import tellosimulator.world.Walls;
 
@@ -163,19 +164,21 @@ public final class SceneFixture implements BeforeEachCallback, AfterEachCallback
             was.perception(),
             was.video());
     List<DroneSnapshot> drones = new ArrayList<>(snapshot.drones());
-    drones.set(0, new DroneSnapshot(now, old.link(), old.product(), old.start()));
+    drones.set(0, old.withState(now));
     SimTime time = snapshot.time();
     snapshot = new SimSnapshot(time, snapshot.clock(), snapshot.arena(), drones);
   }
 
   /** Changes the looks of the room; the next beat shows it. */
   public void decorate(UnaryOperator<Decor> change) {
+    furnish(arena -> arena.withDecor(change.apply(arena.decor())));
+  }
+
+  /** Changes what is in the room; the next beat shows it. */
+  public void furnish(UnaryOperator<Arena> change) {
     snapshot =
         new SimSnapshot(
-            snapshot.time(),
-            snapshot.clock(),
-            snapshot.arena().withDecor(change.apply(snapshot.decor())),
-            snapshot.drones());
+            snapshot.time(), snapshot.clock(), change.apply(snapshot.arena()), snapshot.drones());
   }
 
   /** Lets time pass in the window and shows what is then. */

@@ -1,0 +1,188 @@
+package tellosimulator.scenery.furniture;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.List;
+import java.util.Map;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
+import tellosimulator.math.Vec3;
+import tellosimulator.scenery.Finish;
+import tellosimulator.scenery.Mesh;
+import tellosimulator.scenery.Part;
+import tellosimulator.scenery.Placed;
+import tellosimulator.scenery.Rgb;
+import tellosimulator.scenery.Texture;
+import tellosimulator.world.Cover;
+import tellosimulator.world.Cover.Pattern;
+import tellosimulator.world.Cover.Side;
+import tellosimulator.world.Obstacle;
+import tellosimulator.world.Shape;
+
+class FurnitureTest {
+
+  private static final Shape BOX = new Shape.Box(0.4, 0.6, 0.8);
+
+  private final Furniture furniture = new Furniture();
+
+  @Test
+  void theSkinOfABoxEnclosesIt() {
+    assertThat(volume(BOX)).isCloseTo(0.4 * 0.6 * 0.8, within(1e-6));
+  }
+
+  /** A circle of 28 sides has 0.8 % less area than a round one, that of 14 sides 3.3 % less. */
+  @Test
+  void theSkinOfACylinderEnclosesIt() {
+    double round = Math.PI * 0.25 * 0.25 * 0.9;
+    assertThat(volume(new Shape.Cylinder(0.25, 0.9))).isBetween(0.98 * round, round);
+  }
+
+  @Test
+  void theSkinOfAGateEnclosesIt() {
+    // beams: two of 0.8 + 2 * 0.1 m and two of 0.6 m, posts: two of 0.5 m
+    double frame = 0.1 * 0.1 * (2 * 1 + 2 * 0.6 + 2 * 0.5);
+    assertThat(volume(new Shape.Frame(0.6, 0.8, 0.1, 1))).isCloseTo(frame, within(1e-6));
+
+    // a torus is as long as its middle, 0.5 + 0.05 m from the centre; its tube has few sides,
+    // and the post stands 0.45 m high and 0.05 m into the ring, without an upper end
+    double ring = 2 * Math.PI * 0.55 * Math.PI * 0.05 * 0.05;
+    double post = Math.PI * 0.05 * 0.05 * 0.45;
+    assertThat(volume(new Shape.Ring(0.5, 0.1, 1.05))).isCloseTo(ring + post, within(0.15 * ring));
+  }
+
+  @Test
+  void aGateThatStandsOnTheFloorHasNoPosts() {
+    assertThat(parts(new Shape.Ring(0.5, 0.1, 0.6), Cover.DEFAULT)).hasSize(1);
+    assertThat(parts(new Shape.Frame(0.6, 0.8, 0.1, 0.4), Cover.DEFAULT)).hasSize(1);
+  }
+
+  @Test
+  void theOpeningOfARingIsFree() {
+    Mesh ring = parts(new Shape.Ring(0.5, 0.1, 2), Cover.DEFAULT).get(1).mesh();
+
+    for (int i = 0; i < ring.points(); i++) {
+      Vec3 out = ring.point(i).minus(new Vec3(0, 0, 2));
+      assertThat(Math.hypot(out.y(), out.z())).isBetween(0.5 - 1e-6, 0.6 + 1e-6);
+      assertThat(out.x()).isBetween(-0.05 - 1e-6, 0.05 + 1e-6);
+    }
+  }
+
+  @ParameterizedTest
+  @EnumSource
+  void aPatternIsNearTheColourAndHasDetailButForPlainPaint(Pattern pattern) {
+    Texture texture = parts(BOX, paint(pattern)).get(0).texture();
+
+    int own = 0;
+    double sum = 0;
+    double squares = 0;
+    int[] pixels = texture.argbArray();
+    for (int pixel : pixels) {
+      Rgb rgb = Rgb.of(pixel);
+      own += rgb.blue() > rgb.red() + 40 ? 1 : 0;
+      sum += rgb.green();
+      squares += rgb.green() * rgb.green();
+    }
+    double mean = sum / pixels.length;
+    double deviation = Math.sqrt(squares / pixels.length - mean * mean);
+    assertThat(own).as("bluish pixels").isGreaterThan(pixels.length * 2 / 5);
+    if (pattern == Pattern.PLAIN) {
+      assertThat(deviation).isZero();
+    } else {
+      assertThat(deviation).isGreaterThan(15);
+    }
+  }
+
+  @Test
+  void sidesWithPicturesAreAsBrightAsTheirFilesAndTheOthersArePainted() {
+    Cover cover =
+        new Cover(
+            0x0000ff,
+            Pattern.PLAIN,
+            Map.of(Side.FRONT, "examples/marker.png", Side.TOP, "no/such.png"));
+
+    List<Part> parts = parts(BOX, cover);
+
+    assertThat(parts)
+        .extracting(Part::finish)
+        .containsExactly(Finish.MATT, Finish.PAINTED, Finish.PAINTED);
+    assertThat(parts.get(0).mesh().triangles()).isEqualTo(2 * 4);
+    Mesh front = parts.get(1).mesh();
+    for (int i = 0; i < front.points(); i++) {
+      assertThat(front.point(i).x()).isCloseTo(0.2, within(1e-6));
+    }
+    Texture blank = parts.get(2).texture();
+    assertThat(Rgb.of(blank.argb(0, 0))).isEqualTo(Rgb.of(0x9a9a9a));
+  }
+
+  @Test
+  void aPictureGoesAroundACylinderAndIsUprightFromTheFront() {
+    Cover cover = new Cover(0, Pattern.PLAIN, Map.of(Side.FRONT, "examples/marker.png"));
+    Mesh around = parts(new Shape.Cylinder(0.3, 1), cover).get(1).mesh();
+    float[] places = around.texCoordArray();
+
+    for (int i = 0; i < around.points(); i++) {
+      Vec3 point = around.point(i);
+      double turn = Math.atan2(point.y(), point.x()) / (2 * Math.PI);
+      double v = places[2 * i + 1];
+      assertThat(v).isCloseTo(point.z() > 0.5 ? 0 : 1, within(0.005));
+      if (Math.abs(turn) < 0.49) {
+        assertThat((double) places[2 * i]).isCloseTo(0.5 + turn, within(0.005));
+      }
+    }
+  }
+
+  @Test
+  void likeThingsShareTheirParts() {
+    Obstacle one = new Obstacle("one", BOX, new Vec3(1, 0, 0), 0, paint(Pattern.BRICKS));
+    Obstacle other = new Obstacle("other", BOX, new Vec3(2, 0, 0), 1, paint(Pattern.BRICKS));
+    Obstacle third =
+        new Obstacle("third", new Shape.Cylinder(1, 1), Vec3.ZERO, 1, paint(Pattern.BRICKS));
+
+    List<Placed> placed = furniture.placed(List.of(one, other, third));
+
+    assertThat(placed.get(0).part()).isSameAs(placed.get(1).part());
+    assertThat(placed.get(0).pose()).isEqualTo(one.pose());
+    assertThat(placed.get(1).pose()).isEqualTo(other.pose());
+    assertThat(placed.get(2).part().texture()).isSameAs(placed.get(0).part().texture());
+  }
+
+  @Test
+  void nothingIsMadeAgainForTheSameOrAMovedObstacle() {
+    Obstacle here = new Obstacle("one", BOX, new Vec3(1, 0, 0), 0, Cover.DEFAULT);
+    List<Obstacle> obstacles = List.of(here);
+
+    List<Placed> first = furniture.placed(obstacles);
+
+    assertThat(furniture.placed(obstacles)).isSameAs(first);
+    List<Placed> moved = furniture.placed(List.of(here.movedTo(new Vec3(2, 0, 0), 0.5)));
+    assertThat(moved.get(0).part()).isSameAs(first.get(0).part());
+    assertThat(furniture.placed(List.of())).isEmpty();
+  }
+
+  private static Cover paint(Pattern pattern) {
+    return new Cover(0x2040e0, pattern, Map.of());
+  }
+
+  private List<Part> parts(Shape shape, Cover cover) {
+    return furniture.placed(List.of(new Obstacle("thing", shape, Vec3.ZERO, 0, cover))).stream()
+        .map(Placed::part)
+        .toList();
+  }
+
+  /** The volume within all skins of a thing [m³], less where they are seen from inside. */
+  private double volume(Shape shape) {
+    double volume = 0;
+    for (Part part : parts(shape, Cover.DEFAULT)) {
+      Mesh mesh = part.mesh();
+      int[] corners = mesh.cornerArray();
+      for (int i = 0; i < corners.length; i += 9) {
+        Vec3 b = mesh.point(corners[i + 3]);
+        Vec3 c = mesh.point(corners[i + 6]);
+        volume += mesh.point(corners[i]).dot(b.cross(c)) / 6;
+      }
+    }
+    return volume;
+  }
+}
