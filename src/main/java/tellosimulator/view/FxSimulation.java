@@ -76,6 +76,16 @@ public final class FxSimulation {
     return selected.get();
   }
 
+  /**
+   * Looks at another drone; the last one is followed by the first.
+   *
+   * @param steps 1 for the next, -1 for the one before
+   */
+  public void selectNext(int steps) {
+    int index = Math.floorMod(drones.indexOf(selected()) + steps, drones.size());
+    selected.set(drones.get(index));
+  }
+
   /** The room with all that is in it. */
   public ReadOnlyObjectProperty<Arena> arenaProperty() {
     return arena.getReadOnlyProperty();

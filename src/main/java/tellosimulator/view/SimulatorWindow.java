@@ -8,9 +8,11 @@ import javafx.beans.property.SimpleDoubleProperty;
 import javafx.scene.Scene;
 import javafx.scene.input.KeyCombination;
 import javafx.scene.layout.StackPane;
+import javafx.scene.layout.VBox;
 import javafx.stage.Stage;
 import tellosimulator.math.Frames;
 import tellosimulator.sim.Control;
+import tellosimulator.view.controls.DroneList;
 import tellosimulator.view.controls.NetworkControls;
 import tellosimulator.view.controls.SimulatorControls;
 import tellosimulator.view.layout.PageOverlay;
@@ -42,12 +44,16 @@ public final class SimulatorWindow implements AutoCloseable {
 
   private static final double FIRST_HEIGHT = 800;
 
+  /** Between what lies over the scene's corner [px]. */
+  private static final double ASIDE_GAP = 8;
+
   private final Stage stage;
   private final ViewContext context;
   private final WindowState state;
   private final Simulator3DScene world;
   private final PilotControls pilot;
   private final SimulatorControls simulatorControls;
+  private final DroneList drones;
   private final LogBox log;
   private final PageOverlay pages;
   private final Scene scene;
@@ -69,6 +75,7 @@ public final class SimulatorWindow implements AutoCloseable {
     world = new Simulator3DScene(context);
     pilot = new PilotControls(context);
     simulatorControls = new SimulatorControls(context);
+    drones = new DroneList(context);
     log = new LogBox(context, feed);
     pages = new PageOverlay(context);
     scene = new Scene(new StackPane(pane(), pages), FIRST_WIDTH, FIRST_HEIGHT);
@@ -93,7 +100,7 @@ public final class SimulatorWindow implements AutoCloseable {
     return new SimulatorPane(
         new SimulatorPane.Parts(
             new WindowBar(context, state, world, pages),
-            new SimulatorPane.Middle(world, pilot),
+            new SimulatorPane.Middle(world, new VBox(ASIDE_GAP, drones), pilot),
             simulatorControls,
             new NetworkControls(context),
             log),
@@ -107,6 +114,7 @@ public final class SimulatorWindow implements AutoCloseable {
         .on(WindowKey.SIMULATOR_CONTROLS, () -> toggle(state.simulatorControlsShownProperty()))
         .on(WindowKey.NETWORK_CONTROLS, () -> toggle(state.networkControlsShownProperty()))
         .on(WindowKey.LOG, () -> toggle(state.logShownProperty()))
+        .on(WindowKey.DRONES, () -> toggle(state.dronesShownProperty()))
         .on(WindowKey.INSET, () -> toggle(world.insetVisibleProperty()))
         .on(WindowKey.STILL, () -> keeper().saveStill())
         .on(WindowKey.RECORD, () -> keeper().toggleRecording())
@@ -119,6 +127,8 @@ public final class SimulatorWindow implements AutoCloseable {
         .on(WindowKey.CHASE_VIEW, () -> look(() -> world.camera().chase()))
         .on(WindowKey.RESET_VIEW, () -> look(() -> world.camera().reset()))
         .on(WindowKey.DRONE_CAMERA, this::switchCamera)
+        .on(WindowKey.NEXT_DRONE, () -> context.simulation().selectNext(1))
+        .on(WindowKey.PREVIOUS_DRONE, () -> context.simulation().selectNext(-1))
         .on(WindowKey.SEARCH_LOG, this::searchLog)
         .on(WindowKey.QUIT, stage::hide)
         .install(scene);
@@ -153,6 +163,9 @@ public final class SimulatorWindow implements AutoCloseable {
   }
 
   private void setupBindings() {
+    boolean several = context.simulation().drones().size() > 1;
+    drones.visibleProperty().bind(state.dronesShownProperty().map(shown -> shown && several));
+    drones.managedProperty().bind(drones.visibleProperty());
     state.fullScreenProperty().subscribe(stage::setFullScreen);
     stage.fullScreenProperty().subscribe(full -> state.fullScreenProperty().set(full));
     simulatorControls

@@ -32,9 +32,10 @@ public final class SimulatorPane extends BorderPane {
   /**
    * What is in the middle.
    *
+   * @param aside lies over the scene, in its upper left corner
    * @param pilot flies the drone; lies over the scene, at its lower edge
    */
-  public record Middle(Region scene, Region pilot) {}
+  public record Middle(Region scene, Region aside, Region pilot) {}
 
   private final Parts parts;
   private final WindowState state;
@@ -72,17 +73,27 @@ public final class SimulatorPane extends BorderPane {
       side.getStyleClass().add("panel");
       BorderPane.setAlignment(side, Pos.TOP_CENTER);
     }
-    StackPane free = new StackPane(parts.middle().pilot());
-    free.setAlignment(Pos.BOTTOM_CENTER);
-    free.setPickOnBounds(false);
-    free.setMinSize(0, 0);
-    free.setPadding(new Insets(FLOATING_GAP));
-    parts.middle().pilot().setMaxSize(Region.USE_PREF_SIZE, Region.USE_PREF_SIZE);
-    parts.middle().pilot().getStyleClass().add("floating");
-    overlay.setCenter(free);
+    overlay.setCenter(free());
     middle.getChildren().setAll(parts.middle().scene(), overlay);
     setCenter(middle);
     arrange(state.fullScreenProperty().get());
+  }
+
+  /** What lies over the scene and moves aside for nothing. */
+  private StackPane free() {
+    Region aside = parts.middle().aside();
+    Region pilot = parts.middle().pilot();
+    StackPane free = new StackPane(aside, pilot);
+    free.setPickOnBounds(false);
+    free.setMinSize(0, 0);
+    free.setPadding(new Insets(FLOATING_GAP));
+    StackPane.setAlignment(aside, Pos.TOP_LEFT);
+    StackPane.setAlignment(pilot, Pos.BOTTOM_CENTER);
+    aside.setMaxWidth(USE_PREF_SIZE);
+    aside.setPickOnBounds(false);
+    pilot.setMaxSize(USE_PREF_SIZE, USE_PREF_SIZE);
+    pilot.getStyleClass().add("floating");
+    return free;
   }
 
   private void setupEventHandlers() {

@@ -48,6 +48,7 @@ public final class WindowBar extends ToolBar {
             droneCamera(),
             toggle("show-inset", Feather.IMAGE, scene.insetVisibleProperty()),
             toggle("show-trail", Feather.ACTIVITY, scene.trailVisibleProperty()),
+            drones(context),
             space(),
             theme(),
             new SettingsMenu(context.language(), state, scene.antialiasingProperty(), pages),
@@ -106,6 +107,14 @@ public final class WindowBar extends ToolBar {
             scene
                 .viewCameraProperty()
                 .set(button.isSelected() ? ViewCamera.DRONE : ViewCamera.SIMULATOR));
+  }
+
+  private ToggleButton drones(ViewContext context) {
+    ToggleButton button = toggle("show-drones", Feather.LIST, state.dronesShownProperty());
+    boolean several = context.simulation().drones().size() > 1;
+    button.setVisible(several);
+    button.setManaged(several);
+    return button;
   }
 
   private Button theme() {

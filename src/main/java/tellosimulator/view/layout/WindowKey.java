@@ -16,6 +16,7 @@ public enum WindowKey {
   SIMULATOR_CONTROLS(KeyCode.F2),
   NETWORK_CONTROLS(KeyCode.F3),
   LOG(KeyCode.F4),
+  DRONES(KeyCode.F5),
   INSET(KeyCode.F6),
   TRAIL(KeyCode.F7),
   STILL(KeyCode.F8),
@@ -28,6 +29,8 @@ public enum WindowKey {
   CHASE_VIEW(KeyCode.DIGIT4, KeyCode.NUMPAD4),
   DRONE_CAMERA(KeyCode.DIGIT5, KeyCode.NUMPAD5),
   RESET_VIEW(KeyCode.DIGIT0, KeyCode.NUMPAD0, KeyCode.HOME),
+  NEXT_DRONE(KeyCode.PAGE_DOWN),
+  PREVIOUS_DRONE(KeyCode.PAGE_UP),
   SEARCH_LOG(KeyCombination.SHORTCUT_DOWN, KeyCode.F),
   QUIT(KeyCombination.SHORTCUT_DOWN, KeyCode.Q);
 
@@ -72,7 +75,12 @@ public enum WindowKey {
   }
 
   private static String symbol(KeyCode code, Messages messages) {
-    return code == KeyCode.HOME ? messages.now("home") : code.getName();
+    return switch (code) {
+      case HOME -> messages.now("home");
+      case PAGE_DOWN -> messages.now("page-down");
+      case PAGE_UP -> messages.now("page-up");
+      default -> code.getName();
+    };
   }
 
   /** The key of the text that says what it does, in this package's messages. */

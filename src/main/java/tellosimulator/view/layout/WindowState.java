@@ -26,6 +26,7 @@ public final class WindowState {
   private final BooleanProperty simulatorControlsShown = new SimpleBooleanProperty(true);
   private final BooleanProperty networkControlsShown = new SimpleBooleanProperty(true);
   private final BooleanProperty logShown = new SimpleBooleanProperty(true);
+  private final BooleanProperty dronesShown = new SimpleBooleanProperty(true);
   private final DoubleProperty logHeight = new SimpleDoubleProperty(LOG_HEIGHT);
   private final BooleanProperty fullScreen = new SimpleBooleanProperty();
   private final ObjectProperty<Theme> theme = new SimpleObjectProperty<>(Theme.LIGHT);
@@ -37,6 +38,7 @@ public final class WindowState {
     settings.bind("show.simulator-controls", state.simulatorControlsShown, Codec.flag());
     settings.bind("show.network-controls", state.networkControlsShown, Codec.flag());
     settings.bind("show.log", state.logShown, Codec.flag());
+    settings.bind("show.drones", state.dronesShown, Codec.flag());
     settings.bind("log.height", state.logHeight, Codec.decimal(LEAST_LOG_HEIGHT, MOST_LOG_HEIGHT));
     settings.bind("theme", state.theme, Codec.constant(Theme.class));
     settings.bind("ui-scale", state.uiScale, Codec.constant(UiScale.class));
@@ -53,6 +55,11 @@ public final class WindowState {
 
   public BooleanProperty logShownProperty() {
     return logShown;
+  }
+
+  /** Whether the list of drones is there, if there are several. */
+  public BooleanProperty dronesShownProperty() {
+    return dronesShown;
   }
 
   /** Height of the log [px]. */
