@@ -43,6 +43,8 @@ class TranslatedWindowFxTest {
           "Z cm",
           "−60 s",
           "Pause",
+          "Wind",
+          "0 cm/s",
           "live",
           "English",
           "Deutsch",

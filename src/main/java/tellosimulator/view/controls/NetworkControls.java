@@ -6,7 +6,7 @@ import tellosimulator.view.FxDroneModel;
 import tellosimulator.view.FxSimulation;
 import tellosimulator.view.ViewContext;
 
-/** The panel at the right: power switch, network, product and time. For the JavaFX thread. */
+/** The panel at the right: power switch, network, product, time and wind. For the JavaFX thread. */
 public final class NetworkControls extends ScrollPane {
 
   /** Width of the panel [px]. Decided: the longest address and a button. */
@@ -20,6 +20,7 @@ public final class NetworkControls extends ScrollPane {
   private final PortsPanel ports;
   private final ProductPanel product;
   private final TimePanel time;
+  private final WindPanel wind;
   private final VBox parts = new VBox();
   private final FxSimulation simulation;
   private long lookedNanos = Long.MIN_VALUE;
@@ -31,6 +32,7 @@ public final class NetworkControls extends ScrollPane {
     ports = new PortsPanel(context, power::forgetError);
     product = new ProductPanel(context);
     time = new TimePanel(context);
+    wind = new WindPanel(context);
     initializeSelf();
     layoutParts();
     setupBindings();
@@ -50,7 +52,7 @@ public final class NetworkControls extends ScrollPane {
 
   private void layoutParts() {
     parts.getStyleClass().add("parts");
-    parts.getChildren().addAll(power, link, ports, product, time);
+    parts.getChildren().addAll(power, link, ports, product, time, wind);
     setContent(parts);
   }
 

@@ -8,15 +8,20 @@ import javafx.beans.property.SimpleBooleanProperty;
 import javafx.beans.property.SimpleObjectProperty;
 import javafx.geometry.HPos;
 import javafx.geometry.VPos;
+import javafx.scene.Node;
 import javafx.scene.layout.Region;
 import tellosimulator.video.camera.DroneOptics;
 import tellosimulator.view.ViewContext;
 
 /**
  * The room with its drones in 3D, seen through one of two cameras; over it the inset with the
- * drone's camera. Where JavaFX has no 3D, the software camera draws it. For the JavaFX thread.
+ * drone's camera and where the wind blows. Where JavaFX has no 3D, the software camera draws it.
+ * For the JavaFX thread.
  */
 public final class Simulator3DScene extends Region {
+
+  /** Between what lies in a corner and the scene's edges [px]. */
+  private static final double MARGIN = 12;
 
   private final ObjectProperty<ViewCamera> viewCamera =
       new SimpleObjectProperty<>(this, "viewCamera", ViewCamera.SIMULATOR);
@@ -26,6 +31,7 @@ public final class Simulator3DScene extends Region {
   private final SimulatorCamera camera;
   private final WorldPicture picture;
   private final DroneCameraInset inset;
+  private final WindArrow wind;
 
   public Simulator3DScene(ViewContext context) {
     camera = new SimulatorCamera(context.simulation());
@@ -35,6 +41,7 @@ public final class Simulator3DScene extends Region {
             ? new ScenePicture(context, camera, onDrone)
             : new DrawnPicture(context, camera, onDrone);
     inset = new DroneCameraInset(context);
+    wind = new WindArrow(context, camera);
     initializeSelf();
     layoutParts();
     setupEventHandlers();
@@ -92,7 +99,7 @@ public final class Simulator3DScene extends Region {
   }
 
   private void layoutParts() {
-    getChildren().addAll(picture.node(), inset);
+    getChildren().addAll(picture.node(), wind, inset);
   }
 
   private void setupEventHandlers() {
@@ -113,21 +120,19 @@ public final class Simulator3DScene extends Region {
     camera.advance(nanos);
     picture.advance(nanos);
     inset.advance(nanos);
+    wind.advance(viewCamera.get() == ViewCamera.SIMULATOR);
   }
 
   @Override
   protected void layoutChildren() {
     layOutPicture();
-    double margin = 12;
-    layoutInArea(
-        inset,
-        margin,
-        margin,
-        getWidth() - 2 * margin,
-        getHeight() - 2 * margin,
-        0,
-        HPos.RIGHT,
-        VPos.TOP);
+    layOut(inset, HPos.RIGHT, VPos.TOP);
+    layOut(wind, HPos.LEFT, VPos.BOTTOM);
+  }
+
+  private void layOut(Node corner, HPos across, VPos down) {
+    double width = getWidth() - 2 * MARGIN;
+    layoutInArea(corner, MARGIN, MARGIN, width, getHeight() - 2 * MARGIN, 0, across, down);
   }
 
   /** The picture of the drone's camera keeps its form; the other fills everything. */

@@ -1,0 +1,101 @@
+package tellosimulator.view.controls;
+
+import java.util.List;
+import javafx.scene.control.Label;
+import javafx.scene.layout.VBox;
+import tellosimulator.math.Frames;
+import tellosimulator.math.Vec3;
+import tellosimulator.sim.Control;
+import tellosimulator.view.FxSimulation;
+import tellosimulator.view.SimulatorActions;
+import tellosimulator.view.ViewContext;
+import tellosimulator.view.text.Messages;
+import tellosimulator.world.Wind;
+
+/**
+ * The wind: where it blows, how fast, and how much it changes, with directions as in scenario
+ * files. What a person changes goes to the simulation at the next pulse, and what the simulation
+ * says is shown. For the JavaFX thread.
+ */
+final class WindPanel extends VBox {
+
+  /** Degrees counter-clockwise seen from above, 0 towards the front wall. */
+  private static final NumberRange TOWARDS = new NumberRange(-180, 180, 15);
+
+  /** What the sliders reach [cm/s]. Decided: a wind against which a drone just holds its place. */
+  private static final NumberRange SPEED = new NumberRange(0, 500, 10);
+
+  private static final NumberRange GUSTS = new NumberRange(0, 200, 5);
+
+  private static final NumberRange FIELD =
+      new NumberRange(0, Frames.centimetres(Wind.FASTEST), SPEED.step());
+
+  /** Slower is calm to the eye [m/s]; there is no direction left in it. */
+  private static final double CALM = 1e-6;
+
+  private final FxSimulation simulation;
+  private final SimulatorActions actions;
+  private final NumberSlider towards;
+  private final NumberSlider speed;
+  private final NumberSlider gusts;
+  private final Label heading = new Label();
+
+  WindPanel(ViewContext context) {
+    simulation = context.simulation();
+    actions = context.actions();
+    Messages messages = context.language().messages(WindPanel.class);
+    heading.textProperty().bind(messages.text("wind.heading"));
+    towards =
+        new NumberSlider(
+            "wind-towards", messages.text("wind-towards"), TOWARDS, context.language());
+    speed = new NumberSlider("wind-speed", messages.text("wind-speed"), SPEED, context.language());
+    gusts = new NumberSlider("wind-gusts", messages.text("wind-gusts"), GUSTS, context.language());
+    List.of(speed, gusts).forEach(slider -> slider.setFieldRange(FIELD));
+    Hint.on(towards, messages.text("wind-towards.hint"));
+    Hint.on(gusts, messages.text("wind-gusts.hint"));
+    heading.getStyleClass().add("heading");
+    getStyleClass().addAll("panel-section", "wind-panel");
+    getChildren().addAll(heading, towards, speed, gusts);
+    towards.show(0);
+    show(wind());
+    context.pulse().onBeat(nanos -> beat());
+  }
+
+  private void beat() {
+    boolean changed = towards.takeChange();
+    changed |= speed.takeChange();
+    changed |= gusts.takeChange();
+    if (changed) {
+      actions.carryOut(new Control.Furnish(simulation.arenaProperty().get().withWind(wanted())));
+    } else {
+      show(wind());
+    }
+  }
+
+  private Wind wind() {
+    return simulation.arenaProperty().get().wind();
+  }
+
+  private void show(Wind wind) {
+    double mean = wind.mean().horizontal().norm();
+    if (mean > CALM) {
+      double degrees = Math.toDegrees(Math.atan2(wind.mean().y(), wind.mean().x()));
+      towards.show(tidy(degrees));
+    }
+    speed.show(tidy(Frames.centimetres(mean)));
+    gusts.show(tidy(Frames.centimetres(wind.gusts())));
+  }
+
+  /** Without the last bits of the conversion. */
+  private static double tidy(double number) {
+    return Math.rint(number * 1000) / 1000;
+  }
+
+  private Wind wanted() {
+    double angle = Math.toRadians(towards.value());
+    double mean = Frames.metres(speed.value());
+    return new Wind(
+        new Vec3(Math.cos(angle) * mean, Math.sin(angle) * mean, wind().mean().z()),
+        Frames.metres(gusts.value()));
+  }
+}
