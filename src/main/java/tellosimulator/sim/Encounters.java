@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.Optional;
 import tellosimulator.math.Vec3;
 import tellosimulator.model.DroneSpec;
+import tellosimulator.time.SimTime;
 import tellosimulator.world.Collision;
 import tellosimulator.world.Hull;
 import tellosimulator.world.Touchable.OtherDrone;
@@ -21,6 +22,9 @@ final class Encounters {
 
   /** Longest stretch of their way to each other [m]. Decided: a quarter of a drone's height. */
   private static final double STRETCH = 0.01;
+
+  /** How fast one slips off another one's back [m/s²]. Assumed: round, smooth covers. */
+  private static final double SLIP = 4;
 
   private Encounters() {}
 
@@ -86,8 +90,13 @@ final class Encounters {
     if (vertical) {
       return Optional.of(Vec3.UP.times(offset.z() < 0 ? -upwards : upwards));
     }
-    Vec3 aside = apart == 0 ? new Vec3(1, 0, 0) : offset.horizontal().times(1 / apart);
-    return Optional.of(aside.times(sidewards));
+    return Optional.of(aside(offset).times(sidewards));
+  }
+
+  /** The level direction away from the other drone. */
+  private static Vec3 aside(Vec3 offset) {
+    Vec3 level = offset.horizontal();
+    return level.equals(Vec3.ZERO) ? new Vec3(1, 0, 0) : level.normalized();
   }
 
   /**
@@ -101,12 +110,12 @@ final class Encounters {
     double closing = Math.max(0, -one.velocity().minus(other.velocity()).dot(normal));
     double back = push.norm() + Math.max(0, -passed.dot(normal));
     double share = one.resting() ? 0 : other.resting() ? 1 : 0.5;
-    push(one, normal, new Share(share * back, share * closing, closing), other.number());
+    push(one, other, normal, new Share(share * back, share * closing, closing));
     push(
         other,
+        one,
         normal.times(-1),
-        new Share((1 - share) * back, (1 - share) * closing, closing),
-        one.number());
+        new Share((1 - share) * back, (1 - share) * closing, closing));
   }
 
   /**
@@ -118,15 +127,20 @@ final class Encounters {
    */
   private record Share(double way, double stop, double closing) {}
 
-  private static void push(Drone drone, Vec3 normal, Share share, int otherNumber) {
-    if (!drone.resting()) {
-      drone.stopBy(
-          new Collision(
-              new OtherDrone(otherNumber),
-              normal,
-              share.closing,
-              drone.position().plusScaled(normal, share.way),
-              drone.velocity().plusScaled(normal, share.stop)));
+  private static void push(Drone drone, Drone other, Vec3 normal, Share share) {
+    if (drone.resting()) {
+      return;
     }
+    Vec3 slip =
+        normal.z() > 0
+            ? aside(drone.position().minus(other.position())).times(SLIP * SimTime.STEP)
+            : Vec3.ZERO;
+    drone.stopBy(
+        new Collision(
+            new OtherDrone(other.number()),
+            normal,
+            share.closing,
+            drone.position().plusScaled(normal, share.way),
+            drone.velocity().plusScaled(normal, share.stop).plus(slip)));
   }
 }

@@ -87,6 +87,9 @@ class EncountersTest {
     }
     assertThat(words())
         .anyMatch(line -> line.contains("into drone") || line.contains("touched drone"));
+    advance(simulation, 3);
+    assertThat(position(simulation, 2).z()).as("slipped off and fallen").isZero();
+    assertThat(simulation.busy()).isFalse();
   }
 
   @Test
