@@ -29,22 +29,24 @@ final class Bricks {
   private static final Shades MORTAR = new Shades(Rgb.of(0xa79f94), Rgb.of(0xe6e0d6));
 
   private final Shades stone;
+  private final Grit grit;
   private final Tones tones = new Tones(COURSES * BRICKS, SEED);
 
-  Bricks(Rgb color) {
+  Bricks(Rgb color, Grit grit) {
+    this.grit = grit;
     stone = Grit.around(color, 0.4);
   }
 
   int argb(int x, int y) {
-    double down = (y + 0.5) * COURSES / Coat.SIZE;
+    double down = (y + 0.5) * COURSES / grit.pixels();
     int course = (int) down;
-    double across = (x + 0.5) * BRICKS / Coat.SIZE + 0.5 * (course % 2);
+    double across = (x + 0.5) * BRICKS / grit.pixels() + 0.5 * (course % 2);
     int brick = (int) across;
-    double uneven = Grit.at(x, y);
+    double uneven = grit.at(x, y);
     double fromEdge =
         Math.min(COURSE * fromWhole(down - course), PERIOD * fromWhole(across - brick));
     double tone = 0.15 + 0.7 * tones.of(course * BRICKS + brick % BRICKS) + 0.3 * uneven;
-    double part = (fromEdge - HALF_JOINT + UNEVEN * uneven) / Grit.PIXEL + 0.5;
+    double part = (fromEdge - HALF_JOINT + UNEVEN * uneven) / grit.pixel() + 0.5;
     return Tile.mixed(MORTAR.argb(0.5 + 0.5 * uneven), stone.argb(tone), part);
   }
 

@@ -17,22 +17,24 @@ final class Checks {
 
   private final Shades own;
   private final Shades other;
+  private final Grit grit;
   private final Tones tones = new Tones(SQUARES * SQUARES, SEED);
 
-  Checks(Rgb color) {
+  Checks(Rgb color, Grit grit) {
+    this.grit = grit;
     own = Grit.around(color, 0.25);
     other = Grit.around(Grit.against(color), 0.25);
   }
 
   int argb(int x, int y) {
-    double across = (x + 0.5) * SQUARES / Coat.SIZE;
-    double down = (y + 0.5) * SQUARES / Coat.SIZE;
+    double across = (x + 0.5) * SQUARES / grit.pixels();
+    double down = (y + 0.5) * SQUARES / grit.pixels();
     // how far inside a square of its own colour: negative in one of the other
     double inside = signed(across) * signed(down) < 0 ? -1 : 1;
     double edge = Math.min(Math.abs(signed(across)), Math.abs(signed(down)));
-    double part = 0.5 + inside * edge * (PERIOD / 2) / Grit.PIXEL;
+    double part = 0.5 + inside * edge * (PERIOD / 2) / grit.pixel();
     double tone = tones.of(((int) down) * SQUARES + (int) across);
-    double shade = 0.25 + 0.5 * tone + 0.25 * Grit.at(x, y);
+    double shade = 0.25 + 0.5 * tone + 0.25 * grit.at(x, y);
     return Tile.mixed(other.argb(shade), own.argb(shade), part);
   }
 

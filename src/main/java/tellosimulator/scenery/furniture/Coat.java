@@ -15,9 +15,6 @@ final class Coat {
   /** Edge of the square that repeats [m]. Decided: whole bricks and squares. */
   static final double TILE = 1;
 
-  /** The same [pixels]. Decided: as sharp as a wall from half a metre. */
-  static final int SIZE = 512;
-
   /**
    * Where a length is in a picture.
    *
@@ -51,24 +48,29 @@ final class Coat {
     this.down = down;
   }
 
-  /** A new coat of paint. */
-  static Coat of(Pattern pattern, Rgb color) {
+  /**
+   * A new coat of paint with a pattern.
+   *
+   * @param size of the pattern's picture
+   */
+  static Coat of(Pattern pattern, Rgb color, Grit size) {
     return switch (pattern) {
       case PLAIN -> plain(color);
-      case CHECKS -> patterned(Checks.PERIOD, () -> new Checks(color)::argb);
-      case STRIPES -> patterned(Stripes.PERIOD, () -> new Stripes(color)::argb);
-      case BRICKS -> patterned(Bricks.PERIOD, () -> new Bricks(color)::argb);
+      case CHECKS -> patterned(size, Checks.PERIOD, () -> new Checks(color, size)::argb);
+      case STRIPES -> patterned(size, Stripes.PERIOD, () -> new Stripes(color, size)::argb);
+      case BRICKS -> patterned(size, Bricks.PERIOD, () -> new Bricks(color, size)::argb);
     };
   }
 
-  private static Coat plain(Rgb color) {
+  /** A new coat of paint without a pattern. */
+  static Coat plain(Rgb color) {
     Texture texture = new Texture(1, 1, new int[] {color.argb()});
     return new Coat(texture, TILE, Scale.NONE, Scale.NONE);
   }
 
-  private static Coat patterned(double period, Supplier<Tile.Look> look) {
+  private static Coat patterned(Grit size, double period, Supplier<Tile.Look> look) {
     Scale whole = new Scale(0, 1 / TILE);
-    return new Coat(Tile.painted(SIZE, look), period, whole, whole);
+    return new Coat(Tile.painted(size.pixels(), look), period, whole, whole);
   }
 
   /**

@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Map;
 import tellosimulator.scenery.Part;
 import tellosimulator.scenery.Placed;
+import tellosimulator.scenery.room.PictureShelf;
 import tellosimulator.world.Cover;
 import tellosimulator.world.Obstacle;
 import tellosimulator.world.Shape;
@@ -18,7 +19,8 @@ public final class Furniture {
   /** All that decides what an obstacle looks like. */
   private record Look(Shape shape, Cover cover) {}
 
-  private final Workshop workshop = new Workshop();
+  private final PictureShelf pictures = new PictureShelf();
+  private Workshop workshop = new Workshop(pictures, Grit.of(0));
   private Map<Look, List<Part>> made = new HashMap<>();
   private List<Obstacle> latest = List.of();
   private List<Placed> placed = List.of();
@@ -26,15 +28,26 @@ public final class Furniture {
   /** The parts of obstacles, each in its obstacle's frame; none is a decal or sheer. */
   public synchronized List<Placed> placed(List<Obstacle> obstacles) {
     if (obstacles != latest) {
-      Map<Look, List<Part>> needed = new HashMap<>();
-      for (Obstacle obstacle : obstacles) {
-        needed.computeIfAbsent(look(obstacle), this::parts);
-      }
-      made = needed;
+      make(obstacles);
       latest = obstacles;
       placed = obstacles.stream().flatMap(obstacle -> place(obstacle).stream()).toList();
     }
     return placed;
+  }
+
+  private void make(List<Obstacle> obstacles) {
+    List<Cover> covers = obstacles.stream().map(Obstacle::cover).distinct().toList();
+    Grit grit = Workshop.grit(covers);
+    if (!grit.equals(workshop.grit())) {
+      workshop = new Workshop(pictures, grit);
+      made = Map.of();
+    }
+    Map<Look, List<Part>> needed = new HashMap<>();
+    for (Obstacle obstacle : obstacles) {
+      needed.computeIfAbsent(look(obstacle), this::parts);
+    }
+    made = needed;
+    workshop.keep(covers);
   }
 
   private List<Part> parts(Look look) {

@@ -1,10 +1,12 @@
 package tellosimulator.scenery.furniture;
 
 import java.util.ArrayList;
+import java.util.Collection;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import tellosimulator.math.Vec3;
 import tellosimulator.scenery.Finish;
@@ -30,13 +32,46 @@ final class Workshop {
   /** Around a circle of radius 1. */
   private static final double TURN = 2 * Math.PI;
 
-  private record Paint(Pattern pattern, int rgb) {}
+  private record Paint(Pattern pattern, int rgb) {
+
+    static Paint of(Cover cover) {
+      return new Paint(cover.pattern(), cover.rgb());
+    }
+  }
 
   private record Size(double width, double height) {}
 
   private final Map<Paint, Coat> coats = new HashMap<>();
-  private final PictureShelf pictures = new PictureShelf();
-  private final Coat post = Coat.of(Pattern.PLAIN, POST);
+  private final Coat post = Coat.plain(POST);
+  private final PictureShelf pictures;
+  private final Grit grit;
+
+  /**
+   * @param pictures where image files come from
+   * @param grit the size of patterns
+   */
+  Workshop(PictureShelf pictures, Grit grit) {
+    this.pictures = pictures;
+    this.grit = grit;
+  }
+
+  Grit grit() {
+    return grit;
+  }
+
+  /** Forgets the paint that none of these covers has. */
+  void keep(Collection<Cover> covers) {
+    coats.keySet().retainAll(paints(covers));
+  }
+
+  /** The size of patterns that suits these covers. */
+  static Grit grit(Collection<Cover> covers) {
+    return Grit.of(paints(covers).stream().filter(paint -> paint.pattern != Pattern.PLAIN).count());
+  }
+
+  private static Set<Paint> paints(Collection<Cover> covers) {
+    return covers.stream().map(Paint::of).collect(Collectors.toSet());
+  }
 
   /** The parts of an obstacle. */
   List<Part> parts(Shape shape, Cover cover) {
@@ -54,8 +89,7 @@ final class Workshop {
 
   private Coat coat(Cover cover) {
     return coats.computeIfAbsent(
-        new Paint(cover.pattern(), cover.rgb()),
-        paint -> Coat.of(paint.pattern, Rgb.of(paint.rgb)));
+        Paint.of(cover), paint -> Coat.of(paint.pattern, Rgb.of(paint.rgb), grit));
   }
 
   private List<Part> box(Shape.Box box, Cover cover) {

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.util.List;
 import java.util.Map;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
@@ -159,6 +160,22 @@ class FurnitureTest {
     List<Placed> moved = furniture.placed(List.of(here.movedTo(new Vec3(2, 0, 0), 0.5)));
     assertThat(moved.get(0).part()).isSameAs(first.get(0).part());
     assertThat(furniture.placed(List.of())).isEmpty();
+  }
+
+  @Test
+  void manyPatternsHaveSmallPicturesAsNobodyKeepsAThousandLargeOnes() {
+    List<Obstacle> many =
+        IntStream.range(0, 1000)
+            .mapToObj(i -> new Cover(17 * i, Pattern.BRICKS, Map.of()))
+            .map(cover -> new Obstacle("thing", BOX, Vec3.ZERO, 0, cover))
+            .toList();
+
+    assertThat(furniture.placed(many.subList(0, 16)).get(0).part().texture().width())
+        .isEqualTo(512);
+    assertThat(furniture.placed(many.subList(0, 17)).get(0).part().texture().width())
+        .isEqualTo(256);
+    // 1000 times 64 times 64 pixels of 4 bytes: 16 MB
+    assertThat(furniture.placed(many).get(0).part().texture().width()).isEqualTo(64);
   }
 
   private static Cover paint(Pattern pattern) {
