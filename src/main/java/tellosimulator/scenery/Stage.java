@@ -10,6 +10,7 @@ import tellosimulator.math.Pose;
 import tellosimulator.math.Vec3;
 import tellosimulator.model.DroneState;
 import tellosimulator.scenery.drone.DroneParts;
+import tellosimulator.scenery.drone.Livery;
 import tellosimulator.scenery.drone.PropellerSpin;
 import tellosimulator.scenery.drone.StatusLight;
 import tellosimulator.scenery.furniture.Furniture;
@@ -36,8 +37,8 @@ public final class Stage {
   private final Interior interior = new Interior();
   private final PadCards pads = new PadCards();
   private final Furniture furniture = new Furniture();
-  private final Map<Integer, DroneParts> figures = new ConcurrentHashMap<>();
-  private final Map<Integer, GroundMark> marks = new ConcurrentHashMap<>();
+  private final Map<Livery, DroneParts> figures = new ConcurrentHashMap<>();
+  private final Map<Livery, GroundMark> marks = new ConcurrentHashMap<>();
   private volatile Furnished furnished;
 
   /** Everything that can be seen at a moment. */
@@ -85,7 +86,7 @@ public final class Stage {
   }
 
   private void addMarks(List<Placed> parts, DroneSnapshot drone) {
-    GroundMark mark = marks.computeIfAbsent(drone.state().drone(), GroundMark::new);
+    GroundMark mark = marks.computeIfAbsent(Livery.of(drone), GroundMark::new);
     parts.add(mark.start(drone.start()));
     parts.add(mark.shadow(drone.state().motion().pose()));
   }
@@ -120,6 +121,6 @@ public final class Stage {
 
   /** Made when it is first seen, which the camera on the only drone never does. */
   private DroneParts figure(DroneSnapshot drone) {
-    return figures.computeIfAbsent(drone.state().drone(), DroneParts::new);
+    return figures.computeIfAbsent(Livery.of(drone), DroneParts::new);
   }
 }

@@ -13,6 +13,7 @@ import tellosimulator.math.Frames;
 import tellosimulator.math.Pose;
 import tellosimulator.math.Vec3;
 import tellosimulator.model.FlightPhase;
+import tellosimulator.scenery.drone.Livery;
 import tellosimulator.sim.SimSnapshot.DroneSnapshot;
 
 /**
@@ -25,6 +26,7 @@ import tellosimulator.sim.SimSnapshot.DroneSnapshot;
 public final class FxDroneModel {
 
   private final int number;
+  private final Livery livery;
   private final ReadOnlyObjectWrapper<DroneSnapshot> snapshot;
   private final ReadOnlyObjectWrapper<Pose> pose = new ReadOnlyObjectWrapper<>();
   private final ReadOnlyObjectWrapper<Pose> start = new ReadOnlyObjectWrapper<>();
@@ -45,6 +47,7 @@ public final class FxDroneModel {
 
   FxDroneModel(DroneSnapshot first) {
     number = first.state().drone();
+    livery = Livery.of(first);
     snapshot = new ReadOnlyObjectWrapper<>(first);
     update(first);
   }
@@ -80,6 +83,11 @@ public final class FxDroneModel {
   /** Its number, from 1. */
   public int number() {
     return number;
+  }
+
+  /** Its colours, which stay. */
+  public Livery livery() {
+    return livery;
   }
 
   /** Everything about it; a new value each pulse while something changes. */

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import java.util.List;
+import java.util.OptionalInt;
 import org.junit.jupiter.api.Test;
 import tellosimulator.math.Attitude;
 import tellosimulator.math.Pose;
@@ -47,6 +48,22 @@ class StageTest {
     Placed body = lit(scene).get(0);
     assertThat(body.pose()).isEqualTo(pose);
     assertThat(body.scale()).isEqualTo(1);
+  }
+
+  @Test
+  void aDroneHasTheColourThatWasChosenForIt() {
+    SimSnapshot one = drones(1);
+    DroneSnapshot was = one.drones().get(0);
+    DroneSnapshot green =
+        new DroneSnapshot(
+            was.state(), was.link(), was.product(), was.start(), OptionalInt.of(0x10c020));
+
+    Scene scene = stage.scene(one.withDrones(List.of(green)));
+
+    Texture white = lit(stage.scene(one)).get(0).part().texture();
+    Texture texture = lit(scene).get(0).part().texture();
+    assertThat(texture.argbArray()).contains(0xff10c020);
+    assertThat(white.argbArray()).doesNotContain(0xff10c020);
   }
 
   @Test

@@ -34,10 +34,10 @@ public final class DroneParts {
   }
 
   /**
-   * @param number of the drone, from 1; it decides about the colour
+   * @param livery the drone's colours
    */
-  public DroneParts(int number) {
-    Texture colors = Palette.picture(Livery.cover(number));
+  public DroneParts(Livery livery) {
+    Texture colors = Palette.picture(livery.cover());
     body = new Part(Shared.BODY, colors, Finish.LIT);
     clockwise = new Part(Shared.CLOCKWISE, colors, Finish.LIT);
     counterClockwise = new Part(Shared.COUNTER_CLOCKWISE, colors, Finish.LIT);

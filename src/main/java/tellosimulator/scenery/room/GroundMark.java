@@ -43,12 +43,11 @@ public final class GroundMark {
   private final Part start;
 
   /**
-   * @param number of the drone, from 1; it decides about the colour
+   * @param livery the drone's colours
    */
-  public GroundMark(int number) {
+  public GroundMark(Livery livery) {
     start =
-        new Part(
-            Shared.START_MESH, Shared.START.texture(Livery.of(number).paler(0.85)), Finish.DECAL);
+        new Part(Shared.START_MESH, Shared.START.texture(livery.color().paler(0.85)), Finish.DECAL);
   }
 
   /**

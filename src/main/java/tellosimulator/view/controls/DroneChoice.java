@@ -51,7 +51,7 @@ final class DroneChoice extends ComboBox<FxDroneModel> {
         setText("");
         setGraphic(null);
       } else {
-        dot.setFill(DroneColors.of(drone.number()));
+        dot.setFill(DroneColors.of(drone));
         setGraphic(dot);
         textProperty()
             .bind(

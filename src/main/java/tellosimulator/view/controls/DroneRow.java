@@ -89,7 +89,7 @@ final class DroneRow extends ListCell<FxDroneModel> {
       setGraphic(null);
     } else {
       number.setText(Integer.toString(drone.number()));
-      Color own = DroneColors.of(drone.number());
+      Color own = DroneColors.of(drone);
       colour.setFill(own);
       number.setTextFill(own.grayscale().getRed() > BRIGHT ? Color.BLACK : Color.WHITE);
       setGraphic(parts);

@@ -47,7 +47,7 @@ public final class DroneView extends Group {
 
   public DroneView(FxDroneModel model) {
     this.model = model;
-    parts = new DroneParts(model.number());
+    parts = new DroneParts(model.livery());
     initializeSelf();
     initializeParts();
     layoutParts();

@@ -30,7 +30,7 @@ final class DrawnNumber {
     part =
         new Part(
             new Quads().add(quad, Patch.WHOLE).mesh(),
-            texture(Pictures.number(drone.number(), DroneColors.of(drone.number()))),
+            texture(Pictures.number(drone.number(), DroneColors.of(drone))),
             Finish.SHEER);
   }
 

@@ -8,7 +8,6 @@ import tellosimulator.scenery.Finish;
 import tellosimulator.scenery.Part;
 import tellosimulator.scenery.Placed;
 import tellosimulator.scenery.Texture;
-import tellosimulator.scenery.drone.Livery;
 import tellosimulator.scenery.room.Quads;
 import tellosimulator.scenery.room.Quads.Patch;
 import tellosimulator.scenery.room.Quads.Quad;
@@ -32,7 +31,7 @@ final class DrawnPlumbLine {
 
   DrawnPlumbLine(FxDroneModel drone) {
     this.drone = drone;
-    color = new Texture(1, 1, new int[] {Livery.of(drone.number()).argb()});
+    color = new Texture(1, 1, new int[] {drone.livery().color().argb()});
   }
 
   /**

@@ -10,7 +10,6 @@ import tellosimulator.scenery.Mesh;
 import tellosimulator.scenery.Part;
 import tellosimulator.scenery.Placed;
 import tellosimulator.scenery.Texture;
-import tellosimulator.scenery.drone.Livery;
 import tellosimulator.view.FxDroneModel;
 
 /** The path that a drone has flown, as the software camera draws it. For the JavaFX thread. */
@@ -29,7 +28,7 @@ final class DrawnTrail {
   DrawnTrail(FxDroneModel drone) {
     this.drone = drone;
     start = new FollowsStart(drone);
-    color = new Texture(1, 1, new int[] {Livery.of(drone.number()).argb()});
+    color = new Texture(1, 1, new int[] {drone.livery().color().argb()});
   }
 
   /**

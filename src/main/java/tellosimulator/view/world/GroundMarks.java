@@ -50,7 +50,7 @@ final class GroundMarks extends Group {
   }
 
   GroundMarks(FxDroneModel drone) {
-    GroundMark mark = new GroundMark(drone.number());
+    GroundMark mark = new GroundMark(drone.livery());
     FxTextures textures = new FxTextures();
     Mark start = new Mark("start-" + drone.number());
     Mark shadow = new Mark("shadow-" + drone.number());

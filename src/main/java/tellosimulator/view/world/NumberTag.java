@@ -35,7 +35,7 @@ final class NumberTag extends MeshView {
     Quad quad = new Quad(new Vec3(-0.5, 0, 0), new Vec3(1, 0, 0), new Vec3(0, -1, 0));
     setMesh(FxMeshes.of(new Quads().add(quad, Patch.WHOLE).mesh()));
     PhongMaterial material = new PhongMaterial();
-    material.setDiffuseMap(Pictures.number(drone.number(), DroneColors.of(drone.number())));
+    material.setDiffuseMap(Pictures.number(drone.number(), DroneColors.of(drone)));
     setMaterial(material);
     setCullFace(CullFace.NONE);
     getTransforms().addAll(place, size);

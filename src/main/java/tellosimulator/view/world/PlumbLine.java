@@ -35,7 +35,7 @@ final class PlumbLine extends MeshView {
                 .add(new Quad(new Vec3(-0.5, 0, 0), new Vec3(1, 0, 0), Vec3.UP), Patch.WHOLE)
                 .add(new Quad(new Vec3(0, -0.5, 0), new Vec3(0, 1, 0), Vec3.UP), Patch.WHOLE)
                 .mesh()));
-    setMaterial(new PhongMaterial(DroneColors.of(drone.number()).deriveColor(0, 1, 1, 0.6)));
+    setMaterial(new PhongMaterial(DroneColors.of(drone).deriveColor(0, 1, 1, 0.6)));
     setCullFace(CullFace.NONE);
     getTransforms().addAll(foot, size);
   }

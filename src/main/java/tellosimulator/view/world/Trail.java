@@ -71,7 +71,7 @@ final class Trail extends MeshView {
     setId("trail-" + drone.number());
     setMesh(mesh);
     setCullFace(CullFace.NONE);
-    Color color = DroneColors.of(drone.number());
+    Color color = DroneColors.of(drone);
     setMaterial(new PhongMaterial(color.deriveColor(0, 1, 1, 0.85)));
   }
 

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import java.util.HashSet;
+import java.util.OptionalInt;
 import java.util.Set;
 import org.junit.jupiter.api.Test;
 import tellosimulator.scenery.Rgb;
@@ -14,18 +15,29 @@ class LiveryTest {
   void neighboursDiffer() {
     Set<Rgb> colors = new HashSet<>();
     for (int number = 1; number <= 7; number++) {
-      colors.add(Livery.of(number));
+      colors.add(ofNumber(number).color());
     }
     assertThat(colors).hasSize(7);
-    assertThat(Livery.of(8)).isEqualTo(Livery.of(1));
+    assertThat(ofNumber(8).color()).isEqualTo(ofNumber(1).color());
   }
 
   @Test
   void theFirstDroneIsWhiteAsTheRealOne() {
-    Rgb cover = Livery.cover(1);
+    Rgb cover = ofNumber(1).cover();
 
     assertThat(cover.red()).isGreaterThan(230).isCloseTo(cover.blue(), within(3));
     assertThat(cover.green()).isGreaterThan(230);
-    assertThat(Livery.cover(2)).isEqualTo(Livery.of(2));
+    assertThat(ofNumber(2).cover()).isEqualTo(ofNumber(2).color());
+  }
+
+  @Test
+  void aChosenColourIsThatOfAll() {
+    Livery chosen = Livery.of(1, OptionalInt.of(0x123456));
+
+    assertThat(chosen).isEqualTo(new Livery(Rgb.of(0x123456), Rgb.of(0x123456)));
+  }
+
+  private static Livery ofNumber(int number) {
+    return Livery.of(number, OptionalInt.empty());
   }
 }

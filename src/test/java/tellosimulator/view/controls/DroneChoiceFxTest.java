@@ -49,7 +49,8 @@ class DroneChoiceFxTest {
     assertThat(window.context().simulation().selected().number()).isEqualTo(2);
     window.until(() -> window.text("#y").equals("0"));
     window.until(() -> entry(robot).getText().equals("Drone 2 · off · 42 %"));
-    assertThat(((Circle) entry(robot).getGraphic()).getFill()).isEqualTo(DroneColors.of(2));
+    assertThat(((Circle) entry(robot).getGraphic()).getFill())
+        .isEqualTo(DroneColors.of(window.context().simulation().drones().get(1)));
 
     robot.clickOn("#power");
     assertThat(window.drone(2).state().phase()).isEqualTo(FlightPhase.GROUNDED);
