@@ -7,6 +7,7 @@ import static tellosimulator.view.world.SceneFixture.brightness;
 import static tellosimulator.view.world.SceneFixture.find;
 
 import java.util.List;
+import java.util.Map;
 import java.util.stream.IntStream;
 import javafx.scene.image.Image;
 import javafx.scene.paint.Color;
@@ -18,8 +19,13 @@ import tellosimulator.math.Vec3;
 import tellosimulator.model.FlightPhase;
 import tellosimulator.sim.SimConfig;
 import tellosimulator.view.world.SceneFixture.Spot;
+import tellosimulator.world.Cover;
+import tellosimulator.world.Cover.Pattern;
 import tellosimulator.world.Decor;
+import tellosimulator.world.MissionPad;
+import tellosimulator.world.Obstacle;
 import tellosimulator.world.Room;
+import tellosimulator.world.Shape;
 import tellosimulator.world.Walls;
 
 /** What one sees of the room where JavaFX has no 3D, as here. */
@@ -59,6 +65,27 @@ class DrawnPictureFxTest {
     // twice as wide and twice as high
     assertThat(find(fixture.drawnPicture(), DrawnPictureFxTest::isDark).count())
         .isBetween(far * 32 / 10, far * 48 / 10);
+  }
+
+  @Test
+  void obstaclesAndPadsAreThere() {
+    fly(new Vec3(0, 0, 1));
+    fixture.change(() -> fixture.scene().viewCameraProperty().set(ViewCamera.DRONE));
+    Cover red = new Cover(0xff0000, Pattern.PLAIN, Map.of());
+    Shape shape = new Shape.Box(0.3, 0.3, 0.3);
+    fixture.furnish(
+        arena ->
+            arena
+                .withObstacles(List.of(new Obstacle("box", shape, new Vec3(1.2, 0, 0.3), 0, red)))
+                .withPads(List.of(MissionPad.onFloor(1, new Vec3(1.6, -0.6, 0), 0))));
+    Image picture = fixture.drawnPicture();
+
+    Spot box = find(picture, DrawnPictureFxTest::isRed);
+    assertThat(box.count()).isGreaterThan(1000);
+    assertThat(box.x()).isBetween(WIDTH * 0.45, WIDTH * 0.55);
+    Spot pad = find(picture, DrawnPictureFxTest::isDark);
+    assertThat(pad.count()).isGreaterThan(60);
+    assertThat(pad.x()).isGreaterThan(WIDTH * 0.6);
   }
 
   @Test
@@ -139,5 +166,9 @@ class DrawnPictureFxTest {
   /** As only what belongs to the first drone is. */
   private static boolean isBlue(Color color) {
     return color.getBlue() > 0.5 && color.getBlue() > 2 * color.getRed();
+  }
+
+  private static boolean isRed(Color color) {
+    return color.getRed() > 0.5 && color.getGreen() < 0.2 && color.getBlue() < 0.2;
   }
 }
