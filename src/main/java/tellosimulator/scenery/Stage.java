@@ -17,6 +17,7 @@ import tellosimulator.scenery.furniture.Furniture;
 import tellosimulator.scenery.pad.PadCards;
 import tellosimulator.scenery.room.GroundMark;
 import tellosimulator.scenery.room.Interior;
+import tellosimulator.scenery.room.Underneath;
 import tellosimulator.sim.SimSnapshot;
 import tellosimulator.sim.SimSnapshot.DroneSnapshot;
 import tellosimulator.world.Arena;
@@ -34,6 +35,7 @@ public final class Stage {
   /** The latest room. */
   private record Furnished(Room room, Decor decor, List<Placed> parts) {}
 
+  private final Underneath underneath = new Underneath();
   private final Interior interior = new Interior();
   private final PadCards pads = new PadCards();
   private final Furniture furniture = new Furniture();
@@ -60,7 +62,7 @@ public final class Stage {
     List<Placed> parts = new ArrayList<>(room(snapshot));
     parts.addAll(pads.placed(arena.room(), arena.pads()));
     for (DroneSnapshot drone : snapshot.drones()) {
-      addMarks(parts, drone);
+      addMarks(parts, arena, drone);
     }
     parts.addAll(furniture.placed(arena.obstacles()));
     List<DroneSnapshot> seen =
@@ -85,10 +87,10 @@ public final class Stage {
     return known.parts;
   }
 
-  private void addMarks(List<Placed> parts, DroneSnapshot drone) {
+  private void addMarks(List<Placed> parts, Arena arena, DroneSnapshot drone) {
     GroundMark mark = marks.computeIfAbsent(Livery.of(drone), GroundMark::new);
     parts.add(mark.start(drone.start()));
-    parts.add(mark.shadow(drone.state().motion().pose()));
+    parts.add(GroundMark.shadow(underneath, arena, drone.state().motion().position()));
   }
 
   private void addBody(List<Placed> parts, DroneSnapshot drone) {

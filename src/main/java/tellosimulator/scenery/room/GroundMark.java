@@ -17,6 +17,7 @@ import tellosimulator.scenery.paint.Sketch.Arc;
 import tellosimulator.scenery.paint.Sketch.Point;
 import tellosimulator.scenery.room.Quads.Patch;
 import tellosimulator.scenery.room.Quads.Quad;
+import tellosimulator.world.Arena;
 
 /** What a drone leaves on the floor: its shadow, and the mark where it starts. For any thread. */
 public final class GroundMark {
@@ -60,15 +61,15 @@ public final class GroundMark {
   }
 
   /**
-   * The shadow of a drone.
+   * The shadow of a drone, on what is right under it.
    *
-   * @param pose of the drone, room frame
+   * @param position of the drone, room frame [m]
    */
-  public Placed shadow(Pose pose) {
-    Vec3 position = pose.position();
-    Shadow cast = Shadow.at(position.z());
-    Pose below = new Pose(position.withZ(0), Attitude.LEVEL);
-    return new Placed(Shared.SHADOW, below, cast.radius(), cast.opacity());
+  public static Placed shadow(Underneath underneath, Arena arena, Vec3 position) {
+    Underneath.Place place = underneath.of(arena, position);
+    Shadow cast = Shadow.at(position.z() - place.height());
+    Pose below = new Pose(position.withZ(place.height()), Attitude.LEVEL);
+    return new Placed(Shared.SHADOW, below, place.radius(), cast.opacity());
   }
 
   private static Pose onFloor(Pose pose) {

@@ -2,23 +2,31 @@ package tellosimulator.view.world;
 
 import javafx.scene.DepthTest;
 import javafx.scene.Group;
+import javafx.scene.Node;
 import javafx.scene.paint.Color;
 import javafx.scene.paint.PhongMaterial;
 import javafx.scene.shape.MeshView;
 import javafx.scene.transform.Affine;
 import javafx.scene.transform.Scale;
+import tellosimulator.math.Vec3;
 import tellosimulator.scenery.Placed;
 import tellosimulator.scenery.room.GroundMark;
+import tellosimulator.scenery.room.Underneath;
 import tellosimulator.view.FxDroneModel;
 import tellosimulator.view.FxFrames;
 import tellosimulator.view.FxMeshes;
+import tellosimulator.view.FxSimulation;
 import tellosimulator.view.FxTextures;
 
 /**
  * What a drone leaves on the floor: its shadow, and the mark where it starts. Drawn right after the
- * floor and without the test for depth, so that nothing flickers.
+ * floor and without the test for depth, so that nothing flickers. On an obstacle, the shadow is a
+ * node of its own.
  */
 final class GroundMarks extends Group {
+
+  /** So far above an obstacle its shadow does not flicker [m]. Decided: from 10 m away. */
+  private static final double RAISED = 0.002;
 
   /** A mark in the scene. */
   private static final class Mark extends MeshView {
@@ -49,14 +57,33 @@ final class GroundMarks extends Group {
     }
   }
 
-  GroundMarks(FxDroneModel drone) {
+  private final Mark onObstacle;
+
+  GroundMarks(FxDroneModel drone, FxSimulation simulation, Underneath underneath) {
     GroundMark mark = new GroundMark(drone.livery());
     FxTextures textures = new FxTextures();
     Mark start = new Mark("start-" + drone.number());
     Mark shadow = new Mark("shadow-" + drone.number());
+    onObstacle = new Mark("raised-shadow-" + drone.number());
+    onObstacle.setTranslateZ(RAISED);
     setDepthTest(DepthTest.DISABLE);
     getChildren().addAll(start, shadow);
     drone.startProperty().subscribe(pose -> start.show(mark.start(pose), textures));
-    drone.poseProperty().subscribe(pose -> shadow.show(mark.shadow(pose), textures));
+    Runnable cast =
+        () -> {
+          Vec3 position = drone.poseProperty().get().position();
+          Placed placed = GroundMark.shadow(underneath, simulation.arenaProperty().get(), position);
+          boolean onFloor = placed.pose().position().z() == 0;
+          shadow.setVisible(onFloor);
+          onObstacle.setVisible(!onFloor);
+          (onFloor ? shadow : onObstacle).show(placed, textures);
+        };
+    drone.poseProperty().subscribe(pose -> cast.run());
+    simulation.arenaProperty().addListener((property, before, arena) -> cast.run());
+  }
+
+  /** The shadow while it falls on an obstacle; to be drawn after these. */
+  Node onObstacle() {
+    return onObstacle;
   }
 }

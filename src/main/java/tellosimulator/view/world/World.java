@@ -13,6 +13,7 @@ import tellosimulator.math.Pose;
 import tellosimulator.math.Vec3;
 import tellosimulator.scenery.Lamps;
 import tellosimulator.scenery.Lamps.Lamp;
+import tellosimulator.scenery.room.Underneath;
 import tellosimulator.view.FxDroneModel;
 import tellosimulator.view.FxFrames;
 import tellosimulator.view.FxSimulation;
@@ -35,6 +36,7 @@ final class World extends Group {
   private final PadsView pads;
   private final FurnitureView furniture;
   private final Group marks = new Group();
+  private final Group raised = new Group();
   private final Group bodies = new Group();
   private final Group trails = new Group();
   private final Group aids = new Group();
@@ -97,6 +99,7 @@ final class World extends Group {
   }
 
   private void initializeParts() {
+    Underneath underneath = new Underneath();
     boolean several = simulation.drones().size() > 1;
     for (FxDroneModel drone : simulation.drones()) {
       List<NumberTag> tags = several ? List.of(new NumberTag(drone)) : List.of();
@@ -107,7 +110,9 @@ final class World extends Group {
               new PlumbLine(drone),
               tags,
               new FollowsStart(drone)));
-      marks.getChildren().add(new GroundMarks(drone));
+      GroundMarks left = new GroundMarks(drone, simulation, underneath);
+      marks.getChildren().add(left);
+      raised.getChildren().add(left.onObstacle());
     }
   }
 
@@ -119,7 +124,7 @@ final class World extends Group {
       aids.getChildren().addAll(drone.tags);
     }
     aids.getChildren().add(trails);
-    getChildren().addAll(room, pads, marks, furniture, bodies, aids);
+    getChildren().addAll(room, pads, marks, furniture, raised, bodies, aids);
   }
 
   /**
@@ -128,7 +133,7 @@ final class World extends Group {
    */
   Group lights() {
     AmbientLight asPainted = new AmbientLight(Color.WHITE);
-    asPainted.getScope().addAll(room, pads, marks, furniture.pictured(), aids);
+    asPainted.getScope().addAll(room, pads, marks, raised, furniture.pictured(), aids);
     drones.forEach(drone -> asPainted.getScope().add(drone.view.lamp()));
     Group lights = new Group(asPainted);
     lights.getChildren().addAll(lights(Lamps.ON_DRONES, bodies));

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 import static tellosimulator.view.world.SceneFixture.HEIGHT;
 import static tellosimulator.view.world.SceneFixture.WIDTH;
+import static tellosimulator.view.world.SceneFixture.brightness;
 import static tellosimulator.view.world.SceneFixture.find;
 
 import java.util.List;
@@ -107,6 +108,24 @@ class FurnitureDisplayTest {
     assertThat(near.count()).isBetween((int) (1.4 * far.count()), 3 * far.count());
     assertThat(near.x()).isBetween(WIDTH * 0.45, WIDTH * 0.55);
     assertThat(near.y()).isLessThan(HEIGHT / 2.0);
+  }
+
+  @Test
+  void aDroneCastsItsShadowOnTheObstacleBelow() {
+    furnish(new Obstacle("table", new Shape.Box(1, 1, 0.4), new Vec3(0, 0, 0), 0, red()));
+    fixture.change(() -> fixture.solid("plumb-line-1").getParent().setVisible(false));
+    fixture.put(new Pose(new Vec3(0, 0, 0.8), Attitude.LEVEL), FlightPhase.FLYING);
+    fixture.change(fixture.scene().camera()::top);
+    fixture.settledPicture();
+    fixture.change(() -> fixture.solid("drone-1").setVisible(false));
+    Image with = fixture.picture();
+    fixture.change(() -> fixture.solid("raised-shadow-1").setVisible(false));
+    Image without = fixture.picture();
+
+    assertThat(fixture.solid("shadow-1").isVisible()).isFalse();
+    assertThat(brightness(with, WIDTH / 2, HEIGHT / 2, 3))
+        .isLessThan(brightness(without, WIDTH / 2, HEIGHT / 2, 3) - 0.1);
+    assertThat(brightness(without, WIDTH / 2, HEIGHT / 2, 3)).as("the table").isGreaterThan(0.8);
   }
 
   private List<Node> nodes() {
