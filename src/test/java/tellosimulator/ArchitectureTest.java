@@ -73,7 +73,8 @@ class ArchitectureTest {
           "sensor",
           "fault",
           "controller",
-          "sim");
+          "sim",
+          "goal");
 
   /** Their last bits may differ from machine to machine; those of StrictMath do not. */
   private static final Set<String> INEXACT =

@@ -9,6 +9,7 @@ import tellosimulator.command.Reply;
 import tellosimulator.command.Responder;
 import tellosimulator.controller.FlightEvent.Fell;
 import tellosimulator.controller.FlightEvent.Note;
+import tellosimulator.controller.FlightEvent.PutBack;
 import tellosimulator.math.Vec3;
 import tellosimulator.model.Battery;
 import tellosimulator.model.DroneModel;
@@ -116,7 +117,7 @@ public final class DroneController implements CommandTarget {
     flight.reset();
     model.reset();
     speed = DroneSpec.DEFAULT_SPEED;
-    observer.happened(new Note(Phrase.of("was put back to its start")));
+    observer.happened(new PutBack());
   }
 
   // --- CommandTarget ---

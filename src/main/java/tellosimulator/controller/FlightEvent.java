@@ -93,6 +93,14 @@ public sealed interface FlightEvent {
     }
   }
 
+  /** A person put it back to its start. */
+  record PutBack() implements FlightEvent {
+    @Override
+    public Phrase phrase() {
+      return Phrase.of("was put back to its start");
+    }
+  }
+
   /**
    * Something was set or switched.
    *

@@ -143,6 +143,19 @@ public sealed interface SimEvent {
     }
   }
 
+  /**
+   * A goal of the scenario was reached, or all were, or they cannot be any more.
+   *
+   * @param drone that reached it; 0 for what concerns all
+   * @param missed whether it is bad news
+   */
+  record GoalNews(SimTime time, int drone, Phrase phrase, boolean missed) implements SimEvent {
+    @Override
+    public Severity severity() {
+      return missed ? Severity.WARNING : Severity.INFORMATION;
+    }
+  }
+
   /** The event as a line of a log: simulated time, drone, words. */
   default String line() {
     String who = drone() == 0 ? "all" : "drone " + drone();

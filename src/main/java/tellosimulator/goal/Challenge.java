@@ -1,0 +1,34 @@
+package tellosimulator.goal;
+
+import java.util.List;
+import java.util.OptionalDouble;
+
+/**
+ * Goals with their rules. A crash always fails it. Immutable.
+ *
+ * @param goals what to do
+ * @param inOrder whether a goal counts only after those before it, and at most one at a moment
+ * @param timeLimit seconds from the first takeoff on
+ * @param untouched whether a drone that touches anything in flight fails it
+ */
+public record Challenge(
+    List<Goal> goals, boolean inOrder, OptionalDouble timeLimit, boolean untouched) {
+
+  /** Longest time limit [s]. Decided: a day. */
+  public static final double LONGEST = 86_400;
+
+  /** Nothing is asked for. */
+  public static final Challenge NONE =
+      new Challenge(List.of(), false, OptionalDouble.empty(), false);
+
+  public Challenge {
+    goals = List.copyOf(goals);
+    timeLimit.ifPresent(
+        limit -> {
+          if (!(limit > 0 && limit <= LONGEST)) {
+            throw new IllegalArgumentException(
+                "timeLimit is " + limit + " s, but must be above 0 and at most " + LONGEST);
+          }
+        });
+  }
+}

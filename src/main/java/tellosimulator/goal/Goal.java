@@ -1,0 +1,113 @@
+package tellosimulator.goal;
+
+import java.util.OptionalInt;
+import tellosimulator.words.Phrase;
+import tellosimulator.world.MissionPad;
+
+/** Something that a drone shall do. Immutable; for any thread. */
+public sealed interface Goal {
+
+  /** Longest time that a drone can be asked to hover [s]. Decided: longer than a battery lasts. */
+  double LONGEST_HOVER = 3600;
+
+  /** The number of the drone that shall do it; empty if any may. */
+  OptionalInt drone();
+
+  /** What to do, for people: {@code land on the mission pad 3}. */
+  Phrase task();
+
+  /** The same, and who shall do it. */
+  default Phrase phrase() {
+    return drone().isPresent() ? Phrase.of("drone %d: %s", drone().getAsInt(), task()) : task();
+  }
+
+  /** How long the drone must do it without a break [s]. */
+  default double lasting() {
+    return 0;
+  }
+
+  /** To be at a place with its feet. */
+  record Reach(OptionalInt drone, Spot spot) implements Goal {
+    @Override
+    public Phrase task() {
+      return Phrase.of(
+          "reach x %.0f, y %.0f, z %.0f cm",
+          spot.place().x() * 100, spot.place().y() * 100, spot.place().z() * 100);
+    }
+  }
+
+  /**
+   * To stay at a place with its feet.
+   *
+   * @param seconds how long without a break
+   */
+  record Hover(OptionalInt drone, Spot spot, double seconds) implements Goal {
+    public Hover {
+      if (!(seconds > 0 && seconds <= LONGEST_HOVER)) {
+        throw new IllegalArgumentException(
+            "seconds is " + seconds + ", but must be above 0 and at most " + LONGEST_HOVER);
+      }
+    }
+
+    @Override
+    public double lasting() {
+      return seconds;
+    }
+
+    @Override
+    public Phrase task() {
+      return Phrase.of(
+          "stay %.0f s at x %.0f, y %.0f, z %.0f cm",
+          seconds, spot.place().x() * 100, spot.place().y() * 100, spot.place().z() * 100);
+    }
+  }
+
+  /**
+   * To fly through a gate with its centre.
+   *
+   * @param gate name of the obstacle
+   */
+  record Pass(OptionalInt drone, String gate, Direction direction) implements Goal {
+    @Override
+    public Phrase task() {
+      return Phrase.of("fly through the gate %s", gate);
+    }
+  }
+
+  /** Which way through a gate. */
+  enum Direction {
+    /** Either way. */
+    EITHER,
+    /** Along the gate's x axis. */
+    ALONG,
+    /** Against the gate's x axis. */
+    AGAINST
+  }
+
+  /** To land at a place: afterwards it stands there without motors. */
+  record Land(OptionalInt drone, Spot spot) implements Goal {
+    @Override
+    public Phrase task() {
+      return Phrase.of("land at x %.0f, y %.0f cm", spot.place().x() * 100, spot.place().y() * 100);
+    }
+  }
+
+  /**
+   * To land on a mission pad that lies on the floor, with its middle over the card.
+   *
+   * @param pad 1 to 8
+   */
+  record LandOn(OptionalInt drone, int pad) implements Goal {
+    public LandOn {
+      if (pad < 1 || pad > MissionPad.LAST_ID) {
+        throw new IllegalArgumentException(
+            "pad is " + pad + ", but must be from 1 to " + MissionPad.LAST_ID);
+      }
+    }
+
+    @Override
+    public Phrase task() {
+      return Phrase.of("land on the mission pad %d", pad);
+    }
+  }
+}

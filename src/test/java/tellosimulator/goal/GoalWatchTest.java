@@ -1,0 +1,268 @@
+package tellosimulator.goal;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.OptionalDouble;
+import java.util.OptionalInt;
+import org.junit.jupiter.api.Test;
+import tellosimulator.goal.Goal.Direction;
+import tellosimulator.goal.Progress.Status;
+import tellosimulator.math.Vec3;
+import tellosimulator.sim.Control;
+import tellosimulator.sim.Severity;
+import tellosimulator.sim.SimConfig;
+import tellosimulator.sim.SimEvent;
+import tellosimulator.sim.Swarm;
+import tellosimulator.testing.SimulatedDrones;
+import tellosimulator.world.Arena;
+import tellosimulator.world.Cover;
+import tellosimulator.world.MissionPad;
+import tellosimulator.world.Obstacle;
+import tellosimulator.world.Shape;
+import tellosimulator.world.Surface;
+
+class GoalWatchTest {
+
+  private static final OptionalInt ANY = OptionalInt.empty();
+
+  private static final Goal FRONT = new Goal.Reach(ANY, new Spot(new Vec3(1, 0, 0.3), 0.1));
+  private static final Goal HOME = new Goal.Land(ANY, new Spot(Vec3.ZERO, 0.1));
+
+  /** Half a metre before the drone, its opening from 40 to 160 cm, which the drone goes through. */
+  private static final Obstacle GATE =
+      new Obstacle(
+          "first", new Shape.Frame(1, 1.2, 0.05, 1), new Vec3(0.5, 0, 0), 0, Cover.DEFAULT);
+
+  private final List<SimEvent> news = new ArrayList<>();
+
+  @Test
+  void placesAreReachedAndTheFlightEndsWithTheLastGoal() {
+    Fixture fixture = fixture(Arena.DEFAULT, any(List.of(FRONT, HOME)));
+    assertThat(fixture.watch.progress().phrase().english())
+        .isEqualTo("goals: 0 of 2 reached after 0.0 s");
+
+    fixture.drones.fly("command", "takeoff", "forward 100");
+    assertThat(fixture.watch.progress().count()).isEqualTo(1);
+    assertThat(fixture.watch.progress().status()).isEqualTo(Status.RUNNING);
+
+    fixture.drones.fly("back 100", "land");
+    assertThat(fixture.watch.progress().status()).isEqualTo(Status.REACHED);
+    assertThat(news)
+        .extracting(SimEvent::drone)
+        .as("drone 1 reached two goals, the end concerns all")
+        .containsExactly(1, 1, 0);
+    double elapsed = fixture.watch.progress().elapsed();
+    assertThat(fixture.watch.progress().reached().get(1)).hasValue(elapsed);
+
+    fixture.drones.advance(5);
+    assertThat(fixture.watch.progress().elapsed()).as("the clock has stopped").isEqualTo(elapsed);
+  }
+
+  @Test
+  void theClockStartsWithTheFirstTakeoff() {
+    Fixture fixture = fixture(Arena.DEFAULT, any(List.of(HOME)));
+    fixture.drones.fly("command");
+    fixture.drones.advance(7);
+    assertThat(fixture.watch.progress().elapsed()).isZero();
+
+    fixture.drones.fly("takeoff");
+    assertThat(fixture.watch.progress().elapsed()).isBetween(2.0, 4.0);
+  }
+
+  @Test
+  void whoStandsAtThePlaceOfLandingAndNeverFliesHasNotLanded() {
+    Fixture fixture = fixture(Arena.DEFAULT, any(List.of(HOME)));
+    fixture.drones.fly("command");
+    fixture.drones.advance(1);
+
+    assertThat(fixture.watch.progress().count()).isZero();
+  }
+
+  @Test
+  void inOrderALaterGoalDoesNotCountBeforeAnEarlierOne() {
+    Goal up = new Goal.Reach(ANY, new Spot(new Vec3(0, 0, 1), 0.1));
+    Challenge challenge = new Challenge(List.of(up, FRONT), true, OptionalDouble.empty(), false);
+    Fixture fixture = fixture(Arena.DEFAULT, challenge);
+
+    fixture.drones.fly("command", "takeoff", "forward 100", "back 100");
+    assertThat(fixture.watch.progress().count()).isZero();
+    fixture.drones.fly("up 70", "down 70", "forward 100");
+
+    assertThat(fixture.watch.progress().status()).isEqualTo(Status.REACHED);
+  }
+
+  @Test
+  void aGateIsPassedThroughItsOpeningOnly() {
+    Fixture fixture = fixture(gates(), any(List.of(pass(Direction.EITHER))));
+    fixture.drones.fly("command", "takeoff", "up 150", "forward 100");
+    assertThat(fixture.watch.progress().count()).as("above it, at 180 cm").isZero();
+
+    fixture.drones.fly("back 100", "down 80", "forward 100");
+    assertThat(fixture.watch.progress().count()).as("at 100 cm").isEqualTo(1);
+  }
+
+  @Test
+  void aGateIsPassedInItsDirection() {
+    Fixture along = fixture(gates(), any(List.of(pass(Direction.ALONG))));
+    along.drones.fly("command", "takeoff", "up 70", "forward 100");
+    assertThat(along.watch.progress().count()).isEqualTo(1);
+
+    Fixture against = fixture(gates(), any(List.of(pass(Direction.AGAINST))));
+    against.drones.fly("command", "takeoff", "up 70", "forward 100");
+    assertThat(against.watch.progress().count()).as("the wrong way").isZero();
+    against.drones.fly("back 100");
+    assertThat(against.watch.progress().count()).isEqualTo(1);
+  }
+
+  @Test
+  void inOrderOnePassDoesNotCountTwice() {
+    Goal pass = pass(Direction.EITHER);
+    Challenge twice = new Challenge(List.of(pass, pass), true, OptionalDouble.empty(), false);
+    Fixture fixture = fixture(gates(), twice);
+    fixture.drones.fly("command", "takeoff", "up 70", "forward 100");
+    assertThat(fixture.watch.progress().count()).isEqualTo(1);
+
+    fixture.drones.fly("back 100");
+    assertThat(fixture.watch.progress().count()).isEqualTo(2);
+  }
+
+  @Test
+  void aPadIsLandedOnWithTheDronesMiddleOverTheCard() {
+    MissionPad pad = MissionPad.onFloor(3, new Vec3(1, 0.5, 0), Math.PI / 4);
+    Arena arena = Arena.DEFAULT.withPads(List.of(pad));
+    Fixture fixture = fixture(arena, any(List.of(new Goal.LandOn(ANY, 3))));
+
+    fixture.drones.fly("command", "takeoff", "go 100 30 0 100");
+    fixture.drones.fly("land");
+    assertThat(fixture.watch.progress().count()).as("20 cm beside its middle").isZero();
+    fixture.drones.fly("takeoff", "left 20", "land");
+    assertThat(fixture.watch.progress().count()).isEqualTo(1);
+  }
+
+  @Test
+  void hoveringMustLast() {
+    Goal hover = new Goal.Hover(ANY, new Spot(new Vec3(1, 0, 0.3), 0.2), 5);
+    Fixture fixture = fixture(Arena.DEFAULT, any(List.of(hover)));
+    fixture.drones.fly("command", "takeoff", "forward 100");
+    fixture.drones.advance(1);
+    fixture.drones.fly("up 50", "down 50");
+    fixture.drones.advance(1);
+    assertThat(fixture.watch.progress().count()).as("twice less than five seconds").isZero();
+
+    fixture.drones.advance(5);
+    assertThat(fixture.watch.progress().count()).isEqualTo(1);
+  }
+
+  @Test
+  void aGoalOfOneDroneIsNotReachedByAnother() {
+    Vec3 left = new Vec3(0, 0.3, 0);
+    Goal second = new Goal.Land(OptionalInt.of(2), new Spot(left, 0.5));
+    SimConfig two =
+        SimConfig.DEFAULT.withDrones(
+            SimConfig.alike(Swarm.row(2, Vec3.ZERO, SimConfig.DEFAULT.arena().room())));
+    GoalWatch watch = new GoalWatch(any(List.of(second)), news::add);
+    SimulatedDrones drones = new SimulatedDrones(two, List.of(watch));
+
+    drones.fly(1, "command", "takeoff", "land");
+    assertThat(watch.progress().count()).isZero();
+    drones.fly(2, "command", "takeoff", "left 60", "land");
+    assertThat(watch.progress().count()).isEqualTo(1);
+  }
+
+  @Test
+  void timeRunsOut() {
+    Challenge challenge = new Challenge(List.of(HOME), false, OptionalDouble.of(4), false);
+    Fixture fixture = fixture(Arena.DEFAULT, challenge);
+    fixture.drones.fly("command", "takeoff", "forward 50", "back 50", "land");
+
+    assertThat(fixture.watch.progress().status()).isEqualTo(Status.FAILED);
+    assertThat(fixture.watch.progress().phrase().english())
+        .isEqualTo("goals: 0 of 1 reached after 4.0 s: time is over");
+    assertThat(news).singleElement().extracting(SimEvent::severity).isEqualTo(Severity.WARNING);
+  }
+
+  @Test
+  void aTouchFailsOnlyWhereNothingMayBeTouched() {
+    Goal wall = new Goal.Reach(ANY, new Spot(new Vec3(2.4, 0, 0.3), 0.1));
+    Fixture free = fixture(Arena.DEFAULT, any(List.of(wall, HOME)));
+    free.drones.fly("command", "takeoff", "speed 20", "forward 260");
+    assertThat(free.watch.progress().status()).isEqualTo(Status.RUNNING);
+    assertThat(free.watch.progress().count()).isEqualTo(1);
+
+    Challenge strict = new Challenge(List.of(wall, HOME), false, OptionalDouble.empty(), true);
+    Fixture forbidden = fixture(Arena.DEFAULT, strict);
+    forbidden.drones.fly("command", "takeoff", "speed 20", "forward 260");
+    assertThat(forbidden.watch.progress().status()).isEqualTo(Status.FAILED);
+    assertThat(forbidden.watch.progress().failure().orElseThrow().english())
+        .isEqualTo("drone 1 touched the front wall");
+  }
+
+  @Test
+  void aCrashFailsAlways() {
+    Fixture fixture = fixture(Arena.DEFAULT, any(List.of(HOME)));
+    fixture.drones.fly("command", "takeoff", "up 150");
+    fixture.drones.control(new Control.Power(1, false));
+    fixture.drones.advance(3);
+
+    assertThat(fixture.watch.progress().failure().orElseThrow().english())
+        .isEqualTo("drone 1 crashed into the floor");
+  }
+
+  @Test
+  void aResetBeginsAnew() {
+    Challenge challenge = new Challenge(List.of(FRONT, HOME), false, OptionalDouble.of(4), false);
+    Fixture fixture = fixture(Arena.DEFAULT, challenge);
+    fixture.drones.fly("command", "takeoff", "forward 100");
+    assertThat(fixture.watch.progress().status()).isEqualTo(Status.FAILED);
+
+    fixture.drones.control(new Control.Reset(1));
+    assertThat(fixture.watch.progress()).isEqualTo(Progress.start(challenge));
+    fixture.drones.advance(10);
+    assertThat(fixture.watch.progress().elapsed()).isZero();
+    fixture.drones.fly("takeoff");
+    assertThat(fixture.watch.progress().status()).isEqualTo(Status.RUNNING);
+  }
+
+  @Test
+  void somethingElseCanBeAskedFor() {
+    Fixture fixture = fixture(Arena.DEFAULT, Challenge.NONE);
+    fixture.drones.fly("command", "takeoff", "land");
+    assertThat(fixture.watch.progress().status()).isEqualTo(Status.RUNNING);
+
+    fixture.watch.ask(any(List.of(HOME)));
+    fixture.drones.fly("takeoff", "land");
+    assertThat(fixture.watch.progress().status()).isEqualTo(Status.REACHED);
+  }
+
+  @Test
+  void padsOnWallsAreNotLandedOn() {
+    MissionPad pad = new MissionPad(3, Surface.FRONT_WALL, 0, 0.5, 0);
+    Arena arena = Arena.DEFAULT.withPads(List.of(pad));
+    Fixture fixture = fixture(arena, any(List.of(new Goal.LandOn(ANY, 3))));
+    fixture.drones.fly("command", "takeoff", "land");
+
+    assertThat(fixture.watch.progress().count()).isZero();
+  }
+
+  private static Goal pass(Direction direction) {
+    return new Goal.Pass(ANY, "first", direction);
+  }
+
+  private static Arena gates() {
+    return Arena.DEFAULT.withObstacles(List.of(GATE));
+  }
+
+  private static Challenge any(List<Goal> goals) {
+    return new Challenge(goals, false, OptionalDouble.empty(), false);
+  }
+
+  private Fixture fixture(Arena arena, Challenge challenge) {
+    GoalWatch watch = new GoalWatch(challenge, news::add);
+    return new Fixture(
+        watch, new SimulatedDrones(SimConfig.DEFAULT.withArena(arena), List.of(watch)));
+  }
+
+  private record Fixture(GoalWatch watch, SimulatedDrones drones) {}
+}
