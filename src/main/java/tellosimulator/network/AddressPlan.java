@@ -7,10 +7,11 @@ import java.net.NetworkInterface;
 import java.net.SocketException;
 import java.net.UnknownHostException;
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 import java.util.Set;
-import java.util.stream.IntStream;
 
 /**
  * Which drone listens where.
@@ -35,14 +36,33 @@ public record AddressPlan(List<List<InetSocketAddress>> drones) {
    * same port.
    */
   public static AddressPlan ofMachine(int drones, int port) {
+    return ofMachine(
+        Collections.nCopies(drones, Optional.empty()), Collections.nCopies(drones, port));
+  }
+
+  /**
+   * The same, but for drones whose address is given.
+   *
+   * @param given for each drone its address; empty for the usual ones of its number
+   * @param ports for each drone its port
+   */
+  public static AddressPlan ofMachine(List<Optional<InetAddress>> given, List<Integer> ports) {
     List<List<InetSocketAddress>> plan = new ArrayList<>();
-    List<InetAddress> others =
-        IntStream.rangeClosed(2, drones).mapToObj(AddressPlan::loopback).toList();
+    List<InetAddress> others = new ArrayList<>();
+    for (int number = 2; number <= given.size(); number++) {
+      others.add(usual(given.get(number - 1), number));
+    }
     List<InetAddress> first = new ArrayList<>(machineAddresses());
     first.removeAll(others); // where they had to be added, the machine counts them among its own
-    plan.add(onPort(first, port));
-    others.forEach(address -> plan.add(List.of(new InetSocketAddress(address, port))));
+    plan.add(onPort(given.get(0).map(List::of).orElse(first), ports.get(0)));
+    for (int i = 1; i < given.size(); i++) {
+      plan.add(onPort(List.of(others.get(i - 1)), ports.get(i)));
+    }
     return new AddressPlan(plan);
+  }
+
+  private static InetAddress usual(Optional<InetAddress> given, int number) {
+    return given.orElseGet(() -> loopback(number));
   }
 
   /**

@@ -1,0 +1,83 @@
+package tellosimulator.scenario;
+
+import tellosimulator.math.Vec3;
+import tellosimulator.world.MissionPad;
+import tellosimulator.world.Obstacle;
+import tellosimulator.world.Poster;
+import tellosimulator.world.Room;
+import tellosimulator.world.Shape;
+import tellosimulator.world.Surface;
+
+/** Whether things are where a room has a place for them. */
+final class Footprint {
+
+  /** What sticks out less is still inside [m]. Decided: errors of rounding. */
+  private static final double TOLERANCE = 1e-3;
+
+  private Footprint() {}
+
+  /** Whether a whole obstacle is in the room. */
+  static boolean inside(Obstacle obstacle, Room room) {
+    Vec3 half = half(obstacle.shape());
+    double cosine = Math.abs(StrictMath.cos(obstacle.heading()));
+    double sine = Math.abs(StrictMath.sin(obstacle.heading()));
+    double x = cosine * half.x() + sine * half.y();
+    double y = sine * half.x() + cosine * half.y();
+    Vec3 foot = obstacle.foot();
+    return Math.abs(foot.x()) + x <= room.depth() / 2 + TOLERANCE
+        && Math.abs(foot.y()) + y <= room.width() / 2 + TOLERANCE
+        && foot.z() + half.z() <= room.height() + TOLERANCE;
+  }
+
+  /** Half the depth and width of a shape, and its height [m]. */
+  private static Vec3 half(Shape shape) {
+    if (shape instanceof Shape.Box box) {
+      return new Vec3(box.depth() / 2, box.width() / 2, box.height());
+    }
+    if (shape instanceof Shape.Ring ring) {
+      return new Vec3(ring.tube() / 2, ring.reach(), ring.height());
+    }
+    if (shape instanceof Shape.Frame frame) {
+      return new Vec3(frame.beam() / 2, frame.width() / 2 + frame.beam(), frame.height());
+    }
+    return new Vec3(shape.reach(), shape.reach(), shape.height());
+  }
+
+  /** Whether a whole mission pad is on its surface. */
+  static boolean inside(MissionPad pad, Room room) {
+    double half =
+        MissionPad.EDGE
+            / 2
+            * (Math.abs(StrictMath.cos(pad.rotation())) + Math.abs(StrictMath.sin(pad.rotation())));
+    return inside(pad.surface(), new Vec3(pad.along(), pad.height(), half), room);
+  }
+
+  /** Whether the middle of a poster is on its surface. */
+  static boolean inside(Poster poster, Room room) {
+    return inside(poster.surface(), new Vec3(poster.along(), poster.height(), 0), room);
+  }
+
+  /**
+   * Whether something is on a surface.
+   *
+   * @param place its middle along the surface and up, and half its size
+   */
+  private static boolean inside(Surface surface, Vec3 place, Room room) {
+    boolean acrossDepth = surface == Surface.LEFT_WALL || surface == Surface.RIGHT_WALL;
+    double width = acrossDepth ? room.depth() : room.width();
+    double half = place.z() - TOLERANCE;
+    boolean upInside =
+        surface.wall()
+            ? place.y() >= half && place.y() <= room.height() - half
+            : Math.abs(place.y()) <= room.depth() / 2 - half;
+    return Math.abs(place.x()) <= width / 2 - half && upInside;
+  }
+
+  /** Whether a place is in the room. */
+  static boolean inside(Vec3 place, Room room) {
+    return Math.abs(place.x()) <= room.depth() / 2
+        && Math.abs(place.y()) <= room.width() / 2
+        && place.z() >= 0
+        && place.z() <= room.height();
+  }
+}

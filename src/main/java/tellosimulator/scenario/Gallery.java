@@ -1,0 +1,36 @@
+package tellosimulator.scenario;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.UncheckedIOException;
+import java.util.List;
+import java.util.Optional;
+
+/** The scenarios that come with the program. For any thread. */
+public final class Gallery {
+
+  /** Their short names, the easiest first. */
+  public static final List<String> NAMES = List.of();
+
+  private Gallery() {}
+
+  /** The one of a short name, if there is such a one. */
+  public static Optional<Scenario> find(String name) {
+    return NAMES.contains(name) ? Optional.of(read(name)) : Optional.empty();
+  }
+
+  /** The name that was meant. */
+  public static Optional<String> meant(String name) {
+    return Spelling.meant(name, NAMES);
+  }
+
+  private static Scenario read(String name) {
+    try (InputStream input = Gallery.class.getResourceAsStream(name + ".yaml")) {
+      return ScenarioFile.read(name + ".yaml", input);
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    } catch (ScenarioException e) {
+      throw new IllegalStateException(e);
+    }
+  }
+}

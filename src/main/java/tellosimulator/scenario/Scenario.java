@@ -1,0 +1,70 @@
+package tellosimulator.scenario;
+
+import java.net.InetAddress;
+import java.util.Collections;
+import java.util.List;
+import java.util.Optional;
+import java.util.OptionalInt;
+import tellosimulator.goal.Challenge;
+import tellosimulator.network.AddressPlan;
+import tellosimulator.sim.SimConfig;
+
+/**
+ * A room that can be handed out: what is in it, which drones fly there, and what they shall do.
+ * Immutable; for any thread.
+ *
+ * @param name for people; may be empty
+ * @param teaches one line on what one learns by it; may be empty
+ * @param config what to simulate
+ * @param stations where each drone takes commands, in the order of their numbers
+ * @param challenge what the drones shall do
+ */
+public record Scenario(
+    String name, String teaches, SimConfig config, List<Station> stations, Challenge challenge) {
+
+  /**
+   * Where a drone takes commands, as far as a scenario says so.
+   *
+   * @param address of this machine; empty for the usual one of the drone's number
+   * @param port empty for the usual one
+   */
+  public record Station(Optional<InetAddress> address, OptionalInt port) {
+
+    /** At the usual place. */
+    public static final Station USUAL = new Station(Optional.empty(), OptionalInt.empty());
+  }
+
+  public Scenario {
+    stations = List.copyOf(stations);
+    if (stations.size() != config.drones().size()) {
+      throw new IllegalArgumentException(
+          "there are "
+              + stations.size()
+              + " stations for "
+              + config.drones().size()
+              + " drones, but each needs one");
+    }
+  }
+
+  /** Without a name and without goals, drones at the usual places. */
+  public static Scenario of(SimConfig config) {
+    List<Station> usual = Collections.nCopies(config.drones().size(), Station.USUAL);
+    return new Scenario("", "", config, usual, Challenge.NONE);
+  }
+
+  /** The same with as many drones, but something else to simulate. */
+  public Scenario withConfig(SimConfig newConfig) {
+    return new Scenario(name, teaches, newConfig, stations, challenge);
+  }
+
+  /**
+   * Which drone listens where.
+   *
+   * @param usualPort for drones whose port is not said
+   */
+  public AddressPlan addressPlan(int usualPort) {
+    return AddressPlan.ofMachine(
+        stations.stream().map(Station::address).toList(),
+        stations.stream().map(station -> station.port().orElse(usualPort)).toList());
+  }
+}

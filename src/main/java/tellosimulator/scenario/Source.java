@@ -1,0 +1,121 @@
+package tellosimulator.scenario;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.ByteBuffer;
+import java.nio.CharBuffer;
+import java.nio.charset.CharsetDecoder;
+import java.nio.charset.CoderResult;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Optional;
+import org.snakeyaml.engine.v2.api.LoadSettings;
+import org.snakeyaml.engine.v2.composer.Composer;
+import org.snakeyaml.engine.v2.exceptions.MarkedYamlEngineException;
+import org.snakeyaml.engine.v2.exceptions.ReaderException;
+import org.snakeyaml.engine.v2.exceptions.YamlEngineException;
+import org.snakeyaml.engine.v2.nodes.Node;
+import org.snakeyaml.engine.v2.parser.Parser;
+import org.snakeyaml.engine.v2.parser.ParserImpl;
+import org.snakeyaml.engine.v2.scanner.StreamReader;
+import tellosimulator.scenario.Mistake.Place;
+import tellosimulator.words.Phrase;
+
+/** The text of a file, made into nodes; whatever it holds, it costs little time and memory. */
+final class Source {
+
+  /** Largest file [bytes]. Decided: some ten thousand obstacles. */
+  static final int LARGEST = 4 << 20;
+
+  private static final char BYTE_ORDER_MARK = '\uFEFF';
+
+  private final Mistakes mistakes;
+  private final LoadSettings settings;
+
+  Source(String file, Mistakes mistakes) {
+    this.mistakes = mistakes;
+    this.settings =
+        LoadSettings.builder()
+            .setLabel(file)
+            .setAllowDuplicateKeys(true) // told with their places by who reads them
+            .setCodePointLimit(LARGEST)
+            .build();
+  }
+
+  /** The bytes of a file; empty if it cannot be read or is too large. */
+  Optional<byte[]> bytes(Path path) {
+    if (Files.isDirectory(path)) {
+      mistakes.add(Place.WHOLE, Phrase.of("expected a file, found a folder"));
+      return Optional.empty();
+    }
+    if (!Files.exists(path)) {
+      mistakes.add(Place.WHOLE, Phrase.of("there is no such file"));
+      return Optional.empty();
+    }
+    try (InputStream input = Files.newInputStream(path)) {
+      byte[] bytes = input.readNBytes(LARGEST + 1);
+      if (bytes.length > LARGEST) {
+        mistakes.add(
+            Place.WHOLE,
+            Phrase.of("expected a file of at most %d MB, found a larger one", LARGEST >> 20));
+        return Optional.empty();
+      }
+      return Optional.of(bytes);
+    } catch (IOException e) {
+      mistakes.add(Place.WHOLE, Phrase.of("the file cannot be read"));
+      return Optional.empty();
+    }
+  }
+
+  /** The text in UTF-8; empty if it is something else. */
+  Optional<String> text(byte[] bytes) {
+    CharsetDecoder decoder = StandardCharsets.UTF_8.newDecoder();
+    CharBuffer chars = CharBuffer.allocate(bytes.length + 1);
+    CoderResult result = decoder.decode(ByteBuffer.wrap(bytes), chars, true);
+    String text = chars.flip().toString();
+    if (result.isError()) {
+      mistakes.add(end(text), Phrase.of("expected text in UTF-8, found other bytes"));
+      return Optional.empty();
+    }
+    boolean marked = !text.isEmpty() && text.charAt(0) == BYTE_ORDER_MARK;
+    return Optional.of(marked ? text.substring(1) : text);
+  }
+
+  /** What the text holds; empty if it is not YAML or nothing. */
+  Optional<Node> root(String text) {
+    try {
+      Parser parser = new ParserImpl(settings, new StreamReader(settings, text));
+      Optional<Node> root = new Composer(settings, new BoundedParser(parser)).getSingleNode();
+      if (root.isEmpty()) {
+        mistakes.add(new Place(1, 1), Phrase.of("expected a scenario, found nothing"));
+      }
+      return root;
+    } catch (BoundedParser.TooMuchException e) {
+      mistakes.add(e.place(), e.phrase());
+    } catch (MarkedYamlEngineException e) {
+      Place place =
+          e.getProblemMark().or(e::getContextMark).map(Mistakes::place).orElse(Place.WHOLE);
+      mistakes.add(place, Phrase.of("this is not YAML: %s", String.valueOf(e.getProblem())));
+    } catch (ReaderException e) {
+      int codePoints = Math.min(e.getPosition(), text.codePointCount(0, text.length()));
+      Place place = end(text.substring(0, text.offsetByCodePoints(0, codePoints)));
+      mistakes.add(
+          place, Phrase.of("expected text, found the control character %d", e.getCodePoint()));
+    } catch (YamlEngineException e) {
+      mistakes.add(Place.WHOLE, Phrase.of("this is not YAML: %s", firstLine(e.getMessage())));
+    }
+    return Optional.empty();
+  }
+
+  /** The place after a text. */
+  private static Place end(String text) {
+    int line = 1 + (int) text.chars().filter(c -> c == '\n').count();
+    int column = text.length() - text.lastIndexOf('\n');
+    return new Place(line, column);
+  }
+
+  private static String firstLine(String message) {
+    return message.lines().findFirst().orElse("");
+  }
+}

@@ -1,0 +1,58 @@
+package tellosimulator.scenario;
+
+import java.util.Collection;
+import java.util.Comparator;
+import java.util.Locale;
+import java.util.Optional;
+
+/** Guesses what somebody meant who wrote a word that is not known. */
+final class Spelling {
+
+  /** A word is meant if at most about a third of its letters are wrong. Decided. */
+  private static final int LETTERS_PER_SLIP = 3;
+
+  /** Longer words are not guessed at. Decided. */
+  private static final int LONGEST = 40;
+
+  private Spelling() {}
+
+  /** The known word that is nearest to what was written, if it is near. */
+  static Optional<String> meant(String written, Collection<String> known) {
+    if (written.length() > LONGEST) {
+      return Optional.empty();
+    }
+    String lower = written.toLowerCase(Locale.ROOT).replace('_', '-').replace(' ', '-');
+    return known.stream()
+        .filter(word -> word.length() <= LONGEST)
+        .filter(word -> slips(lower, word) <= (word.length() + 1) / LETTERS_PER_SLIP)
+        .min(Comparator.comparingInt(word -> slips(lower, word)));
+  }
+
+  /**
+   * Letters that are too many, missing, wrong, or in a neighbour's place: the restricted distance
+   * of Damerau and Levenshtein.
+   */
+  static int slips(String written, String word) {
+    int[][] slips = new int[written.length() + 1][word.length() + 1];
+    for (int i = 0; i <= written.length(); i++) {
+      for (int j = 0; j <= word.length(); j++) {
+        slips[i][j] = i == 0 || j == 0 ? i + j : fewest(slips, written, word, i, j);
+      }
+    }
+    return slips[written.length()][word.length()];
+  }
+
+  private static int fewest(int[][] slips, String written, String word, int i, int j) {
+    boolean same = written.charAt(i - 1) == word.charAt(j - 1);
+    int fewest =
+        Math.min(
+            slips[i - 1][j - 1] + (same ? 0 : 1),
+            Math.min(slips[i - 1][j] + 1, slips[i][j - 1] + 1));
+    boolean swapped =
+        i > 1
+            && j > 1
+            && written.charAt(i - 1) == word.charAt(j - 2)
+            && written.charAt(i - 2) == word.charAt(j - 1);
+    return swapped ? Math.min(fewest, slips[i - 2][j - 2] + 1) : fewest;
+  }
+}

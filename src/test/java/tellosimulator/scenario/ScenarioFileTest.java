@@ -1,0 +1,510 @@
+package tellosimulator.scenario;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.catchThrowableOfType;
+
+import java.io.IOException;
+import java.lang.management.ManagementFactory;
+import java.lang.management.ThreadMXBean;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import java.util.OptionalDouble;
+import java.util.OptionalInt;
+import java.util.SplittableRandom;
+import java.util.stream.IntStream;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.TestReporter;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+import tellosimulator.goal.Challenge;
+import tellosimulator.goal.Goal;
+import tellosimulator.goal.Goal.Direction;
+import tellosimulator.goal.Spot;
+import tellosimulator.math.Attitude;
+import tellosimulator.math.Pose;
+import tellosimulator.math.Vec3;
+import tellosimulator.profile.Behaviour;
+import tellosimulator.profile.Profile;
+import tellosimulator.sim.DroneSetup;
+import tellosimulator.sim.SimConfig;
+import tellosimulator.sim.SimConfig.Outlets;
+import tellosimulator.sim.SimConfig.Product;
+import tellosimulator.time.TimeFactor;
+import tellosimulator.world.Arena;
+import tellosimulator.world.Cover;
+import tellosimulator.world.Cover.Pattern;
+import tellosimulator.world.Cover.Side;
+import tellosimulator.world.Decor;
+import tellosimulator.world.MissionPad;
+import tellosimulator.world.Obstacle;
+import tellosimulator.world.Poster;
+import tellosimulator.world.Room;
+import tellosimulator.world.Shape;
+import tellosimulator.world.Surface;
+import tellosimulator.world.Walls;
+
+class ScenarioFileTest {
+
+  private static final String EVERYTHING =
+      """
+      name: Everything
+      teaches: what a file can say
+      room: {width: 800, depth: 600, height: 250}
+      grid: 50
+      walls: plain
+      posters:
+        - {wall: left, along: -20, height: 120, width: 30, picture: face.png}
+      obstacles:
+        - box:
+            name: table
+            at: [100, 50]
+            base: 70
+            size: [80, 120, 5]
+            heading: 30
+            colour: brown
+            pattern: stripes
+            pictures: {top: face.png, left: face.png}
+        - cylinder: {at: [-100, 0], radius: 10, height: 250, colour: "#102030"}
+        - wall: {from: [0, -300], to: [0, -100], height: 150, thickness: 8}
+        - gate: {name: ring, at: [200, 0], shape: ring, diameter: 80, centre: 120}
+        - gate: {at: [200, 200], shape: frame, width: 90, height: 70, centre: 100,
+                 thickness: 4, heading: 90}
+      pads:
+        - {id: 3, at: [150, -120], heading: 45}
+        - {id: 8, wall: back, along: 50, height: 120, rotation: -90}
+      drones:
+        - {start: [-200, 0], heading: 90, profile: tt, behaviour: measured, colour: red,
+           battery: 55.5, address: 127.0.0.7, command-port: 8889, state-port: 9001,
+           video-port: 9002}
+        - {start: [-200, 100]}
+      wind: {towards: 90, speed: 150, gusts: 40}
+      time-factor: 2.5
+      seed: -17
+      goals:
+        - pass: {gate: ring, direction: along, drone: 2}
+        - reach: {at: [0, 0, 150], radius: 25}
+        - hover: {at: [10, 0, 150], seconds: 5}
+        - land-on: {pad: 3}
+        - land: {at: [-200, 0], drone: 1}
+      in-order: true
+      time-limit: 90
+      touch: forbidden
+      """;
+
+  @TempDir private Path folder;
+
+  @BeforeEach
+  void picture() throws IOException {
+    Files.createFile(folder.resolve("face.png"));
+  }
+
+  @Test
+  void everythingThatAFileCanSayIsRead() throws Exception {
+    Scenario scenario = read(EVERYTHING);
+
+    assertThat(scenario.name()).isEqualTo("Everything");
+    assertThat(scenario.teaches()).isEqualTo("what a file can say");
+    SimConfig config = scenario.config();
+    assertThat(config.timeFactor()).isEqualTo(new TimeFactor(2.5));
+    assertThat(config.seed()).isEqualTo(-17);
+    Arena arena = config.arena();
+    assertThat(arena.room()).isEqualTo(new Room(8, 6, 2.5));
+    String picture = folder.resolve("face.png").toString();
+    assertThat(arena.decor())
+        .isEqualTo(
+            new Decor(
+                0.5, Walls.PLAIN, List.of(new Poster(Surface.LEFT_WALL, -0.2, 1.2, 0.3, picture))));
+    assertThat(arena.wind().mean().distanceTo(new Vec3(0, 1.5, 0))).isLessThan(1e-9);
+    assertThat(arena.wind().gusts()).isEqualTo(0.4);
+    assertThat(arena.pads())
+        .containsExactly(
+            MissionPad.onFloor(3, new Vec3(1.5, -1.2, 0), Math.PI / 4),
+            new MissionPad(8, Surface.BACK_WALL, 0.5, 1.2, -Math.PI / 2));
+    assertThat(scenario.challenge())
+        .isEqualTo(
+            new Challenge(
+                List.of(
+                    new Goal.Pass(OptionalInt.of(2), "ring", Direction.ALONG),
+                    new Goal.Reach(OptionalInt.empty(), new Spot(new Vec3(0, 0, 1.5), 0.25)),
+                    new Goal.Hover(OptionalInt.empty(), new Spot(new Vec3(0.1, 0, 1.5), 0.3), 5),
+                    new Goal.LandOn(OptionalInt.empty(), 3),
+                    new Goal.Land(OptionalInt.of(1), new Spot(new Vec3(-2, 0, 0), 0.3))),
+                true,
+                OptionalDouble.of(90),
+                true));
+  }
+
+  @Test
+  void obstaclesAreRead() throws Exception {
+    String picture = folder.resolve("face.png").toString();
+
+    assertThat(read(EVERYTHING).config().arena().obstacles())
+        .containsExactly(
+            new Obstacle(
+                "table",
+                new Shape.Box(0.8, 1.2, 0.05),
+                new Vec3(1, 0.5, 0.7),
+                StrictMath.toRadians(30),
+                new Cover(
+                    0x8a5a36, Pattern.STRIPES, Map.of(Side.TOP, picture, Side.LEFT, picture))),
+            new Obstacle(
+                "cylinder 1",
+                new Shape.Cylinder(0.1, 2.5),
+                new Vec3(-1, 0, 0),
+                0,
+                new Cover(0x102030, Pattern.PLAIN, Map.of())),
+            // it goes towards +y, so its front, on the right hand, looks along +x
+            new Obstacle(
+                "wall 1", new Shape.Box(0.08, 2, 1.5), new Vec3(0, -2, 0), 0, Cover.DEFAULT),
+            new Obstacle(
+                "ring", new Shape.Ring(0.4, 0.05, 1.2), new Vec3(2, 0, 0), 0, Cover.DEFAULT),
+            new Obstacle(
+                "gate 1",
+                new Shape.Frame(0.9, 0.7, 0.04, 1),
+                new Vec3(2, 2, 0),
+                StrictMath.toRadians(90),
+                Cover.DEFAULT));
+  }
+
+  @Test
+  void dronesAreReadAndListenWhereTheFileSays() throws Exception {
+    Scenario scenario = read(EVERYTHING);
+
+    assertThat(scenario.config().drones())
+        .containsExactly(
+            new DroneSetup(
+                new Pose(new Vec3(-2, 0, 0), Attitude.ofHeading(StrictMath.toRadians(90))),
+                new Product(Profile.TT, Behaviour.MEASURED),
+                new Outlets(9001, 9002),
+                55.5,
+                OptionalInt.of(0xc0392b)),
+            DroneSetup.at(
+                new Pose(new Vec3(-2, 1, 0), Attitude.LEVEL), Product.DEFAULT, Outlets.DEFAULT));
+    assertThat(scenario.addressPlan(8879).drones())
+        .extracting(addresses -> addresses.get(0).toString())
+        .containsExactly("/127.0.0.7:8889", "/127.0.0.2:8879");
+  }
+
+  @Test
+  void whatIsNotSaidIsAsUsual() throws Exception {
+    assertThat(read("name: Nothing else").config()).isEqualTo(SimConfig.DEFAULT);
+    assertThat(read("{}")).isEqualTo(Scenario.of(SimConfig.DEFAULT));
+  }
+
+  @Test
+  void unnamedObstaclesGetNamesThatNoOtherHas() throws Exception {
+    Scenario scenario =
+        read(
+            """
+            obstacles:
+              - box: {at: [100, 0], size: [10, 10, 10]}
+              - box: {name: box 1, at: [130, 0], size: [10, 10, 10]}
+              - box: {at: [160, 0], size: [10, 10, 10]}
+            """);
+    assertThat(scenario.config().arena().obstacles())
+        .extracting(Obstacle::name)
+        .containsExactly("box 2", "box 1", "box 3");
+  }
+
+  @Test
+  void everythingComesBackAsItWasWritten() throws Exception {
+    Scenario scenario = read(EVERYTHING);
+
+    assertThat(rewritten(scenario)).isEqualTo(scenario);
+  }
+
+  @Test
+  void whateverIsWrittenComesBack() throws Exception {
+    SplittableRandom random = new SplittableRandom(7);
+    for (int i = 0; i < 200; i++) {
+      Scenario scenario = new RandomScenario(random).next();
+      assertThat(rewritten(scenario)).as("scenario %d", i).isEqualTo(scenario);
+    }
+  }
+
+  @Test
+  void aWrittenFileIsEasyToRead() throws Exception {
+    ScenarioFile.write(read(EVERYTHING), folder.resolve("out.yaml"));
+
+    assertThat(Files.readString(folder.resolve("out.yaml")))
+        .startsWith(
+            """
+            name: Everything
+            teaches: what a file can say
+
+            room: {width: 800, depth: 600, height: 250}
+            grid: 50
+            walls: plain
+
+            posters:
+              - {wall: left, along: -20, height: 120, width: 30, picture: face.png}
+
+            obstacles:
+              - box: {name: table, at: [100, 50], base: 70, size: [80, 120, 5], heading: 30, \
+            """)
+        .doesNotContain("\t");
+  }
+
+  @Test
+  void aThousandObstaclesAreReadWithinHalfASecond(TestReporter reporter) throws Exception {
+    StringBuilder text = new StringBuilder("room: {width: 20000, depth: 20000}\nobstacles:\n");
+    for (int i = 0; i < 1000; i++) {
+      text.append("  - box: {at: [")
+          .append(200 + i % 40 * 150)
+          .append(", ")
+          .append(i / 40 * 150)
+          .append("], size: [50, 60.5, 120], heading: 30, colour: blue}\n");
+    }
+    Path file = folder.resolve("thousand.yaml");
+    Files.writeString(file, text);
+    ThreadMXBean processor = ManagementFactory.getThreadMXBean(); // others may use it, too
+    long fastest = Long.MAX_VALUE;
+    for (int i = 0; i < 5; i++) {
+      long begin = processor.getCurrentThreadCpuTime();
+      assertThat(ScenarioFile.read(file).config().arena().obstacles()).hasSize(1000);
+      fastest = Math.min(fastest, processor.getCurrentThreadCpuTime() - begin);
+    }
+    reporter.publishEntry("a thousand obstacles", fastest / 1_000_000 + " ms");
+    assertThat(fastest / 1_000_000).as("ms of a processor").isLessThan(500);
+  }
+
+  // --- mistakes ---
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      quoteCharacter = '`',
+      textBlock =
+          """
+          room: {width: abc}                  | 1:15: expected a length in cm from 100 to 20000, found "abc"
+          room: {width: -500}                 | 1:15: expected a length in cm from 100 to 20000, found "-500"
+          room: {width: .nan}                 | 1:15: expected a length in cm from 100 to 20000, found ".nan"
+          room: {width: .inf}                 | 1:15: expected a length in cm from 100 to 20000, found ".inf"
+          room: {width: 1e999}                | 1:15: expected a length in cm from 100 to 20000, found "1e999"
+          room: {width: "500"}                | 1:15: expected a length in cm from 100 to 20000, found "500"
+          room: {width: [500]}                | 1:15: expected a length in cm from 100 to 20000, found a list of 1
+          room: {width: }                     | 1:14: expected a length in cm from 100 to 20000, found nothing
+          room: 5                             | 1:7: expected a room, found "5"
+          rom: {width: 500}                   | 1:1: a scenario has no key "rom", did you mean room?
+          time_limit: 5                       | 1:1: a scenario has no key "time_limit", did you mean time-limit?
+          zebra: 5                            | 1:1: a scenario has no key "zebra", but only name, teaches, room, grid, walls, posters, obstacles, pads, drones, wind, time-factor, seed, goals, in-order, time-limit, touch
+          {name: a, name: b}                  | 1:11: the key name is there twice
+          [1, 2]                              | 1:1: expected a scenario, found a list of 2
+          just words                          | 1:1: expected a scenario, found "just words"
+          walls: papered                      | 1:8: expected one of plain, textured, found "papered"
+          walls: plane                        | 1:8: expected one of plain, textured, found "plane", did you mean plain?
+          drones: {start: [0, 0]}             | 1:9: expected a list, found a mapping
+          drones: [{}]                        | 1:10: a drone needs the key start
+          drones: [{start: 5}]                | 1:18: expected [x, y] in cm, each from -20000 to 20000, found "5"
+          drones: [{start: [0, 0, 0]}]        | 1:18: expected [x, y] in cm, each from -20000 to 20000, found a list of 3
+          drones: [{start: [9999, 0]}]        | 1:10: drone 1 does not fit into the room there
+          drones: [{start: [0, 0]}, {start: [10, 0]}] | 1:27: drone 2 is in drone 1
+          drones: [{start: [0, 0], battery: 101}] | 1:35: expected a percentage from 0 to 100, found "101"
+          drones: [{start: [0, 0], colour: rainbow}] | 1:34: expected a colour such as "#d9772b", or one of black, blue, brown, green, grey, orange, purple, red, white, yellow, found "rainbow"
+          drones: [{start: [0, 0], address: 127.0.0.300}] | 1:35: expected an address such as 127.0.0.2, found "127.0.0.300"
+          drones: [{start: [0, 0], command-port: 0}] | 1:40: expected a port from 1 to 65535, found "0"
+          drones: [{start: [0, 0]}, {start: [0, 50], address: 127.0.0.1}] | 1:27: drone 2 takes commands where drone 1 does
+          pads: [{id: 9, at: [0, 0]}]         | 1:13: expected a pad from 1 to 8, found "9"
+          pads: [{id: 1, at: [0, 0]}, {id: 1, at: [50, 0]}] | 1:29: there are two mission pads of the number 1
+          pads: [{id: 1, at: [245, 0]}]       | 1:8: the mission pad 1 is not on the floor
+          pads: [{id: 1, wall: left, height: 295}] | 1:8: the mission pad 1 is not on the left wall
+          pads: [{id: 1, wall: left, height: 100, at: [0, 0]}] | 1:45: the key at does not go with wall
+          pads: [{id: 1, at: [0, 0], rotation: 5}] | 1:38: the key rotation goes only with wall
+          obstacles: [{}]                     | 1:13: expected one of box, cylinder, wall, gate, found 0 of them
+          obstacles: [{bx: {}}]               | 1:14: an obstacle has no key "bx", did you mean box?
+          obstacles: [{box: {at: [0, 0], size: [0, 1, 1]}}] | 1:39: expected a length in cm from 0.1 to 20000, found "0"
+          obstacles: [{box: {at: [240, 0], size: [40, 40, 40]}}] | 1:13: the obstacle box 1 is not in the room
+          obstacles: [{cylinder: {at: [0, 0], radius: 5, height: 301}}] | 1:13: the obstacle cylinder 1 is not in the room
+          obstacles: [{wall: {from: [0, 0], to: [0, 0], height: 5}}] | 1:39: expected another place than that of from
+          obstacles: [{gate: {at: [0, 0], shape: ring, diameter: 80, centre: 20}}] | 1:68: the centre of this opening must be at least 45 cm high
+          obstacles: [{gate: {at: [0, 0], shape: ring, diameter: 80, centre: 90, width: 5}}] | 1:79: the key width does not go with ring
+          posters: [{wall: front, height: 100, width: 30, picture: none.png}] | 1:58: expected the name of an image file, found no file "none.png"
+          wind: {speed: 5000}                 | 1:15: expected a speed in cm/s from 0 to 2000, found "5000"
+          wind: {towards: 400}                | 1:17: expected an angle in degrees from -360 to 360, found "400"
+          time-factor: fast                   | 1:14: expected a time factor from 0.01 to 5000, or max, found "fast"
+          seed: 1.5                           | 1:7: expected a whole number of at most 18 digits, found "1.5"
+          goals: [{land-on: {pad: 3}}]        | 1:9: no mission pad 3 lies on the floor
+          goals: [{reach: {at: [0, 0, 301]}}] | 1:9: this place is not in the room
+          goals: [{reach: {at: [0, 0, 30], drone: 2}}] | 1:41: expected drone 1, the only one, found "2"
+          goals: [{hover: {at: [0, 0, 30]}}]  | 1:17: a place to hover needs the key seconds
+          goals: [{pass: {gate: ring}}]       | 1:9: there is no gate "ring"
+          in-order: yes                       | 1:11: expected one of false, true, found "yes"
+          touch: never                        | 1:8: expected one of allowed, forbidden, found "never"
+          name: 5                             | 1:7: expected a line of text of at most 200 letters, found "5"
+          name: "a: b                         | 2:1: this is not YAML: found unexpected end of stream
+          name: a: b                          | 1:8: this is not YAML: mapping values are not allowed here
+          """)
+  void aMistakeIsOneSentenceWithItsPlace(String text, String sentence) {
+    assertThat(mistakes(text + "\n")).containsExactly(sentence);
+  }
+
+  @Test
+  void aGateIsGuessedAt() {
+    String text =
+        """
+        obstacles:
+          - gate: {name: first, at: [100, 0], shape: ring, diameter: 80, centre: 120}
+          - box: {name: table, at: [0, 100], size: [50, 50, 50]}
+        goals:
+          - pass: {gate: frist}
+          - pass: {gate: table}
+        """;
+    assertThat(mistakes(text))
+        .containsExactly(
+            "5:5: there is no gate \"frist\", did you mean first?",
+            "6:5: the obstacle table is no gate");
+  }
+
+  @Test
+  void allMistakesAreToldAtOnceInTheOrderOfTheirPlaces() {
+    String text =
+        """
+        goals:
+          - reach: {at: [0, 0, 30], radius: -5}
+        room: {width: abc, hight: 300}
+        obstacles:
+          - box: {at: [0, 200], size: 5}
+        """;
+    assertThat(mistakes(text))
+        .containsExactly(
+            "2:37: expected a length in cm from 1 to 20000, found \"-5\"",
+            "3:15: expected a length in cm from 100 to 20000, found \"abc\"",
+            "3:20: a room has no key \"hight\", did you mean height?",
+            "5:31: expected [x, y, z] in cm, each from 0.1 to 20000, found \"5\"");
+  }
+
+  @Test
+  void tooManyMistakesAreCounted() {
+    List<String> found = mistakes("a: 1\n".repeat(250));
+
+    assertThat(found).hasSize(101);
+    assertThat(found.get(100)).isEqualTo("100:1: and 150 more mistakes");
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"", "\n\n", "# only a comment\n"})
+  void anEmptyFileIsASentence(String text) {
+    assertThat(mistakes(text)).containsExactly("1:1: expected a scenario, found nothing");
+  }
+
+  @Test
+  void binaryFilesAreASentence() throws IOException {
+    byte[] random = new byte[5000];
+    new SplittableRandom(3).nextBytes(random);
+    assertThat(mistakes(random)).singleElement().asString().contains("found other bytes");
+
+    assertThat(mistakes("name: a\nteaches: \u0001b\n".getBytes(StandardCharsets.UTF_8)))
+        .containsExactly("2:10: expected text, found the control character 1");
+  }
+
+  @Test
+  @Timeout(20)
+  void aHugeFileIsASentence() throws IOException {
+    byte[] huge = new byte[Source.LARGEST + 1];
+    java.util.Arrays.fill(huge, (byte) ' ');
+    assertThat(mistakes(huge))
+        .containsExactly("expected a file of at most 4 MB, found a larger one");
+  }
+
+  @Test
+  @Timeout(20)
+  void hostileFilesAreASentence() {
+    assertThat(mistakes("a: " + "[".repeat(1_000_000)))
+        .containsExactly("1:23: expected at most 20 levels, found more");
+    assertThat(mistakes("a: [" + "1,".repeat(1_500_000) + "]"))
+        .singleElement()
+        .asString()
+        .endsWith("expected at most 400000 values, found more");
+    assertThat(mistakes("&a [*a, *a]"))
+        .containsExactly("1:1: expected a scenario, found a list of 2");
+    assertThat(mistakes("room: &a {width: *a}"))
+        .containsExactly("1:7: expected a length in cm from 100 to 20000, found a mapping");
+    assertThat(mistakes("obstacles: &a\n  - *a\n"))
+        .containsExactly("1:12: expected an obstacle, found a list of 1");
+    String bomb =
+        "a: &a [1,1,1,1,1,1,1,1,1]\n"
+            + IntStream.range(0, 15)
+                .mapToObj(
+                    i ->
+                        "b"
+                            + i
+                            + ": &"
+                            + (char) ('b' + i)
+                            + " ["
+                            + ("*" + (char) ('a' + i) + " ,").repeat(9)
+                            + "]\n")
+                .reduce("", String::concat);
+    assertThat(mistakes(bomb)).singleElement().asString().contains("Number of aliases");
+  }
+
+  @Test
+  void whatCannotBeReadIsASentence() {
+    Path missing = folder.resolve("missing.yaml");
+    assertThat(catchThrowableOfType(ScenarioException.class, () -> ScenarioFile.read(missing)))
+        .hasMessage(missing + ": there is no such file");
+    assertThat(catchThrowableOfType(ScenarioException.class, () -> ScenarioFile.read(folder)))
+        .hasMessage(folder + ": expected a file, found a folder");
+  }
+
+  @Test
+  @Timeout(60)
+  void whateverIsInAFileEndsInAScenarioOrInSentences() throws IOException {
+    SplittableRandom random = new SplittableRandom(11);
+    for (int i = 0; i < 2000; i++) {
+      byte[] bytes = EVERYTHING.getBytes(StandardCharsets.UTF_8);
+      for (int j = 0; j < 1 + i % 8; j++) {
+        String letters = " :-,[]{}&*#\n\"'0159.eabz\t";
+        bytes[random.nextInt(bytes.length)] =
+            (byte) letters.charAt(random.nextInt(letters.length()));
+      }
+      try {
+        ScenarioFile.read(file(bytes));
+      } catch (ScenarioException e) {
+        assertThat(e.mistakes()).isNotEmpty();
+        assertThat(e.getMessage()).doesNotContain("Exception").doesNotContain("java.");
+      }
+    }
+  }
+
+  private Scenario read(String text) throws IOException, ScenarioException {
+    return ScenarioFile.read(file(text.getBytes(StandardCharsets.UTF_8)));
+  }
+
+  private Path file(byte[] bytes) throws IOException {
+    return Files.write(folder.resolve("room.yaml"), bytes);
+  }
+
+  private Scenario rewritten(Scenario scenario) throws IOException, ScenarioException {
+    Path file = folder.resolve("again.yaml");
+    ScenarioFile.write(scenario, file);
+    return ScenarioFile.read(file);
+  }
+
+  private List<String> mistakes(String text) {
+    try {
+      return mistakes(text.getBytes(StandardCharsets.UTF_8));
+    } catch (IOException e) {
+      throw new AssertionError(e);
+    }
+  }
+
+  /** What is wrong, without the name of the file. */
+  private List<String> mistakes(byte[] bytes) throws IOException {
+    Path file = file(bytes);
+    ScenarioException wrong =
+        catchThrowableOfType(ScenarioException.class, () -> ScenarioFile.read(file));
+    assertThat(wrong).as("something is wrong").isNotNull();
+    return wrong.mistakes().stream()
+        .map(
+            mistake ->
+                mistake.toString().substring(file.toString().length()).replaceFirst("^: ?", ""))
+        .toList();
+  }
+}
