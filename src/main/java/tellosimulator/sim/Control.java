@@ -44,8 +44,15 @@ public sealed interface Control {
    * Puts a drone's start elsewhere, and the drone too if it stands on the ground.
    *
    * @param position on the floor, room frame [m]
+   * @param heading where its nose points [rad], counter-clockwise seen from above
    */
-  record SetStart(int drone, Vec3 position) implements ForDrone {}
+  record SetStart(int drone, Vec3 position, double heading) implements ForDrone {
+
+    /** A start at which the drone looks along the room's x. */
+    public SetStart(int drone, Vec3 position) {
+      this(drone, position, 0);
+    }
+  }
 
   /**
    * Makes another product of a drone, and lets its state and video go elsewhere; only while it is

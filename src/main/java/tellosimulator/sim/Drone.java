@@ -171,7 +171,8 @@ final class Drone {
       model.setBattery(new Battery(battery.percent() / 100));
       note(Phrase.of("has %d %% of its battery now", model.battery().percent()));
     } else if (control instanceof Control.SetStart start) {
-      setStart(room.nearestInside(start.position().withZ(0), DroneSpec.HULL));
+      Vec3 place = room.nearestInside(start.position().withZ(0), DroneSpec.HULL);
+      setStart(new Pose(place, Attitude.ofHeading(start.heading())));
     }
   }
 
@@ -320,8 +321,7 @@ final class Drone {
     return lineOwed || !outbox.isEmpty() || controller.busy();
   }
 
-  private void setStart(Vec3 position) {
-    Pose start = new Pose(position, Attitude.LEVEL);
+  private void setStart(Pose start) {
     model.setStart(start);
     if (model.resting() && !controller.flying()) {
       controller.reset();

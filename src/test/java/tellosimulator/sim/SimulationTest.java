@@ -2,6 +2,7 @@ package tellosimulator.sim;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
+import static org.assertj.core.api.Assertions.within;
 import static tellosimulator.testing.SimulatedDrone.address;
 
 import java.util.ArrayList;
@@ -217,6 +218,18 @@ class SimulationTest {
             "    0.000 s  all: time stands still",
             "    0.000 s  all: the time factor is max now",
             "    0.000 s  drone 2: has 42 % of its battery now");
+  }
+
+  @Test
+  void aDroneOnTheGroundTurnsWithItsStart() {
+    simulation.control(new Control.SetStart(1, new Vec3(1, 0.5, 0), Math.PI / 2));
+    simulation.drain();
+
+    assertThat(state(1).motion().attitude().heading()).isCloseTo(Math.PI / 2, within(1e-12));
+    simulation.control(new Control.Reset(1));
+    simulation.drain();
+    assertThat(state(1).motion().attitude().heading()).isCloseTo(Math.PI / 2, within(1e-12));
+    assertThat(state(1).motion().position()).isEqualTo(new Vec3(1, 0.5, 0));
   }
 
   @Test

@@ -109,7 +109,8 @@ final class RoomPanel extends VBox {
       showGrid();
     }
     if (changed(startX, startY)) {
-      actions.carryOut(new Control.SetStart(simulation.selected().number(), wantedStart()));
+      actions.carryOut(
+          new Control.SetStart(simulation.selected().number(), wantedStart(), startHeading()));
     } else {
       showStart();
     }
@@ -153,6 +154,10 @@ final class RoomPanel extends VBox {
 
   private Vec3 wantedStart() {
     return new Vec3(Frames.metres(startX.value()), Frames.metres(startY.value()), 0);
+  }
+
+  private double startHeading() {
+    return simulation.selected().startProperty().get().attitude().heading();
   }
 
   private Room room() {
