@@ -25,6 +25,7 @@ import tellosimulator.view.log.LogBox;
 import tellosimulator.view.log.LogFeed;
 import tellosimulator.view.log.LogLevel;
 import tellosimulator.view.pilot.PilotControls;
+import tellosimulator.view.plan.PlanPane;
 import tellosimulator.view.settings.Codec;
 import tellosimulator.view.settings.Settings;
 import tellosimulator.view.settings.WindowPlacement;
@@ -54,6 +55,7 @@ public final class SimulatorWindow implements AutoCloseable {
   private final PilotControls pilot;
   private final SimulatorControls simulatorControls;
   private final DroneList drones;
+  private final PlanPane plan;
   private final LogBox log;
   private final PageOverlay pages;
   private final Scene scene;
@@ -76,6 +78,7 @@ public final class SimulatorWindow implements AutoCloseable {
     pilot = new PilotControls(context);
     simulatorControls = new SimulatorControls(context);
     drones = new DroneList(context);
+    plan = new PlanPane(context);
     log = new LogBox(context, feed);
     pages = new PageOverlay(context);
     scene = new Scene(new StackPane(pane(), pages), FIRST_WIDTH, FIRST_HEIGHT);
@@ -100,7 +103,7 @@ public final class SimulatorWindow implements AutoCloseable {
     return new SimulatorPane(
         new SimulatorPane.Parts(
             new WindowBar(context, state, world, pages),
-            new SimulatorPane.Middle(world, new VBox(ASIDE_GAP, drones), pilot),
+            new SimulatorPane.Middle(world, new VBox(ASIDE_GAP, drones), pilot, plan),
             simulatorControls,
             new NetworkControls(context),
             log),
@@ -120,6 +123,7 @@ public final class SimulatorWindow implements AutoCloseable {
         .on(WindowKey.RECORD, () -> keeper().toggleRecording())
         .on(WindowKey.TRAIL, () -> toggle(world.trailVisibleProperty()))
         .on(WindowKey.PAUSE, this::togglePause)
+        .on(WindowKey.PLAN, () -> toggle(state.planShownProperty()))
         .on(WindowKey.FULL_SCREEN, () -> toggle(state.fullScreenProperty()))
         .on(WindowKey.FRONT_VIEW, () -> look(() -> world.camera().front()))
         .on(WindowKey.SIDE_VIEW, () -> look(() -> world.camera().side()))
@@ -166,6 +170,8 @@ public final class SimulatorWindow implements AutoCloseable {
     boolean several = context.simulation().drones().size() > 1;
     drones.visibleProperty().bind(state.dronesShownProperty().map(shown -> shown && several));
     drones.managedProperty().bind(drones.visibleProperty());
+    plan.shownProperty().bindBidirectional(state.planShownProperty());
+    plan.shownProperty().subscribe(this::giveKeys);
     state.fullScreenProperty().subscribe(stage::setFullScreen);
     stage.fullScreenProperty().subscribe(full -> state.fullScreenProperty().set(full));
     simulatorControls
@@ -177,6 +183,15 @@ public final class SimulatorWindow implements AutoCloseable {
         .viewCameraProperty()
         .subscribe(
             camera -> simulatorControls.droneCameraProperty().set(camera == ViewCamera.DRONE));
+  }
+
+  /** The plan's keys would steer a drone that one does not see. */
+  private void giveKeys(boolean toPlan) {
+    if (toPlan) {
+      pilot.keyboard().activeProperty().set(false);
+    } else {
+      world.requestFocus();
+    }
   }
 
   /** Is at first as it was left, and remembers how it is left. */

@@ -70,6 +70,23 @@ class SimulatorWindowFxTest {
   }
 
   @Test
+  void thePlanLiesOverTheSceneAndTakesTheKeys() {
+    robot.type(KeyCode.F10);
+    assertThat(window.shows("plan-pane")).isTrue();
+    assertThat(window.shows("demo-flight")).isFalse();
+
+    robot.clickOn("#plan-add-box");
+    assertThat(window.simulation().snapshot().arena().obstacles()).hasSize(1);
+    robot.type(KeyCode.DELETE);
+    assertThat(window.simulation().snapshot().arena().obstacles()).isEmpty();
+
+    robot.type(KeyCode.ESCAPE);
+    assertThat(window.shows("plan-pane")).isFalse();
+    assertThat(selected("show-plan")).isFalse();
+    assertThat(window.shows("demo-flight")).isTrue();
+  }
+
+  @Test
   void helpAndAboutOpenAndClose() {
     robot.clickOn("#power").type(KeyCode.F1);
     assertThat(window.shows("help-page")).isTrue();

@@ -27,9 +27,6 @@ final class DroneRow extends ListCell<FxDroneModel> {
   private static final PseudoClass OFF = PseudoClass.getPseudoClass("off");
   private static final PseudoClass LOW = PseudoClass.getPseudoClass("low");
 
-  /** Brightness above which a colour bears black letters. Decided: by eye. */
-  private static final double BRIGHT = 0.62;
-
   private static final double STATE_WIDTH = 96;
   private static final double BATTERY_WIDTH = 42;
 
@@ -91,7 +88,7 @@ final class DroneRow extends ListCell<FxDroneModel> {
       number.setText(Integer.toString(drone.number()));
       Color own = DroneColors.of(drone);
       colour.setFill(own);
-      number.setTextFill(own.grayscale().getRed() > BRIGHT ? Color.BLACK : Color.WHITE);
+      number.setTextFill(DroneColors.inkOn(own));
       setGraphic(parts);
       refresh();
     }

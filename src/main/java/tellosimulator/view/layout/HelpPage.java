@@ -4,6 +4,7 @@ import atlantafx.base.theme.Styles;
 import java.net.InetSocketAddress;
 import java.util.List;
 import java.util.function.Function;
+import java.util.function.Predicate;
 import java.util.stream.Stream;
 import javafx.beans.property.SimpleStringProperty;
 import javafx.beans.property.StringProperty;
@@ -28,6 +29,9 @@ public final class HelpPage extends VBox {
 
   private static final List<String> MOUSE =
       List.of("mouse-turn", "mouse-shift", "mouse-zoom", "mouse-fine", "mouse-strong");
+
+  private static final List<String> PLAN =
+      List.of("plan-drag", "plan-turn", "plan-nudge", "plan-delete", "plan-undo");
 
   private final ViewContext context;
   private final Messages messages;
@@ -77,14 +81,16 @@ public final class HelpPage extends VBox {
 
   private void layoutParts() {
     VBox first = new VBox(steps(), table("mouse", MOUSE.stream().map(this::mouseRow)));
-    VBox second = new VBox(table("window-keys", Stream.of(WindowKey.values()).map(this::keyRow)));
+    VBox second = new VBox(table("window-keys", keys(key -> !key.looks())));
     VBox third =
         new VBox(table("steering-keys", Stream.of(SteeringKey.values()).map(this::steeringRow)));
     for (VBox column : List.of(first, second, third)) {
       column.getStyleClass().add("column");
       columns.getChildren().add(column);
     }
+    first.getChildren().add(table("plan", PLAN.stream().map(this::mouseRow)));
     third.getChildren().add(wrapped("steering-note"));
+    third.getChildren().add(table("view-keys", keys(WindowKey::looks)));
     HBox buttons = new HBox(close);
     buttons.getStyleClass().add("page-buttons");
     getChildren().addAll(title, columns, buttons);
@@ -107,6 +113,10 @@ public final class HelpPage extends VBox {
 
   private Row mouseRow(String key) {
     return new Row(key, messages.text(key), messages.text(key + "-does"));
+  }
+
+  private Stream<Row> keys(Predicate<WindowKey> wanted) {
+    return Stream.of(WindowKey.values()).filter(wanted).map(this::keyRow);
   }
 
   private Row keyRow(WindowKey key) {

@@ -34,8 +34,9 @@ public final class SimulatorPane extends BorderPane {
    *
    * @param aside lies over the scene, in its upper left corner
    * @param pilot flies the drone; lies over the scene, at its lower edge
+   * @param plan lies over all of them while it is visible
    */
-  public record Middle(Region scene, Region aside, Region pilot) {}
+  public record Middle(Region scene, Region aside, Region pilot, Region plan) {}
 
   private final Parts parts;
   private final WindowState state;
@@ -93,7 +94,11 @@ public final class SimulatorPane extends BorderPane {
     aside.setPickOnBounds(false);
     pilot.setMaxSize(USE_PREF_SIZE, USE_PREF_SIZE);
     pilot.getStyleClass().add("floating");
-    return free;
+    StackPane all = new StackPane(free, parts.middle().plan());
+    all.setPickOnBounds(false);
+    all.setMinSize(0, 0);
+    free.visibleProperty().bind(parts.middle().plan().visibleProperty().not());
+    return all;
   }
 
   private void setupEventHandlers() {

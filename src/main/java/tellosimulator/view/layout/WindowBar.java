@@ -49,6 +49,7 @@ public final class WindowBar extends ToolBar {
             toggle("show-inset", Feather.IMAGE, scene.insetVisibleProperty()),
             toggle("show-trail", Feather.ACTIVITY, scene.trailVisibleProperty()),
             drones(context),
+            toggle("show-plan", Feather.MAP, state.planShownProperty()),
             space(),
             theme(),
             new SettingsMenu(context.language(), state, scene.antialiasingProperty(), pages),

@@ -21,6 +21,7 @@ public enum WindowKey {
   TRAIL(KeyCode.F7),
   STILL(KeyCode.F8),
   PAUSE(KeyCode.F9),
+  PLAN(KeyCode.F10),
   FULL_SCREEN(KeyCode.F11),
   RECORD(KeyCode.F12),
   FRONT_VIEW(KeyCode.DIGIT1, KeyCode.NUMPAD1),
@@ -58,6 +59,11 @@ public enum WindowKey {
   /** Whether a text field could want it for itself. */
   boolean writes() {
     return !withShortcut && !codes.get(0).isFunctionKey();
+  }
+
+  /** Whether it only changes from where one looks, and at what. */
+  boolean looks() {
+    return compareTo(FRONT_VIEW) >= 0 && compareTo(PREVIOUS_DRONE) <= 0;
   }
 
   /** What is written on the keys, for people. */

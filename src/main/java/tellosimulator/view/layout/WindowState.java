@@ -27,6 +27,7 @@ public final class WindowState {
   private final BooleanProperty networkControlsShown = new SimpleBooleanProperty(true);
   private final BooleanProperty logShown = new SimpleBooleanProperty(true);
   private final BooleanProperty dronesShown = new SimpleBooleanProperty(true);
+  private final BooleanProperty planShown = new SimpleBooleanProperty();
   private final DoubleProperty logHeight = new SimpleDoubleProperty(LOG_HEIGHT);
   private final BooleanProperty fullScreen = new SimpleBooleanProperty();
   private final ObjectProperty<Theme> theme = new SimpleObjectProperty<>(Theme.LIGHT);
@@ -60,6 +61,11 @@ public final class WindowState {
   /** Whether the list of drones is there, if there are several. */
   public BooleanProperty dronesShownProperty() {
     return dronesShown;
+  }
+
+  /** Whether the plan in which one places things lies over the scene. */
+  public BooleanProperty planShownProperty() {
+    return planShown;
   }
 
   /** Height of the log [px]. */

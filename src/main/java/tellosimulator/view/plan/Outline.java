@@ -1,0 +1,93 @@
+package tellosimulator.view.plan;
+
+import java.util.List;
+import java.util.stream.Stream;
+import tellosimulator.math.Vec3;
+import tellosimulator.model.DroneSpec;
+import tellosimulator.world.MissionPad;
+import tellosimulator.world.Room;
+import tellosimulator.world.Shape;
+
+/**
+ * What something covers of the floor, seen from above: a circle or a rectangle, turned with its
+ * spot. Immutable.
+ *
+ * @param depth along its x axis [m]
+ * @param width along its y axis [m]
+ * @param round whether it is a circle
+ */
+record Outline(double depth, double width, boolean round) {
+
+  /** What may stick out of the room [m]: the last bits of a calculation. */
+  private static final double SLACK = 1e-6;
+
+  /** Thickness with which a hanging mission pad is drawn [m]. Decided: to be seen and caught. */
+  static final double HANGING = 0.04;
+
+  private static Outline circle(double radius) {
+    return new Outline(2 * radius, 2 * radius, true);
+  }
+
+  /** Of a drone. */
+  static Outline ofDrone() {
+    return circle(DroneSpec.HULL.radius());
+  }
+
+  /** Of a mission pad; one that hangs is turned to its wall. */
+  static Outline of(MissionPad pad) {
+    return new Outline(pad.surface().wall() ? HANGING : MissionPad.EDGE, MissionPad.EDGE, false);
+  }
+
+  /** Of an obstacle. */
+  static Outline of(Shape shape) {
+    if (shape instanceof Shape.Box box) {
+      return new Outline(box.depth(), box.width(), false);
+    } else if (shape instanceof Shape.Cylinder cylinder) {
+      return circle(cylinder.radius());
+    } else if (shape instanceof Shape.Ring ring) {
+      return new Outline(ring.tube(), 2 * ring.reach(), false);
+    }
+    Shape.Frame frame = (Shape.Frame) shape;
+    return new Outline(frame.beam(), frame.width() + 2 * frame.beam(), false);
+  }
+
+  /**
+   * Whether it is there at a place of the floor.
+   *
+   * @param margin by how much it is taken larger [m]
+   */
+  boolean covers(Vec3 place, Spot spot, double margin) {
+    Vec3 own = spot.toOwn(place);
+    if (round) {
+      return Math.hypot(own.x(), own.y()) <= width / 2 + margin;
+    }
+    return Math.abs(own.x()) <= depth / 2 + margin && Math.abs(own.y()) <= width / 2 + margin;
+  }
+
+  /** How far it reaches from its middle [m]. */
+  double reach() {
+    return round ? width / 2 : Math.hypot(depth, width) / 2;
+  }
+
+  /** The corners of a rectangle, or the ends of a circle along the room's axes. */
+  List<Vec3> corners(Spot spot) {
+    double x = depth / 2;
+    double y = width / 2;
+    if (round) {
+      return Stream.of(new Vec3(x, 0, 0), new Vec3(0, y, 0), new Vec3(-x, 0, 0), new Vec3(0, -y, 0))
+          .map(spot.place()::plus)
+          .toList();
+    }
+    return Stream.of(new Vec3(x, y, 0), new Vec3(-x, y, 0), new Vec3(-x, -y, 0), new Vec3(x, -y, 0))
+        .map(spot::toRoom)
+        .toList();
+  }
+
+  /** Whether nothing of it is outside of the walls. */
+  boolean inside(Room room, Spot spot) {
+    double x = room.depth() / 2 + SLACK;
+    double y = room.width() / 2 + SLACK;
+    return corners(spot).stream()
+        .allMatch(corner -> Math.abs(corner.x()) <= x && Math.abs(corner.y()) <= y);
+  }
+}

@@ -1,0 +1,195 @@
+package tellosimulator.view.plan;
+
+import java.util.Optional;
+import javafx.scene.Cursor;
+import javafx.scene.input.InputEvent;
+import javafx.scene.input.KeyCode;
+import javafx.scene.input.KeyEvent;
+import javafx.scene.input.MouseEvent;
+import javafx.scene.input.ScrollEvent;
+import tellosimulator.math.Frames;
+import tellosimulator.math.Vec3;
+
+/**
+ * What mouse and keys do in the plan: drag, turn, nudge, delete, undo; beside all pieces the mouse
+ * moves the plan. For the JavaFX thread.
+ */
+final class PlanGestures {
+
+  /** Distance between the places at which things come to rest [m]. Decided: the 5 cm. */
+  private static final double RASTER = 0.05;
+
+  private static final double FINE_RASTER = 0.01;
+
+  private static final double TURN = Math.toRadians(15);
+  private static final double FINE_TURN = Math.toRadians(1);
+
+  /** By how much a notch of the wheel enlarges the plan, as a logarithm for each pixel. */
+  private static final double ZOOM = 0.0025;
+
+  private final PlanEditor editor;
+  private final PlanView view;
+  private final Runnable leave;
+
+  /** From the piece's place to where the mouse took hold of it [m]. */
+  private Vec3 grip = Vec3.ZERO;
+
+  private boolean dragging;
+  private double lastX;
+  private double lastY;
+
+  private PlanGestures(PlanEditor editor, PlanView view, Runnable leave) {
+    this.editor = editor;
+    this.view = view;
+    this.leave = leave;
+  }
+
+  /**
+   * Lets mouse and keys act from now on.
+   *
+   * @param leave closes the plan
+   */
+  static void install(PlanEditor editor, PlanView view, Runnable leave) {
+    PlanGestures gestures = new PlanGestures(editor, view, leave);
+    view.setOnMousePressed(gestures::press);
+    view.setOnMouseDragged(gestures::drag);
+    view.setOnMouseReleased(event -> gestures.letGo());
+    view.setOnMouseMoved(gestures::hover);
+    view.setOnScroll(gestures::scroll);
+    view.setOnKeyPressed(gestures::type);
+  }
+
+  private void press(MouseEvent event) {
+    view.requestFocus();
+    lastX = event.getX();
+    lastY = event.getY();
+    editor.selectedProperty().set(view.piece(event.getX(), event.getY()));
+    editor
+        .selected()
+        .ifPresent(
+            piece -> {
+              grip = under(event).minus(editor.layout().spot(piece).place()).withZ(0);
+              dragging = true;
+              editor.hold();
+            });
+    event.consume();
+  }
+
+  private void drag(MouseEvent event) {
+    if (dragging && editor.selected().isPresent()) {
+      Spot spot = editor.layout().spot(editor.selected().get());
+      editor.place(spot.at(snapped(under(event).minus(grip), free(event) ? FINE_RASTER : RASTER)));
+    } else {
+      view.show(view.scale().dragged(event.getX() - lastX, event.getY() - lastY));
+    }
+    lastX = event.getX();
+    lastY = event.getY();
+    event.consume();
+  }
+
+  private void letGo() {
+    if (dragging) {
+      dragging = false;
+      editor.release();
+    }
+  }
+
+  private void hover(MouseEvent event) {
+    boolean over = view.piece(event.getX(), event.getY()).isPresent();
+    view.setCursor(over ? Cursor.HAND : Cursor.DEFAULT);
+  }
+
+  private void scroll(ScrollEvent event) {
+    double turned = event.getDeltaY() == 0 ? event.getDeltaX() : event.getDeltaY();
+    if (editor.selected().isPresent() && turned != 0) {
+      turn(Math.signum(turned) * (free(event) ? FINE_TURN : TURN));
+    } else {
+      view.show(view.scale().zoomed(Math.exp(turned * ZOOM), event.getX(), event.getY()));
+    }
+    event.consume();
+  }
+
+  private void type(KeyEvent event) {
+    boolean done = event.isShortcutDown() && command(event) || key(event);
+    if (done) {
+      event.consume();
+    }
+  }
+
+  private boolean command(KeyEvent event) {
+    boolean again =
+        event.getCode() == KeyCode.Y || event.getCode() == KeyCode.Z && event.isShiftDown();
+    if (again) {
+      editor.redo();
+    } else if (event.getCode() == KeyCode.Z) {
+      editor.undo();
+    }
+    return again || event.getCode() == KeyCode.Z;
+  }
+
+  private boolean key(KeyEvent event) {
+    double step = free(event) ? FINE_RASTER : RASTER;
+    switch (event.getCode()) {
+      case DELETE, BACK_SPACE -> editor.remove();
+      case R -> turn((event.isShiftDown() ? -1 : 1) * (free(event) ? FINE_TURN : TURN));
+      case UP -> nudge(new Vec3(step, 0, 0));
+      case DOWN -> nudge(new Vec3(-step, 0, 0));
+      case LEFT -> nudge(new Vec3(0, step, 0));
+      case RIGHT -> nudge(new Vec3(0, -step, 0));
+      case ESCAPE -> escape();
+      default -> {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  private void escape() {
+    if (editor.selected().isPresent()) {
+      editor.selectedProperty().set(Optional.empty());
+    } else {
+      leave.run();
+    }
+  }
+
+  private void nudge(Vec3 step) {
+    editor
+        .selected()
+        .ifPresent(
+            piece -> {
+              Spot spot = editor.layout().spot(piece);
+              editor.place(spot.at(spot.place().plus(step)));
+            });
+  }
+
+  /** To the next multiple of the angle. */
+  private void turn(double angle) {
+    editor
+        .selected()
+        .ifPresent(
+            piece -> {
+              Spot spot = editor.layout().spot(piece);
+              double next = Math.rint(spot.heading() / angle + 1) * angle;
+              editor.place(new Spot(spot.place(), Frames.wrapped(next)));
+            });
+  }
+
+  private Vec3 under(MouseEvent event) {
+    return view.scale().place(event.getX(), event.getY());
+  }
+
+  private static Vec3 snapped(Vec3 place, double raster) {
+    return new Vec3(
+        Math.rint(place.x() / raster) * raster, Math.rint(place.y() / raster) * raster, 0);
+  }
+
+  /** Whether a key lets things come to rest anywhere, or nearly so. */
+  private static boolean free(InputEvent event) {
+    if (event instanceof MouseEvent mouse) {
+      return mouse.isControlDown() || mouse.isAltDown();
+    } else if (event instanceof ScrollEvent scroll) {
+      return scroll.isControlDown() || scroll.isAltDown();
+    }
+    return event instanceof KeyEvent key && (key.isControlDown() || key.isAltDown());
+  }
+}

@@ -1,0 +1,262 @@
+package tellosimulator.view.plan;
+
+import javafx.geometry.VPos;
+import javafx.scene.canvas.GraphicsContext;
+import javafx.scene.paint.Color;
+import javafx.scene.text.Font;
+import javafx.scene.text.FontWeight;
+import javafx.scene.text.TextAlignment;
+import tellosimulator.math.Vec3;
+import tellosimulator.model.DroneSpec;
+import tellosimulator.view.drone.DroneColors;
+import tellosimulator.view.plan.Piece.Pad;
+import tellosimulator.view.plan.Piece.Start;
+import tellosimulator.view.plan.Piece.Thing;
+import tellosimulator.world.MissionPad;
+import tellosimulator.world.Obstacle;
+import tellosimulator.world.Room;
+import tellosimulator.world.Shape;
+import tellosimulator.world.Wind;
+
+/** Draws a plan: the paper is light in every theme, as paper is. For the JavaFX thread. */
+final class PlanPainter {
+
+  private static final Color FLOOR = Color.web("#f4f0e8");
+  private static final Color GRID = Color.web("#d9d2c5");
+  private static final Color AXIS = Color.web("#b9b0a0");
+  private static final Color WALL = Color.web("#6f6658");
+  private static final Color INK = Color.web("#2b2b2b");
+  private static final Color CHOSEN = Color.web("#0969da");
+  private static final Color WRONG = Color.web("#cf222e");
+  private static final Color WIND = Color.web("#0969da", 0.35);
+
+  /** Lines that are nearer to each other are left out [px]. */
+  private static final double NARROWEST_GRID = 7;
+
+  /** Things that are smaller have no name [px]. */
+  private static final double SMALLEST_NAMED = 34;
+
+  /** What is smaller is drawn this large, so that it can be seen and caught [px]. */
+  static final double SMALLEST = 7;
+
+  private final GraphicsContext pen;
+  private PlanScale scale;
+
+  PlanPainter(GraphicsContext pen) {
+    this.pen = pen;
+  }
+
+  /**
+   * Draws everything anew.
+   *
+   * @param front what is written at the front wall
+   */
+  void paint(Layout layout, PlanScale newScale, String front) {
+    scale = newScale;
+    pen.clearRect(0, 0, scale.width(), scale.height());
+    paintRoom(layout.arena().room(), layout.arena().decor().grid());
+    pen.setFill(WALL);
+    Vec3 middleOfFront = new Vec3(layout.arena().room().depth() / 2, 0, 0);
+    write(front, scale.screenX(middleOfFront), scale.screenY(middleOfFront) - 14, 11);
+    paintWind(layout.arena().wind());
+    for (Piece piece : layout.pieces()) {
+      paint(layout, piece);
+    }
+  }
+
+  private void paintRoom(Room room, double grid) {
+    Vec3 corner = new Vec3(room.depth() / 2, room.width() / 2, 0);
+    double left = scale.screenX(corner);
+    double top = scale.screenY(corner);
+    double width = room.width() * scale.pixels();
+    double height = room.depth() * scale.pixels();
+    pen.setFill(FLOOR);
+    pen.fillRect(left, top, width, height);
+    pen.setLineWidth(1);
+    if (grid * scale.pixels() >= NARROWEST_GRID) {
+      pen.setStroke(GRID);
+      for (int i = 1; i * grid < room.width() / 2; i++) {
+        upright(new Vec3(0, i * grid, 0), top, height);
+        upright(new Vec3(0, -i * grid, 0), top, height);
+      }
+      for (int i = 1; i * grid < room.depth() / 2; i++) {
+        across(new Vec3(i * grid, 0, 0), left, width);
+        across(new Vec3(-i * grid, 0, 0), left, width);
+      }
+    }
+    pen.setStroke(AXIS);
+    upright(Vec3.ZERO, top, height);
+    across(Vec3.ZERO, left, width);
+    pen.setStroke(WALL);
+    pen.setLineWidth(4);
+    pen.strokeRect(left - 2, top - 2, width + 4, height + 4);
+  }
+
+  private void upright(Vec3 place, double top, double height) {
+    double x = Math.round(scale.screenX(place)) + 0.5;
+    pen.strokeLine(x, top, x, top + height);
+  }
+
+  private void across(Vec3 place, double left, double width) {
+    double y = Math.round(scale.screenY(place)) + 0.5;
+    pen.strokeLine(left, y, left + width, y);
+  }
+
+  /** An arrow in the lower left corner. */
+  private void paintWind(Wind wind) {
+    Vec3 mean = wind.mean().horizontal();
+    if (mean.norm() < 0.005) {
+      return;
+    }
+    pen.save();
+    pen.translate(36, scale.height() - 36);
+    pen.rotate(-Math.toDegrees(Math.atan2(mean.y(), mean.x())));
+    pen.setFill(WIND);
+    pen.fillPolygon(
+        new double[] {0, 13, 4, 4, -4, -4, -13}, new double[] {-24, 0, -3, 24, 24, -3, 0}, 7);
+    pen.restore();
+  }
+
+  private void paint(Layout layout, Piece piece) {
+    Spot spot = layout.spot(piece);
+    Outline outline = layout.outline(piece);
+    pen.save();
+    pen.translate(scale.screenX(spot.place()), scale.screenY(spot.place()));
+    pen.rotate(-Math.toDegrees(spot.heading()));
+    if (piece instanceof Thing thing) {
+      paint(layout.obstacle(thing), outline);
+    } else if (piece instanceof Pad pad) {
+      paint(layout.pad(pad), outline);
+    } else {
+      paintStart(((Start) piece).drone());
+    }
+    pen.restore();
+    if (piece instanceof Thing thing) {
+      name(layout.obstacle(thing), outline, spot);
+    } else if (piece instanceof Start start) {
+      number(start.drone(), spot);
+    }
+  }
+
+  /** In the obstacle's frame: its x axis points up. */
+  private void paint(Obstacle obstacle, Outline outline) {
+    int rgb = obstacle.cover().rgb();
+    Color fill = Color.rgb(rgb >> 16 & 0xff, rgb >> 8 & 0xff, rgb & 0xff);
+    pen.setFill(fill.deriveColor(0, 1, 1, obstacle.foot().z() > 0.01 ? 0.55 : 0.9));
+    pen.setStroke(fill.darker());
+    pen.setLineWidth(1);
+    shape(outline);
+    if (obstacle.shape() instanceof Shape.Gate) {
+      double reach = Math.max(10, 0.25 * scale.pixels());
+      pen.setLineWidth(1.5);
+      pen.setLineDashes(3, 3);
+      pen.strokeLine(0, reach, 0, -reach);
+      pen.setLineDashes();
+      pen.strokePolyline(new double[] {-4, 0, 4}, new double[] {-reach + 6, -reach, -reach + 6}, 3);
+    }
+  }
+
+  private void paint(MissionPad pad, Outline outline) {
+    double width = size(outline.width());
+    double depth = size(outline.depth());
+    pen.setFill(Color.WHITE);
+    pen.setStroke(INK);
+    pen.setLineWidth(1);
+    pen.fillRect(-width / 2, -depth / 2, width, depth);
+    pen.strokeRect(-width / 2, -depth / 2, width, depth);
+    pen.setFill(INK);
+    if (pad.surface().wall()) {
+      write(Integer.toString(pad.id()), 0, -depth - 4, 11);
+      return;
+    }
+    double tip = depth / 2 * 0.88;
+    pen.fillPolygon(
+        new double[] {0, width * 0.2, -width * 0.2},
+        new double[] {-tip, -tip * 0.35, -tip * 0.35},
+        3);
+    write(Integer.toString(pad.id()), 0, depth * 0.16, Math.max(8, depth * 0.5));
+  }
+
+  private void paintStart(int drone) {
+    Color own = DroneColors.of(drone);
+    double radius = Math.max(SMALLEST + 2, DroneSpec.HULL.radius() * scale.pixels());
+    pen.setFill(own);
+    pen.fillPolygon(
+        new double[] {0, radius * 0.62, -radius * 0.62},
+        new double[] {-radius * 1.75, -radius * 0.7, -radius * 0.7},
+        3);
+    pen.setStroke(Color.WHITE);
+    pen.setLineWidth(1.5);
+    pen.fillOval(-radius, -radius, 2 * radius, 2 * radius);
+    pen.strokeOval(-radius, -radius, 2 * radius, 2 * radius);
+  }
+
+  private void number(int drone, Spot spot) {
+    double radius = Math.max(SMALLEST + 2, DroneSpec.HULL.radius() * scale.pixels());
+    pen.setFill(DroneColors.inkOn(DroneColors.of(drone)));
+    write(
+        Integer.toString(drone),
+        scale.screenX(spot.place()),
+        scale.screenY(spot.place()),
+        Math.max(9, radius * 0.95));
+  }
+
+  private void name(Obstacle obstacle, Outline outline, Spot spot) {
+    double largest = size(Math.max(outline.width(), outline.depth()));
+    if (largest < SMALLEST_NAMED) {
+      return;
+    }
+    pen.setFill(INK);
+    boolean below = size(Math.min(outline.width(), outline.depth())) < 22;
+    double lowest = outline.corners(spot).stream().mapToDouble(scale::screenY).max().orElseThrow();
+    double y = below ? lowest + 10 : scale.screenY(spot.place());
+    write(obstacle.name(), scale.screenX(spot.place()), y, 11);
+  }
+
+  private void write(String text, double x, double y, double size) {
+    pen.setFont(Font.font("System", FontWeight.BOLD, size));
+    pen.setTextAlign(TextAlignment.CENTER);
+    pen.setTextBaseline(VPos.CENTER);
+    pen.fillText(text, x, y);
+  }
+
+  private void shape(Outline outline) {
+    double width = size(outline.width());
+    double depth = size(outline.depth());
+    if (outline.round()) {
+      pen.fillOval(-width / 2, -depth / 2, width, depth);
+      pen.strokeOval(-width / 2, -depth / 2, width, depth);
+    } else {
+      pen.fillRect(-width / 2, -depth / 2, width, depth);
+      pen.strokeRect(-width / 2, -depth / 2, width, depth);
+    }
+  }
+
+  /**
+   * Marks a piece.
+   *
+   * @param wrong whether it cannot go where it is wanted
+   */
+  void mark(Layout layout, Piece piece, boolean wrong) {
+    Spot spot = layout.spot(piece);
+    Outline outline = layout.outline(piece);
+    double gap = 5;
+    double width = size(outline.width()) + 2 * gap;
+    double depth = size(outline.depth()) + 2 * gap;
+    pen.save();
+    pen.translate(scale.screenX(spot.place()), scale.screenY(spot.place()));
+    pen.rotate(-Math.toDegrees(spot.heading()));
+    pen.setStroke(wrong ? WRONG : CHOSEN);
+    pen.setLineWidth(2);
+    if (outline.round()) {
+      pen.strokeOval(-width / 2, -depth / 2, width, depth);
+    } else {
+      pen.strokeRect(-width / 2, -depth / 2, width, depth);
+    }
+    pen.restore();
+  }
+
+  private double size(double metres) {
+    return Math.max(SMALLEST, metres * scale.pixels());
+  }
+}

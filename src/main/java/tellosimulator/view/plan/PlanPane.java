@@ -1,0 +1,187 @@
+package tellosimulator.view.plan;
+
+import atlantafx.base.theme.Styles;
+import java.util.Locale;
+import javafx.beans.binding.Bindings;
+import javafx.beans.binding.BooleanBinding;
+import javafx.beans.property.BooleanProperty;
+import javafx.beans.property.SimpleBooleanProperty;
+import javafx.beans.value.ObservableValue;
+import javafx.css.PseudoClass;
+import javafx.geometry.Orientation;
+import javafx.scene.control.Button;
+import javafx.scene.control.Label;
+import javafx.scene.control.Separator;
+import javafx.scene.control.ToolBar;
+import javafx.scene.control.Tooltip;
+import javafx.scene.layout.BorderPane;
+import javafx.scene.layout.HBox;
+import javafx.scene.layout.Priority;
+import javafx.scene.layout.Region;
+import javafx.util.Duration;
+import org.kordamp.ikonli.Ikon;
+import org.kordamp.ikonli.feather.Feather;
+import org.kordamp.ikonli.javafx.FontIcon;
+import tellosimulator.math.Vec3;
+import tellosimulator.view.ViewContext;
+import tellosimulator.view.text.Language;
+import tellosimulator.view.text.Messages;
+
+/**
+ * The room from above, in which one places drones, mission pads and obstacles with the mouse: a
+ * palette, the plan, and a line that says what is chosen. For the JavaFX thread.
+ */
+public final class PlanPane extends BorderPane {
+
+  private static final Duration TOOLTIP_DELAY = Duration.millis(400);
+  private static final PseudoClass WRONG = PseudoClass.getPseudoClass("wrong");
+
+  private final ObservableValue<Boolean> never = new SimpleBooleanProperty();
+  private final BooleanProperty shown = new SimpleBooleanProperty(this, "shown");
+  private final Language language;
+  private final Messages messages;
+  private final PlanEditor editor;
+  private final PlanView view;
+  private final PieceText text;
+  private final ToolBar bar = new ToolBar();
+  private final Label status = new Label();
+
+  public PlanPane(ViewContext context) {
+    language = context.language();
+    messages = language.messages(PlanPane.class);
+    editor = new PlanEditor(context.simulation(), context.actions());
+    view = new PlanView(editor, messages.text("front"));
+    text = new PieceText(language, messages);
+    initializeSelf();
+    initializeParts();
+    layoutParts();
+    setupBindings();
+    PlanGestures.install(editor, view, () -> shown.set(false));
+    context.pulse().onBeat(nanos -> advance());
+  }
+
+  /** Whether it is there. */
+  public BooleanProperty shownProperty() {
+    return shown;
+  }
+
+  private void initializeSelf() {
+    setId("plan-pane");
+    getStyleClass().add("plan-pane");
+    getStylesheets().add(PlanPane.class.getResource("plan.css").toExternalForm());
+    setMinSize(0, 0);
+    setVisible(false);
+  }
+
+  private void initializeParts() {
+    status.setId("plan-status");
+    status.getStyleClass().add("plan-status");
+    status.setMaxWidth(Double.MAX_VALUE);
+    for (Stock kind : Stock.values()) {
+      bar.getItems().add(palette("add-" + kind.word(), () -> editor.add(kind, middle())));
+    }
+    Button pad = palette("add-pad", () -> editor.addPad(middle()));
+    pad.disableProperty().bind(editor.layoutProperty().map(now -> now.freePadId().isEmpty()));
+    Region space = new Region();
+    HBox.setHgrow(space, Priority.ALWAYS);
+    bar.getItems()
+        .addAll(
+            pad,
+            new Separator(Orientation.VERTICAL),
+            tool("undo", Feather.CORNER_UP_LEFT, editor::undo, editor.undoableProperty().not()),
+            tool("redo", Feather.CORNER_UP_RIGHT, editor::redo, editor.redoableProperty().not()),
+            tool("remove", Feather.TRASH_2, editor::remove, nothingToRemove()),
+            tool("whole", Feather.MAXIMIZE_2, view::showWhole, never),
+            space,
+            tool("leave", Feather.X, () -> shown.set(false), never));
+  }
+
+  private void layoutParts() {
+    setTop(bar);
+    setCenter(view);
+    setBottom(status);
+  }
+
+  private void setupBindings() {
+    visibleProperty().bind(shown);
+    shown.addListener(
+        (property, before, now) -> {
+          if (now) {
+            advance();
+            view.requestFocus();
+          }
+        });
+    status
+        .textProperty()
+        .bind(
+            Bindings.createStringBinding(
+                this::sentence,
+                editor.layoutProperty(),
+                editor.selectedProperty(),
+                editor.problemProperty(),
+                language.localeProperty()));
+    editor
+        .problemProperty()
+        .subscribe(problem -> status.pseudoClassStateChanged(WRONG, problem.isPresent()));
+  }
+
+  private void advance() {
+    if (shown.get()) {
+      editor.advance();
+      view.advance();
+    }
+  }
+
+  private String sentence() {
+    if (editor.problemProperty().get().isPresent()) {
+      String problem = editor.problemProperty().get().get().name();
+      return messages.now("problem-" + problem.toLowerCase(Locale.ROOT).replace('_', '-'));
+    }
+    return editor
+        .selected()
+        .filter(editor.layout()::has)
+        .map(piece -> text.of(editor.layout(), piece))
+        .orElseGet(() -> messages.now("how-to"));
+  }
+
+  private BooleanBinding nothingToRemove() {
+    return Bindings.createBooleanBinding(
+        () -> editor.selected().filter(piece -> !(piece instanceof Piece.Start)).isEmpty(),
+        editor.selectedProperty());
+  }
+
+  /** What is in the middle of the plan, where new things go. */
+  private Vec3 middle() {
+    return view.scale().place(view.getWidth() / 2, view.getHeight() / 2);
+  }
+
+  private Button palette(String id, Runnable action) {
+    Button button = new Button("", new FontIcon(Feather.PLUS));
+    button.textProperty().bind(messages.text(id));
+    button.getStyleClass().add(Styles.SMALL);
+    return prepared(button, id, action);
+  }
+
+  private Button tool(String id, Ikon icon, Runnable action, ObservableValue<Boolean> off) {
+    Button button = new Button("", new FontIcon(icon));
+    button.getStyleClass().addAll(Styles.BUTTON_ICON, Styles.FLAT, Styles.SMALL);
+    button.disableProperty().bind(off);
+    return prepared(button, id, action);
+  }
+
+  private Button prepared(Button button, String id, Runnable action) {
+    Tooltip tooltip = new Tooltip();
+    tooltip.textProperty().bind(messages.text(id + "-tip"));
+    tooltip.setShowDelay(TOOLTIP_DELAY);
+    button.setId("plan-" + id);
+    button.setTooltip(tooltip);
+    button.accessibleTextProperty().bind(tooltip.textProperty());
+    button.setFocusTraversable(false); // the keys belong to the plan
+    button.setOnAction(
+        pressed -> {
+          action.run();
+          view.requestFocus();
+        });
+    return button;
+  }
+}

@@ -1,0 +1,101 @@
+package tellosimulator.view.plan;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import tellosimulator.math.Attitude;
+import tellosimulator.math.Pose;
+import tellosimulator.math.Vec3;
+import tellosimulator.model.DroneSpec;
+import tellosimulator.view.plan.Piece.Pad;
+import tellosimulator.view.plan.Piece.Start;
+import tellosimulator.view.plan.Piece.Thing;
+import tellosimulator.world.Arena;
+import tellosimulator.world.Cover;
+import tellosimulator.world.MissionPad;
+import tellosimulator.world.Obstacle;
+import tellosimulator.world.Shape;
+
+class FitTest {
+
+  /** Two drones in the default room, from -2.5 to 2.5 m, with a table of 40 by 100 cm. */
+  private static final Layout LAYOUT =
+      new Layout(
+          Arena.DEFAULT
+              .withObstacles(List.of(thing(new Shape.Box(0.4, 1, 0.5), new Vec3(1, 0, 0))))
+              .withPads(List.of(MissionPad.onFloor(1, new Vec3(0, 1, 0), 0))),
+          List.of(
+              new Pose(Vec3.ZERO, Attitude.LEVEL), new Pose(new Vec3(0, 1, 0), Attitude.LEVEL)));
+
+  private static Obstacle thing(Shape shape, Vec3 foot) {
+    return new Obstacle("thing", shape, foot, 0, Cover.DEFAULT);
+  }
+
+  /** Half of the table's depth is 20 cm, a drone's radius 8.7 cm. */
+  @ParameterizedTest
+  @CsvSource(
+      nullValues = "-",
+      value = {
+        "2.3,   0, -",
+        "2.31,  0, OUTSIDE",
+        "0.288, 0, -",
+        "0.286, 0, ON_START",
+        "0,     1, ON_START",
+      })
+  void anObstacleStaysInTheRoomAndOffStarts(double x, double y, Fit problem) {
+    assertThat(problem(new Thing(0), x, y)).isEqualTo(problem);
+  }
+
+  @Test
+  void aTurnedObstacleNeedsMoreRoom() {
+    Layout turned = LAYOUT.with(new Thing(0), new Spot(new Vec3(2.3, 0, 0), Math.PI / 2));
+
+    assertThat(Fit.problem(turned, new Thing(0))).contains(Fit.OUTSIDE);
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      nullValues = "-",
+      value = {
+        "2.413, -2.413, -",
+        "2.414, 0,      OUTSIDE",
+        "0,     0.826,  -",
+        "0,     0.827,  ON_DRONE",
+        "1,     0,      IN_OBSTACLE",
+        "0.714, 0,      IN_OBSTACLE",
+        "0.712, 0,      -",
+      })
+  void aStartIsFree(double x, double y, Fit problem) {
+    assertThat(problem(new Start(1), x, y)).isEqualTo(problem);
+  }
+
+  @Test
+  void aDroneMayStartOnAPadAndBelowAGate() {
+    assertThat(problem(new Pad(1), 0, 0)).isNull();
+    Shape ring = new Shape.Ring(0.4, 0.05, 1.5);
+    Layout gate = LAYOUT.with(thing(ring, new Vec3(0, 0.3, 0)));
+
+    assertThat(Fit.problem(gate, new Thing(1))).isEmpty();
+    assertThat(Fit.problem(gate.with(new Thing(1), new Spot(Vec3.ZERO, 0)), new Thing(1)))
+        .as("its post")
+        .contains(Fit.ON_START);
+  }
+
+  @Test
+  void nothingIsHigherThanTheRoom() {
+    double ceiling = Arena.DEFAULT.room().height();
+    assertThat(DroneSpec.HULL.height()).isLessThan(ceiling);
+
+    Layout high = LAYOUT.with(thing(new Shape.Cylinder(0.1, ceiling + 0.01), new Vec3(-1, 0, 0)));
+
+    assertThat(Fit.problem(high, new Thing(1))).contains(Fit.TOO_HIGH);
+  }
+
+  private static Fit problem(Piece piece, double x, double y) {
+    Spot spot = new Spot(new Vec3(x, y, 0), 0);
+    return Fit.problem(LAYOUT.with(piece, spot), piece).orElse(null);
+  }
+}

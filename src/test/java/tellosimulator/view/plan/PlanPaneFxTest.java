@@ -1,0 +1,199 @@
+package tellosimulator.view.plan;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+import static tellosimulator.view.testing.WindowFixture.onFxThread;
+import static tellosimulator.view.testing.WindowFixture.waitUntil;
+
+import java.util.List;
+import javafx.geometry.Point2D;
+import javafx.geometry.VerticalDirection;
+import javafx.scene.control.Button;
+import javafx.scene.control.Label;
+import javafx.scene.input.KeyCode;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.extension.RegisterExtension;
+import org.testfx.api.FxRobot;
+import tellosimulator.math.Pose;
+import tellosimulator.math.Vec3;
+import tellosimulator.sim.Control;
+import tellosimulator.sim.SimConfig;
+import tellosimulator.sim.SimConfig.Outlets;
+import tellosimulator.sim.Swarm;
+import tellosimulator.view.ViewContext;
+import tellosimulator.view.testing.WindowFixture;
+import tellosimulator.world.Arena;
+import tellosimulator.world.MissionPad;
+import tellosimulator.world.Obstacle;
+import tellosimulator.world.Room;
+import tellosimulator.world.Shape;
+import tellosimulator.world.Wind;
+
+class PlanPaneFxTest {
+
+  private static final SimConfig TWO_DRONES =
+      SimConfig.DEFAULT
+          .withRoom(Room.DEFAULT, Swarm.row(2, Vec3.ZERO, Room.DEFAULT))
+          .withOutlets(new Outlets(9, 9));
+
+  @RegisterExtension
+  final WindowFixture window = new WindowFixture(TWO_DRONES, PlanPaneFxTest::pane);
+
+  private static PlanPane pane(ViewContext context) {
+    PlanPane pane = new PlanPane(context);
+    pane.setPrefSize(800, 640);
+    pane.shownProperty().set(true);
+    return pane;
+  }
+
+  @Test
+  void aDraggedStartComesToRestAtFiveCentimetres() {
+    drag(start(1), new Vec3(1.03, -0.87, 0));
+
+    waitUntil(() -> start(1).distanceTo(new Vec3(1.05, -0.85, 0)) < 1e-9);
+    Pose drone = window.simulation().snapshot().drones().get(0).state().motion().pose();
+    assertThat(drone.position()).as("it stands there").isEqualTo(start(1));
+    assertThat(status()).isEqualTo("Start of drone 1: X 105, Y -85 cm, 0°");
+  }
+
+  @Test
+  void thingsOfThePaletteAreAddedSelectedTurnedAndMoved() {
+    robot().clickOn("#plan-add-box");
+    assertThat(obstacles()).hasSize(1);
+    Obstacle box = obstacles().get(0);
+    assertThat(box.name()).isEqualTo("box-1");
+    assertThat(box.shape()).isInstanceOf(Shape.Box.class);
+
+    robot().type(KeyCode.R).type(KeyCode.UP, 3);
+
+    assertThat(obstacles().get(0).heading()).isCloseTo(Math.toRadians(15), within(1e-9));
+    assertThat(obstacles().get(0).foot().x() - box.foot().x()).isCloseTo(0.15, within(1e-9));
+
+    robot().press(KeyCode.CONTROL).type(KeyCode.R, KeyCode.DOWN).release(KeyCode.CONTROL);
+    assertThat(obstacles().get(0).heading()).isCloseTo(Math.toRadians(16), within(1e-9));
+    assertThat(obstacles().get(0).foot().x() - box.foot().x()).isCloseTo(0.14, within(1e-9));
+  }
+
+  @Test
+  void theWheelTurnsTheSelectedThing() {
+    robot().clickOn("#plan-add-ring");
+    Vec3 foot = obstacles().get(0).foot();
+
+    robot().moveTo(at(foot)).scroll(2, VerticalDirection.UP);
+
+    waitUntil(() -> Math.abs(obstacles().get(0).heading()) > 0.1);
+    double notches = Math.toDegrees(obstacles().get(0).heading()) / 15;
+    assertThat(notches).isCloseTo(Math.rint(notches), within(1e-6));
+  }
+
+  @Test
+  void padsGetTheNextFreeNumberAndEachOnlyOnce() {
+    for (int i = 0; i < MissionPad.LAST_ID; i++) {
+      robot().clickOn("#plan-add-pad");
+    }
+    assertThat(arena().pads()).extracting(MissionPad::id).containsExactly(1, 2, 3, 4, 5, 6, 7, 8);
+    assertThat(window.find("plan-add-pad", Button.class).isDisabled()).isTrue();
+
+    robot().clickOn(at(arena().pads().get(4).pose(arena().room()).position()));
+    robot().type(KeyCode.DELETE);
+    assertThat(arena().pads()).extracting(MissionPad::id).doesNotContain(5).hasSize(7);
+    robot().clickOn("#plan-add-pad");
+    assertThat(arena().pads()).extracting(MissionPad::id).contains(5);
+  }
+
+  @Test
+  void aDragIsUndoneAsOneAndDoneAgain() {
+    robot().clickOn("#plan-add-cylinder");
+    Vec3 first = obstacles().get(0).foot();
+    drag(first, new Vec3(-1.5, -1.5, 0));
+    waitUntil(() -> obstacles().get(0).foot().distanceTo(new Vec3(-1.5, -1.5, 0)) < 1e-9);
+
+    control(KeyCode.Z);
+    assertThat(obstacles().get(0).foot()).isEqualTo(first);
+    control(KeyCode.Z);
+    assertThat(obstacles()).isEmpty();
+    control(KeyCode.Y);
+    control(KeyCode.Y);
+    assertThat(obstacles().get(0).foot().distanceTo(new Vec3(-1.5, -1.5, 0))).isLessThan(1e-9);
+  }
+
+  @Test
+  void undoingLeavesWindAndLooksAlone() {
+    robot().clickOn("#plan-add-box");
+    Wind wind = new Wind(new Vec3(0.5, 0, 0), 0);
+    onFxThread(
+        () -> {
+          window.context().actions().carryOut(new Control.Furnish(arena().withWind(wind)));
+          return true;
+        });
+    waitUntil(() -> window.context().simulation().arenaProperty().get().wind().equals(wind));
+
+    control(KeyCode.Z);
+
+    assertThat(obstacles()).isEmpty();
+    assertThat(arena().wind()).isEqualTo(wind);
+  }
+
+  @Test
+  void nothingLeavesTheRoomOrLandsOnAStart() {
+    robot().clickOn("#plan-add-box");
+    Vec3 before = obstacles().get(0).foot();
+
+    robot().drag(at(before)).moveTo(at(start(2)));
+    waitUntil(() -> status().equals("A drone starts there."));
+    robot().moveTo(at(new Vec3(2.4, 0, 0)));
+    waitUntil(() -> status().equals("That would be outside of the room."));
+    robot().drop();
+
+    assertThat(status()).startsWith("box-1");
+    Obstacle box = obstacles().get(0);
+    assertThat(Math.abs(box.foot().x())).isLessThanOrEqualTo(2.2); // half of it is 30 cm
+    assertThat(box.foot().distanceTo(start(2))).isGreaterThan(0.3);
+  }
+
+  @Test
+  void escapeLetsGoAndThenClosesThePlan() {
+    robot().clickOn("#plan-add-box").type(KeyCode.ESCAPE);
+    assertThat(status()).startsWith("Drag things with the mouse");
+
+    robot().type(KeyCode.ESCAPE);
+    assertThat(window.view(PlanPane.class).shownProperty().get()).isFalse();
+  }
+
+  private FxRobot robot() {
+    return window.robot();
+  }
+
+  private void control(KeyCode key) {
+    robot().press(KeyCode.CONTROL).type(key).release(KeyCode.CONTROL);
+  }
+
+  private void drag(Vec3 from, Vec3 to) {
+    robot().drag(at(from)).moveTo(at(from.plus(to).times(0.5))).dropTo(at(to));
+  }
+
+  /** Where a place of the floor is on the screen. */
+  private Point2D at(Vec3 place) {
+    return onFxThread(
+        () -> {
+          PlanView view = window.find("plan", PlanView.class);
+          return view.localToScreen(view.scale().screenX(place), view.scale().screenY(place));
+        });
+  }
+
+  private String status() {
+    return window.find("plan-status", Label.class).getText();
+  }
+
+  private Arena arena() {
+    return window.simulation().snapshot().arena();
+  }
+
+  private List<Obstacle> obstacles() {
+    return arena().obstacles();
+  }
+
+  private Vec3 start(int drone) {
+    return window.simulation().snapshot().drones().get(drone - 1).start().position();
+  }
+}
