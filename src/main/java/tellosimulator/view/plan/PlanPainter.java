@@ -1,5 +1,6 @@
 package tellosimulator.view.plan;
 
+import java.util.function.IntFunction;
 import javafx.geometry.VPos;
 import javafx.scene.canvas.GraphicsContext;
 import javafx.scene.paint.Color;
@@ -40,10 +41,15 @@ final class PlanPainter {
   static final double SMALLEST = 7;
 
   private final GraphicsContext pen;
+  private final IntFunction<Color> colors;
   private PlanScale scale;
 
-  PlanPainter(GraphicsContext pen) {
+  /**
+   * @param colors gives that of the drone of a number
+   */
+  PlanPainter(GraphicsContext pen, IntFunction<Color> colors) {
     this.pen = pen;
+    this.colors = colors;
   }
 
   /**
@@ -178,7 +184,7 @@ final class PlanPainter {
   }
 
   private void paintStart(int drone) {
-    Color own = DroneColors.of(drone);
+    Color own = colors.apply(drone);
     double radius = Math.max(SMALLEST + 2, DroneSpec.HULL.radius() * scale.pixels());
     pen.setFill(own);
     pen.fillPolygon(
@@ -193,7 +199,7 @@ final class PlanPainter {
 
   private void number(int drone, Spot spot) {
     double radius = Math.max(SMALLEST + 2, DroneSpec.HULL.radius() * scale.pixels());
-    pen.setFill(DroneColors.inkOn(DroneColors.of(drone)));
+    pen.setFill(DroneColors.inkOn(colors.apply(drone)));
     write(
         Integer.toString(drone),
         scale.screenX(spot.place()),

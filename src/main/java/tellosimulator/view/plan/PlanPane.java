@@ -24,6 +24,7 @@ import org.kordamp.ikonli.feather.Feather;
 import org.kordamp.ikonli.javafx.FontIcon;
 import tellosimulator.math.Vec3;
 import tellosimulator.view.ViewContext;
+import tellosimulator.view.drone.DroneColors;
 import tellosimulator.view.text.Language;
 import tellosimulator.view.text.Messages;
 
@@ -50,7 +51,11 @@ public final class PlanPane extends BorderPane {
     language = context.language();
     messages = language.messages(PlanPane.class);
     editor = new PlanEditor(context.simulation(), context.actions());
-    view = new PlanView(editor, messages.text("front"));
+    view =
+        new PlanView(
+            editor,
+            drone -> DroneColors.of(context.simulation().drones().get(drone - 1)),
+            messages.text("front"));
     text = new PieceText(language, messages);
     initializeSelf();
     initializeParts();

@@ -2,9 +2,11 @@ package tellosimulator.view.plan;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.function.IntFunction;
 import javafx.beans.value.ObservableValue;
 import javafx.scene.canvas.Canvas;
 import javafx.scene.layout.Region;
+import javafx.scene.paint.Color;
 import tellosimulator.math.Vec3;
 
 /** The plan itself: all that is in the room, seen from above. For the JavaFX thread. */
@@ -16,7 +18,7 @@ final class PlanView extends Region {
   private final PlanEditor editor;
   private final ObservableValue<String> front;
   private final Canvas canvas = new Canvas();
-  private final PlanPainter painter = new PlanPainter(canvas.getGraphicsContext2D());
+  private final PlanPainter painter;
   private PlanScale scale;
 
   /** Whether all of the room is to be seen, whatever becomes of it. */
@@ -25,10 +27,12 @@ final class PlanView extends Region {
   private boolean stale = true;
 
   /**
+   * @param colors gives that of the drone of a number
    * @param front what is written at the front wall
    */
-  PlanView(PlanEditor editor, ObservableValue<String> front) {
+  PlanView(PlanEditor editor, IntFunction<Color> colors, ObservableValue<String> front) {
     this.editor = editor;
+    this.painter = new PlanPainter(canvas.getGraphicsContext2D(), colors);
     this.front = front;
     this.scale = PlanScale.whole(editor.layout().arena().room(), 1, 1);
     setId("plan");
