@@ -56,7 +56,7 @@ public final class Underneath {
 
   private Obstacles obstacles(Arena arena) {
     Known latest = known;
-    if (latest.arena != arena) {
+    if (!latest.arena.equals(arena)) {
       latest = new Known(arena, Obstacles.of(arena));
       known = latest;
     }

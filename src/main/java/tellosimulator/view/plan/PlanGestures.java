@@ -110,7 +110,7 @@ final class PlanGestures {
   }
 
   private void type(KeyEvent event) {
-    boolean done = event.isShortcutDown() && command(event) || key(event);
+    boolean done = (event.isShortcutDown() && command(event)) || key(event);
     if (done) {
       event.consume();
     }
@@ -118,7 +118,7 @@ final class PlanGestures {
 
   private boolean command(KeyEvent event) {
     boolean again =
-        event.getCode() == KeyCode.Y || event.getCode() == KeyCode.Z && event.isShiftDown();
+        event.getCode() == KeyCode.Y || (event.getCode() == KeyCode.Z && event.isShiftDown());
     if (again) {
       editor.redo();
     } else if (event.getCode() == KeyCode.Z) {
