@@ -12,8 +12,10 @@ import picocli.CommandLine.IVersionProvider;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.ParseResult;
 import picocli.CommandLine.UnmatchedArgumentException;
+import tellosimulator.goal.Progress.Status;
 import tellosimulator.headless.HeadlessSimulator;
 import tellosimulator.network.PortTakenException;
+import tellosimulator.scenario.ScenarioException;
 import tellosimulator.video.SoftwareCameras;
 import tellosimulator.video.WarmUp;
 import tellosimulator.video.camera.DroneOptics;
@@ -28,6 +30,7 @@ public final class Main {
 
   private static final int FAILED = 1;
   private static final int WRONG_OPTIONS = 2;
+  private static final int GOALS_MISSED = 3;
 
   private final Options options = new Options();
   private final SoftwareCameras cameras = new SoftwareCameras(DroneOptics.DEFAULT);
@@ -40,7 +43,10 @@ public final class Main {
     this.err = err;
   }
 
-  /** Ends the process with 0, or 1 if something could not be had, or 2 if options are wrong. */
+  /**
+   * Ends the process with 0, or 1 if something could not be had, or 2 if options or a scenario are
+   * wrong, or 3 if goals were missed.
+   */
   public static void main(String[] args) {
     System.setProperty("java.awt.headless", "true"); // posters are read, nothing is drawn
     int status = run(args, System.out, System.err);
@@ -72,13 +78,20 @@ public final class Main {
         commandLine.printVersionHelp(out);
         return 0;
       }
+      if (options.listScenarios()) {
+        ScenarioOptions.list(out);
+        return 0;
+      }
       LogSetup.setLevel(options.logLevel());
       return simulate();
     } catch (UnmatchedArgumentException e) {
       err.println("There is no option " + e.getUnmatched().get(0) + ". Try --help.");
       return WRONG_OPTIONS;
     } catch (ParameterException | IllegalArgumentException e) {
-      err.println(sentence(e.getMessage()) + " Try --help.");
+      err.println(
+          e.getCause() instanceof ScenarioException wrong
+              ? wrong.getMessage()
+              : sentence(e.getMessage()) + " Try --help.");
       return WRONG_OPTIONS;
     } catch (PortTakenException e) {
       err.println(e.getMessage());
@@ -125,7 +138,7 @@ public final class Main {
   private int simulateHeadless() throws IOException, InterruptedException {
     try (HeadlessSimulator simulator =
         new HeadlessSimulator(
-            options.simConfig(),
+            options.scenario(),
             options.addressPlan(),
             options.replyPort(),
             cameras.withOptics(options.optics()))) {
@@ -133,7 +146,11 @@ public final class Main {
       simulator.sayReady(out);
       warmUp.begin(simulator::snapshot);
       Charset charset = Charset.defaultCharset();
-      simulator.run(new BufferedReader(new InputStreamReader(System.in, charset)), out);
+      BufferedReader in = new BufferedReader(new InputStreamReader(System.in, charset));
+      if (options.exitWhenDone()) {
+        return simulator.runUntilDone(in, out) == Status.REACHED ? 0 : GOALS_MISSED;
+      }
+      simulator.run(in, out);
       return 0;
     }
   }
@@ -141,7 +158,7 @@ public final class Main {
   private static String sentence(String message) {
     String line = message.lines().findFirst().orElse("The options are wrong");
     String capital = Character.toUpperCase(line.charAt(0)) + line.substring(1);
-    return capital.endsWith(".") ? capital : capital + ".";
+    return capital.matches(".*[.?]") ? capital : capital + ".";
   }
 
   private static final class Version implements IVersionProvider {

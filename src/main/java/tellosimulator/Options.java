@@ -1,19 +1,22 @@
 package tellosimulator;
 
-import java.io.IOException;
 import java.net.InetAddress;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Objects;
+import java.util.Optional;
 import java.util.OptionalInt;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
+import picocli.CommandLine.Spec;
 import tellosimulator.math.Pose;
 import tellosimulator.network.AddressPlan;
 import tellosimulator.profile.Behaviour;
 import tellosimulator.profile.Profile;
-import tellosimulator.scenery.room.PictureFile;
+import tellosimulator.scenario.Scenario;
 import tellosimulator.sim.DroneSetup;
 import tellosimulator.sim.SimConfig;
 import tellosimulator.sim.SimConfig.Outlets;
@@ -21,7 +24,6 @@ import tellosimulator.sim.SimConfig.Product;
 import tellosimulator.sim.Swarm;
 import tellosimulator.time.TimeFactor;
 import tellosimulator.video.camera.DroneOptics;
-import tellosimulator.world.Arena;
 import tellosimulator.world.Decor;
 import tellosimulator.world.Poster;
 import tellosimulator.world.Room;
@@ -47,6 +49,8 @@ final class Options {
   /** Also looked for before the options are read. */
   static final String HEADLESS = "--headless";
 
+  @Spec private CommandSpec spec;
+
   @Option(names = HEADLESS, description = "Run without a window.")
   private boolean headless;
 
@@ -54,6 +58,8 @@ final class Options {
       names = "--on",
       description = "Switch all drones on at once. Without a window they always are.")
   private boolean on;
+
+  @Mixin private ScenarioOptions scenarioOptions;
 
   @Option(
       names = "--command-port",
@@ -239,58 +245,102 @@ final class Options {
     return replyPort;
   }
 
+  boolean listScenarios() {
+    return scenarioOptions.list();
+  }
+
+  boolean exitWhenDone() {
+    return scenarioOptions.exitWhenDone();
+  }
+
   /**
    * Looks whether the options fit together, before anything is started.
    *
    * @throws IllegalArgumentException with a sentence, if they do not
    */
   void check() {
-    Objects.requireNonNull(simConfig());
+    Scenario scenario = scenario();
     Objects.requireNonNull(addressPlan());
-    for (Poster poster : posters) {
-      try {
-        Objects.requireNonNull(PictureFile.read(poster.picture()));
-      } catch (IOException e) {
-        throw new IllegalArgumentException(e.getMessage(), e);
-      }
+    if (exitWhenDone() && (!headless || scenario.challenge().goals().isEmpty())) {
+      throw new IllegalArgumentException(
+          ScenarioOptions.EXIT_WHEN_DONE + " needs --headless and a --scenario with goals");
     }
+    ScenarioOptions.checkPictures(scenario.config().arena());
+  }
+
+  /** What to simulate; see {@link #scenario}. */
+  SimConfig simConfig() {
+    return scenario().config();
   }
 
   /**
-   * What to simulate.
+   * The scenario of the file, or an empty room, with all that the options say about it.
    *
    * @throws IllegalArgumentException with a sentence, if options do not fit together
    */
-  SimConfig simConfig() {
-    return new SimConfig(
-        Arena.empty(room, Decor.DEFAULT.withWalls(walls).withPosters(posters)),
-        droneSetups(),
-        timeFactor,
-        seed);
+  Scenario scenario() {
+    Scenario base = scenarioOptions.scenario().map(this::alone).orElseGet(this::emptyRoom);
+    Decor decor = base.config().arena().decor();
+    List<Poster> all = new ArrayList<>(decor.posters());
+    all.addAll(posters);
+    SimConfig config =
+        base.config()
+            .withDecor(
+                decor.withWalls(unlessGiven("--walls", decor.walls(), walls)).withPosters(all))
+            .withTimeFactor(unlessGiven("--time-factor", base.config().timeFactor(), timeFactor))
+            .withSeed(unlessGiven("--seed", base.config().seed(), seed));
+    return base.withConfig(config.withDrones(changed(config.drones())));
   }
 
-  private List<DroneSetup> droneSetups() {
-    List<Pose> starts = Swarm.row(droneCount(), start.inMetres(), room);
-    List<Outlets> outlets = outlets();
-    Product product = new Product(profile, behaviour);
-    List<DroneSetup> setups = new ArrayList<>();
-    for (int i = 0; i < starts.size(); i++) {
-      setups.add(DroneSetup.at(starts.get(i), product, outlets.get(i % outlets.size())));
+  private Scenario alone(Scenario scenario) {
+    for (String option : List.of("--drones", "--room", "--start")) {
+      if (given(option)) {
+        throw new IllegalArgumentException(option + " does not go with --scenario, which says it");
+      }
     }
-    return setups;
+    return scenario;
   }
 
-  private List<Outlets> outlets() {
+  private Scenario emptyRoom() {
+    List<Pose> starts = Swarm.row(droneCount(), start.inMetres(), room);
+    return Scenario.of(SimConfig.DEFAULT.withRoom(room, starts));
+  }
+
+  private List<DroneSetup> changed(List<DroneSetup> setups) {
     List<Integer> ports = videoPorts.ports();
-    if (ports.size() != 1 && ports.size() != droneCount()) {
+    if (ports.size() != 1 && ports.size() != setups.size()) {
       throw new IllegalArgumentException(
           String.format(
               Locale.ROOT,
               "--video-port has %d ports for %d drones, but must have one for each, or one for all",
               ports.size(),
-              droneCount()));
+              setups.size()));
     }
-    return ports.stream().map(port -> new Outlets(statePort, port)).toList();
+    List<DroneSetup> changed = new ArrayList<>();
+    for (DroneSetup setup : setups) {
+      Product product = setup.product();
+      Outlets outlets = setup.outlets();
+      int port = ports.get(changed.size() % ports.size());
+      changed.add(
+          setup
+              .withProduct(
+                  new Product(
+                      unlessGiven("--profile", product.profile(), profile),
+                      unlessGiven("--behaviour", product.behaviour(), behaviour)))
+              .withOutlets(
+                  new Outlets(
+                      unlessGiven("--state-port", outlets.statePort(), statePort),
+                      unlessGiven("--video-port", outlets.videoPort(), port))));
+    }
+    return changed;
+  }
+
+  private <T> T unlessGiven(String option, T said, T chosen) {
+    return given(option) ? chosen : said;
+  }
+
+  private boolean given(String option) {
+    return spec.commandLine().getParseResult().hasMatchedOption(option);
   }
 
   /**
@@ -304,23 +354,33 @@ final class Options {
           bind == null ? AddressPlan.machineAddresses() : bind.addresses();
       return AddressPlan.portPerDrone(droneCount(), addresses, commandPort);
     }
-    return bind == null
-        ? AddressPlan.ofMachine(droneCount(), commandPort)
-        : AddressPlan.of(bind.addresses(), commandPort);
+    if (bind != null && droneCount() == bind.addresses().size()) {
+      return AddressPlan.of(bind.addresses(), commandPort);
+    }
+    Scenario scenario = scenario();
+    return given("--command-port")
+        ? scenario.withCommandPort(commandPort).addressPlan(commandPort)
+        : scenario.addressPlan(commandPort);
   }
 
   private int droneCount() {
+    int wanted =
+        scenarioOptions
+            .scenario()
+            .map(scenario -> scenario.config().drones().size())
+            .or(() -> Optional.ofNullable(drones))
+            .orElse(0);
     if (bind == null || portPerDrone) {
-      return drones == null ? 1 : drones;
+      return Math.max(1, wanted);
     }
     int addresses = bind.addresses().size();
-    if (drones != null && drones != addresses) {
+    if (wanted != 0 && wanted != addresses) {
       throw new IllegalArgumentException(
           String.format(
               Locale.ROOT,
               "--bind has %d addresses for %d drones, but each drone needs one",
               addresses,
-              drones));
+              wanted));
     }
     return addresses;
   }

@@ -32,6 +32,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 import tellosimulator.headless.HeadlessSimulator;
 import tellosimulator.math.Vec3;
 import tellosimulator.network.AddressPlan;
+import tellosimulator.scenario.Scenario;
 import tellosimulator.sim.SimConfig;
 import tellosimulator.sim.SimConfig.Outlets;
 import tellosimulator.sim.Swarm;
@@ -273,7 +274,7 @@ class ExamplesTest {
       List<InetAddress> loopback = List.of(InetAddress.getLoopbackAddress());
       simulator =
           new HeadlessSimulator(
-              config.withOutlets(new Outlets(statePort, videoPort)),
+              Scenario.of(config.withOutlets(new Outlets(statePort, videoPort))),
               AddressPlan.portPerDrone(config.starts().size(), loopback, 0),
               OptionalInt.empty(),
               new SoftwareCameras(DroneOptics.DEFAULT));

@@ -9,16 +9,20 @@ import java.net.DatagramSocket;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.condition.EnabledOnOs;
 import org.junit.jupiter.api.condition.OS;
+import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Model.OptionSpec;
+import tellosimulator.scenario.Gallery;
 
 class MainTest {
 
@@ -37,7 +41,7 @@ class MainTest {
         CommandSpec.forAnnotatedObject(new Options()).options().stream()
             .map(OptionSpec::longestName)
             .toList();
-    assertThat(options).hasSize(20);
+    assertThat(options).hasSize(23);
     assertThat(lines(out)).contains(options).contains("--help", "--version");
     assertThat(lines(out).lines()).allMatch(printed -> printed.length() <= 80);
     assertThat(lines(err)).isEmpty();
@@ -66,6 +70,14 @@ class MainTest {
           --poster front,0,120,30,no-such.png | There is no file no-such.png. Try --help.
           --poster front,0,120,30,pom.xml | The file pom.xml is not an image that can be read (PNG, JPEG, GIF or BMP). Try --help.
           --start 9999,0    | Drone 1 does not fit into the room: its start would be at x 9999, y 0 cm. Try --help.
+          --scenario nowhere.yaml | nowhere.yaml: there is no such file
+          --scenario nowhere | Invalid value for option '--scenario': there is neither a file nor a scenario nowhere; see --scenarios. Try --help.
+          --scenario slalon  | Invalid value for option '--scenario': there is neither a file nor a scenario slalon, did you mean slalom? Try --help.
+          --scenario slalom --drones 2 | --drones does not go with --scenario, which says it. Try --help.
+          --scenario slalom --room 500x500x300 | --room does not go with --scenario, which says it. Try --help.
+          --scenario slalom --bind 127.0.0.1,127.0.0.2 | --bind has 2 addresses for 1 drones, but each drone needs one. Try --help.
+          --headless --exit-when-done | --exit-when-done needs --headless and a --scenario with goals. Try --help.
+          --exit-when-done --scenario slalom | --exit-when-done needs --headless and a --scenario with goals. Try --help.
           """)
   void wrongOptionsAreOneSentenceAndExitCodeTwo(String line, String sentence) {
     assertThat(run(line)).isEqualTo(2);
@@ -125,6 +137,69 @@ class MainTest {
       assertThat(program.exitCode()).isEqualTo(143);
       assertThat(ProgramProcess.isFree(port)).isTrue();
     }
+  }
+
+  @Test
+  void allMistakesOfAScenarioAreToldWithTheirPlaces(@TempDir Path folder) throws IOException {
+    Path file = Files.writeString(folder.resolve("wrong.yaml"), "walls: high\nrom: 5\n");
+
+    assertThat(run("--scenario " + file)).isEqualTo(2);
+
+    assertThat(lines(err))
+        .isEqualTo(
+            file
+                + ":1:8: expected one of plain, textured, found \"high\"\n"
+                + file
+                + ":2:1: a scenario has no key \"rom\", did you mean room?\n");
+  }
+
+  @Test
+  void scenariosAreListedWithWhatTheyTeach() {
+    assertThat(run("--scenarios")).isZero();
+
+    assertThat(lines(out).lines()).hasSize(Gallery.NAMES.size());
+    assertThat(lines(out)).startsWith("empty-room          to take off, ");
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      textBlock =
+          """
+          takeoff,land            | 0 | goals: 1 of 1 reached after .*
+          takeoff,forward 50,land | 3 | goals: 0 of 1 reached after 5\\.0 s: time is over
+          """)
+  @Timeout(2 * ProgramProcess.PATIENCE_SECONDS)
+  void theResultOfAScenarioIsALineAndAnExitCode(String commands, int code, String result)
+      throws Exception {
+    try (ProgramProcess program = landingWithinFiveSeconds()) {
+      int port = program.port();
+      assertThat(ProgramProcess.ask("command", port)).isEqualTo("ok");
+      for (String command : commands.split(",", -1)) {
+        assertThat(ProgramProcess.ask(command, port)).as("its drone comes down").isEqualTo("ok");
+      }
+
+      assertThat(program.line()).matches(result);
+      assertThat(program.exitCode()).isEqualTo(code);
+    }
+  }
+
+  @Test
+  @Timeout(2 * ProgramProcess.PATIENCE_SECONDS)
+  void whoQuitsBeforeTheGoalsAreReachedHasMissedThem() throws Exception {
+    try (ProgramProcess program = landingWithinFiveSeconds()) {
+      assertThat(program.port()).isPositive();
+      program.type("quit\n");
+
+      assertThat(program.line()).isEqualTo("goals: 0 of 1 reached after 0.0 s");
+      assertThat(program.exitCode()).isEqualTo(3);
+    }
+  }
+
+  private static ProgramProcess landingWithinFiveSeconds() throws IOException {
+    Path file = Path.of("src", "test", "resources", "landing-within-five-seconds.yaml");
+    return ProgramProcess.start(
+        Main.class, "--headless --exit-when-done --time-factor max --scenario " + file, "");
   }
 
   @Test

@@ -16,6 +16,8 @@ import tellosimulator.math.Vec3;
 import tellosimulator.network.AddressPlan;
 import tellosimulator.profile.Behaviour;
 import tellosimulator.profile.Profile;
+import tellosimulator.scenario.Gallery;
+import tellosimulator.sim.DroneSetup;
 import tellosimulator.sim.SimConfig;
 import tellosimulator.sim.SimConfig.Outlets;
 import tellosimulator.sim.SimConfig.Product;
@@ -172,6 +174,41 @@ class OptionsTest {
     assertThat(options.simConfig().starts()).hasSize(2);
     assertThat(options.addressPlan().drones())
         .containsExactly(List.of(at("127.0.0.5", 8889)), List.of(at("127.0.0.6", 8889)));
+  }
+
+  @Test
+  void aScenarioSaysWhatIsSimulated() {
+    Options options = options("--scenario swarm-stage");
+
+    assertThat(options.scenario()).isEqualTo(Gallery.find("swarm-stage").orElseThrow());
+    assertThat(options.addressPlan().drones()).hasSize(3);
+  }
+
+  @Test
+  void whatIsGivenBesideAScenarioCountsMore() {
+    Options options =
+        options(
+            "--scenario swarm-stage --profile tt --behaviour measured --state-port 9001"
+                + " --video-port 1,2,3 --walls plain --poster front,0,120,30,a.png"
+                + " --time-factor 3 --seed 8 --command-port 8889");
+
+    SimConfig scenario = Gallery.find("swarm-stage").orElseThrow().config();
+    SimConfig config = options.simConfig();
+    assertThat(config.starts()).isEqualTo(scenario.starts());
+    assertThat(config.drones())
+        .extracting(DroneSetup::product)
+        .containsOnly(new Product(Profile.TT, Behaviour.MEASURED));
+    assertThat(config.drones())
+        .extracting(DroneSetup::outlets)
+        .containsExactly(new Outlets(9001, 1), new Outlets(9001, 2), new Outlets(9001, 3));
+    assertThat(config.drones())
+        .extracting(DroneSetup::rgb)
+        .isEqualTo(scenario.drones().stream().map(DroneSetup::rgb).toList());
+    assertThat(config.arena().decor().walls()).isEqualTo(Walls.PLAIN);
+    assertThat(config.arena().decor().posters()).hasSize(1);
+    assertThat(config.timeFactor()).isEqualTo(new TimeFactor(3));
+    assertThat(config.seed()).isEqualTo(8);
+    assertThat(options.addressPlan().drones().get(2)).containsExactly(at("127.0.0.3", 8889));
   }
 
   @Test

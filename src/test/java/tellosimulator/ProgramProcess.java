@@ -76,6 +76,11 @@ final class ProgramProcess implements AutoCloseable {
     return Integer.parseInt(ready.replaceAll(".*:", ""));
   }
 
+  /** The next line that it prints. */
+  String line() throws IOException {
+    return String.valueOf(printed.readLine());
+  }
+
   /** Types something, and ends the input. */
   void type(String text) throws IOException {
     process.outputWriter(StandardCharsets.UTF_8).append(text).close();

@@ -6,11 +6,16 @@ import java.io.PrintStream;
 import java.util.List;
 import java.util.OptionalInt;
 import java.util.concurrent.CountDownLatch;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+import tellosimulator.goal.GoalWatch;
+import tellosimulator.goal.Progress;
 import tellosimulator.network.AddressPlan;
 import tellosimulator.network.OnlineSimulation;
 import tellosimulator.network.PortTakenException;
-import tellosimulator.sim.SimConfig;
+import tellosimulator.scenario.Scenario;
 import tellosimulator.sim.SimSnapshot;
+import tellosimulator.time.Threads;
 import tellosimulator.video.SoftwareCameras;
 import tellosimulator.video.VideoStreams;
 import tellosimulator.video.codec.H264Encoder;
@@ -18,6 +23,9 @@ import tellosimulator.video.codec.H264Encoder;
 /** The program without a window: drones that are on, a console, and a line when it is ready. */
 public final class HeadlessSimulator implements AutoCloseable {
 
+  private static final Logger LOG = LoggerFactory.getLogger(HeadlessSimulator.class);
+
+  private final Ending ending;
   private final OnlineSimulation simulation;
   private final VideoStreams video;
 
@@ -29,9 +37,13 @@ public final class HeadlessSimulator implements AutoCloseable {
    * @throws PortTakenException if an address or port cannot be had
    */
   public HeadlessSimulator(
-      SimConfig config, AddressPlan plan, OptionalInt replyPort, SoftwareCameras cameras)
+      Scenario scenario, AddressPlan plan, OptionalInt replyPort, SoftwareCameras cameras)
       throws PortTakenException {
-    simulation = new OnlineSimulation(config, plan, replyPort, List.of(new EventLog()));
+    EventLog log = new EventLog();
+    GoalWatch goals = new GoalWatch(scenario.challenge(), log::event);
+    ending = new Ending(goals);
+    simulation =
+        new OnlineSimulation(scenario.config(), plan, replyPort, List.of(log, goals, ending));
     video = VideoStreams.of(simulation, cameras, H264Encoder::new);
     try {
       simulation.switchAllOn();
@@ -52,6 +64,32 @@ public final class HeadlessSimulator implements AutoCloseable {
   public void run(BufferedReader in, PrintStream out) throws IOException, InterruptedException {
     if (!new Console(simulation::snapshot, simulation::carryOut, in, out).run()) {
       new CountDownLatch(1).await();
+    }
+  }
+
+  /**
+   * Takes what is typed, and returns after {@code quit}, or when the goals are reached or missed
+   * and the drones have come down.
+   *
+   * @return whether the goals were reached; it still runs after {@code quit}
+   */
+  public Progress.Status runUntilDone(BufferedReader in, PrintStream out)
+      throws InterruptedException {
+    Threads.start("console", () -> readUntilQuit(in, out));
+    Progress result = ending.awaitResult();
+    out.println(result.phrase());
+    out.flush();
+    ending.awaitRest();
+    return result.status();
+  }
+
+  private void readUntilQuit(BufferedReader in, PrintStream out) {
+    try {
+      if (new Console(simulation::snapshot, simulation::carryOut, in, out).run()) {
+        ending.now();
+      }
+    } catch (IOException e) {
+      LOG.warn("Standard input cannot be read any more ({}).", e.getMessage());
     }
   }
 

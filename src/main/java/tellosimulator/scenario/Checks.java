@@ -20,6 +20,7 @@ import tellosimulator.words.Phrase;
 import tellosimulator.world.Arena;
 import tellosimulator.world.MissionPad;
 import tellosimulator.world.Obstacle;
+import tellosimulator.world.Obstacles;
 import tellosimulator.world.Poster;
 import tellosimulator.world.Room;
 import tellosimulator.world.Shape;
@@ -114,15 +115,22 @@ final class Checks {
 
   /** Where the drones stand. */
   void starts(List<Located<DroneReader.Entry>> drones, Arena arena) {
+    Obstacles obstacles = Obstacles.of(arena);
     for (int i = 0; i < drones.size(); i++) {
       Node node = drones.get(i).node();
+      int number = i + 1;
       Vec3 start = start(drones, i);
       if (!room.contains(start, DroneSpec.HULL)) {
-        mistakes.add(node, Phrase.of("drone %d does not fit into the room there", i + 1));
+        mistakes.add(node, Phrase.of("drone %d does not fit into the room there", number));
       }
+      obstacles
+          .around(start, DroneSpec.HULL)
+          .ifPresent(
+              obstacle ->
+                  mistakes.add(node, Phrase.of("drone %d is in %s", number, obstacle.phrase())));
       for (int j = 0; j < i; j++) {
         if (start.distanceTo(start(drones, j)) < 2 * DroneSpec.HULL.radius()) {
-          mistakes.add(node, Phrase.of("drone %d is in drone %d", i + 1, j + 1));
+          mistakes.add(node, Phrase.of("drone %d is in drone %d", number, j + 1));
         }
       }
     }

@@ -10,7 +10,18 @@ import java.util.Optional;
 public final class Gallery {
 
   /** Their short names, the easiest first. */
-  public static final List<String> NAMES = List.of();
+  public static final List<String> NAMES =
+      List.of(
+          "empty-room",
+          "over-the-wall",
+          "slalom",
+          "table-landing",
+          "window-in-the-wall",
+          "gate-race",
+          "wind",
+          "pad-course",
+          "wall-pad",
+          "swarm-stage");
 
   private Gallery() {}
 

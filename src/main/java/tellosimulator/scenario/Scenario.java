@@ -57,6 +57,15 @@ public record Scenario(
     return new Scenario(name, teaches, newConfig, stations, challenge);
   }
 
+  /** The same with all drones at one port. */
+  public Scenario withCommandPort(int port) {
+    List<Station> others =
+        stations.stream()
+            .map(station -> new Station(station.address(), OptionalInt.of(port)))
+            .toList();
+    return new Scenario(name, teaches, config, others, challenge);
+  }
+
   /**
    * Which drone listens where.
    *

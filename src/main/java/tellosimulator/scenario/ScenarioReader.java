@@ -59,8 +59,7 @@ final class ScenarioReader {
     boolean allObstacles = mistakes.count() == before;
     checks.obstacles(obstacles);
     Arena arena = furnished(room, checks).withObstacles(values(obstacles));
-    List<Located<DroneReader.Entry>> drones =
-        scenario.list("drones", MOST_DRONES, new DroneReader());
+    List<Located<DroneReader.Entry>> drones = drones();
     checks.starts(drones, arena);
     checks.addresses(drones);
     SimConfig config = config(arena, drones);
@@ -71,10 +70,17 @@ final class ScenarioReader {
         scenario.read("name", Values.text(), ""),
         scenario.read("teaches", Values.text(), ""),
         config,
-        drones.isEmpty()
-            ? List.of(Station.USUAL)
-            : drones.stream().map(drone -> drone.value().station()).toList(),
+        values(drones).stream().map(DroneReader.Entry::station).toList(),
         challenge(values(goals)));
+  }
+
+  /** Those of the file, or the usual one. */
+  private List<Located<DroneReader.Entry>> drones() {
+    List<Located<DroneReader.Entry>> drones =
+        scenario.list("drones", MOST_DRONES, new DroneReader());
+    DroneReader.Entry usual =
+        new DroneReader.Entry(SimConfig.DEFAULT.drones().get(0), Station.USUAL);
+    return drones.isEmpty() ? List.of(new Located<>(usual, scenario.node())) : drones;
   }
 
   /** All that is in the room but obstacles. */
@@ -90,10 +96,7 @@ final class ScenarioReader {
   }
 
   private SimConfig config(Arena arena, List<Located<DroneReader.Entry>> drones) {
-    List<DroneSetup> setups =
-        drones.isEmpty()
-            ? SimConfig.DEFAULT.drones()
-            : drones.stream().map(drone -> drone.value().setup()).toList();
+    List<DroneSetup> setups = values(drones).stream().map(DroneReader.Entry::setup).toList();
     TimeFactor factor =
         scenario.read("time-factor", ScenarioReader::timeFactor, TimeFactor.REAL_TIME);
     Value<Long> seed =

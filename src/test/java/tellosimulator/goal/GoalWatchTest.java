@@ -167,7 +167,7 @@ class GoalWatchTest {
 
     drones.fly(1, "command", "takeoff", "land");
     assertThat(watch.progress().count()).isZero();
-    drones.fly(2, "command", "takeoff", "left 60", "land");
+    drones.fly(2, "command", "takeoff", "left 30", "land");
     assertThat(watch.progress().count()).isEqualTo(1);
   }
 

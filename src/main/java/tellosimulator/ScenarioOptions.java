@@ -1,0 +1,122 @@
+package tellosimulator;
+
+import java.io.IOException;
+import java.io.PrintStream;
+import java.nio.file.Files;
+import java.nio.file.InvalidPathException;
+import java.nio.file.Path;
+import java.util.Objects;
+import java.util.Optional;
+import java.util.stream.Stream;
+import picocli.CommandLine.ITypeConverter;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.TypeConversionException;
+import tellosimulator.scenario.Gallery;
+import tellosimulator.scenario.Scenario;
+import tellosimulator.scenario.ScenarioException;
+import tellosimulator.scenario.ScenarioFile;
+import tellosimulator.scenery.room.PictureFile;
+import tellosimulator.world.Arena;
+import tellosimulator.world.Poster;
+
+/** The options that say which scenario is flown. */
+final class ScenarioOptions {
+
+  static final String EXIT_WHEN_DONE = "--exit-when-done";
+
+  @Option(
+      names = "--scenario",
+      paramLabel = "FILE|NAME",
+      converter = ByFileOrName.class,
+      description =
+          "Room, drones and goals from a file, or from one of the scenarios that come with the"
+              + " program. Options that are given beside it count more than what it says, but"
+              + " --drones, --room and --start do not go with it.")
+  private Scenario scenario;
+
+  @Option(
+      names = "--scenarios",
+      description = "List the scenarios that come with the program, and end.")
+  private boolean list;
+
+  @Option(
+      names = EXIT_WHEN_DONE,
+      description =
+          "End when the goals of the scenario are reached or missed, after a line that says so:"
+              + " exit code 0 if all were reached, 3 if not. Only with --headless.")
+  private boolean exitWhenDone;
+
+  Optional<Scenario> scenario() {
+    return Optional.ofNullable(scenario);
+  }
+
+  boolean list() {
+    return list;
+  }
+
+  boolean exitWhenDone() {
+    return exitWhenDone;
+  }
+
+  /** Says which scenarios there are. */
+  static void list(PrintStream out) {
+    int longest = Gallery.NAMES.stream().mapToInt(String::length).max().orElse(0);
+    for (String name : Gallery.NAMES) {
+      String gap = " ".repeat(longest - name.length() + 2);
+      out.println(name + gap + Gallery.find(name).orElseThrow().teaches());
+    }
+  }
+
+  /**
+   * Looks whether all pictures of a room can be read.
+   *
+   * @throws IllegalArgumentException with a sentence, if one cannot
+   */
+  static void checkPictures(Arena arena) {
+    Stream<String> onWalls = arena.decor().posters().stream().map(Poster::picture);
+    Stream<String> onObstacles =
+        arena.obstacles().stream().flatMap(each -> each.cover().pictures().values().stream());
+    Stream.concat(onWalls, onObstacles).distinct().forEach(ScenarioOptions::checkPicture);
+  }
+
+  private static void checkPicture(String file) {
+    try {
+      Objects.requireNonNull(PictureFile.read(file));
+    } catch (IOException e) {
+      throw new IllegalArgumentException(e.getMessage(), e);
+    }
+  }
+
+  /** A file counts more than a scenario of the program that has the same name. */
+  static final class ByFileOrName implements ITypeConverter<Scenario> {
+    @Override
+    public Scenario convert(String word) throws ScenarioException {
+      Path file = path(word);
+      Optional<Scenario> known = Gallery.find(word);
+      if (Files.exists(file) || (known.isEmpty() && looksLikeAFile(word))) {
+        return ScenarioFile.read(file);
+      }
+      return known.orElseThrow(() -> new TypeConversionException(unknown(word)));
+    }
+
+    private static boolean looksLikeAFile(String word) {
+      return word.matches(".*([./\\\\]).*");
+    }
+
+    private static Path path(String word) {
+      try {
+        return Path.of(word);
+      } catch (InvalidPathException e) {
+        throw new TypeConversionException(unknown(word));
+      }
+    }
+
+    private static String unknown(String word) {
+      String guess =
+          Gallery.meant(word)
+              .map(name -> ", did you mean " + name + "?")
+              .orElse("; see --scenarios");
+      return "there is neither a file nor a scenario " + word + guess;
+    }
+  }
+}

@@ -1,0 +1,195 @@
+package tellosimulator.scenario;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+import tellosimulator.goal.GoalWatch;
+import tellosimulator.goal.Progress;
+import tellosimulator.goal.Progress.Status;
+import tellosimulator.sim.SimEvent;
+import tellosimulator.testing.SimulatedDrones;
+
+/** Flies each scenario that comes with the program: once well, and once as beginners do. */
+class GalleryTest {
+
+  private static final Path FOLDER = Path.of("src/main/resources/tellosimulator/scenario");
+
+  private final List<SimEvent> news = new ArrayList<>();
+
+  private static List<String> names() {
+    return Gallery.NAMES;
+  }
+
+  @Test
+  void tenScenariosComeWithTheProgramAndAllAreListed() throws IOException {
+    try (Stream<Path> files = Files.list(FOLDER)) {
+      assertThat(files.map(file -> file.getFileName().toString().replace(".yaml", "")))
+          .containsExactlyInAnyOrderElementsOf(Gallery.NAMES)
+          .hasSize(10);
+    }
+  }
+
+  @ParameterizedTest
+  @MethodSource("names")
+  void eachHasANameALessonGoalsAndATimeLimit(String name) {
+    Scenario scenario = Gallery.find(name).orElseThrow();
+
+    assertThat(scenario.name()).isNotEmpty();
+    assertThat(scenario.teaches()).matches("(to|that) .*").hasSizeLessThan(100);
+    assertThat(scenario.challenge().goals()).isNotEmpty();
+    assertThat(scenario.challenge().timeLimit()).isPresent();
+  }
+
+  @Test
+  void aNameThatIsNotThereIsGuessed() {
+    assertThat(Gallery.find("slalon")).isEmpty();
+    assertThat(Gallery.meant("slalon")).contains("slalom");
+  }
+
+  @Test
+  void emptyRoom() {
+    String[] square = {"forward 100", "ccw 90", "forward 100", "ccw 90", "forward 100"};
+    reaches("empty-room", "takeoff; " + String.join("; ", square) + "; ccw 90; forward 100; land");
+
+    String toTheRight = String.join("; ", square).replace("ccw", "cw");
+    misses("empty-room", "takeoff; " + toTheRight + "; cw 90; forward 100; land", 1);
+  }
+
+  @Test
+  void overTheWall() {
+    reaches("over-the-wall", "takeoff; up 120; forward 300; land");
+    fails("over-the-wall", "takeoff; forward 300; land", "drone 1 touched the obstacle wall");
+  }
+
+  @Test
+  void slalom() {
+    reaches(
+        "slalom",
+        "takeoff; go 100 60 0 60; go 100 -120 0 60; go 100 120 0 60; go 100 -60 0 60; land");
+    fails("slalom", "takeoff; forward 400; land", "drone 1 touched the obstacle first pole");
+  }
+
+  @Test
+  void tableLanding() {
+    reaches("table-landing", "takeoff; up 80; forward 150; left 100; land");
+    misses("table-landing", "takeoff; up 80; forward 150; left 85; land", 0);
+  }
+
+  @Test
+  void windowInTheWall() {
+    reaches("window-in-the-wall", "takeoff; up 110; left 60; forward 300; land");
+    fails(
+        "window-in-the-wall",
+        "takeoff; up 110; forward 300; land",
+        "drone 1 touched the obstacle window");
+  }
+
+  @Test
+  void gateRace() {
+    String race =
+        "takeoff; up 70; forward 150; up 50; forward 200; ccw 90; down 30; forward 200; forward 50;"
+            + " land";
+    reaches("gate-race", race);
+    fails("gate-race", race.replace("takeoff;", "takeoff; speed 15;"), "time is over");
+  }
+
+  @Test
+  void wind() {
+    reaches("wind", "takeoff; forward 300; sleep 3; land");
+    Flight steered = flight("wind");
+    steered.drones.fly("command", "takeoff");
+    steered.drones.send(1, "rc 0 60 0 0");
+    steered.drones.advance(6);
+    steered.drones.send(1, "rc 0 0 0 0");
+    steered.drones.advance(4);
+    steered.drones.fly("land");
+    assertThat(steered.progress().count()).isZero();
+  }
+
+  @Test
+  void padCourse() {
+    reaches(
+        "pad-course",
+        "mon; mdirection 0; takeoff; up 50; jump 150 0 80 60 0 m1 m2; jump 150 0 80 60 0 m2 m3;"
+            + " jump 150 0 80 60 0 m3 m4; land");
+    misses(
+        "pad-course",
+        "mon; mdirection 0; takeoff; up 50; jump 150 0 80 60 0 m1 m2; jump 0 150 80 60 0 m2 m3;"
+            + " jump 150 0 80 60 0 m3 m4; land",
+        1);
+  }
+
+  @Test
+  void wallPad() {
+    reaches("wall-pad", "mon; mdirection 1; takeoff; up 90; ccw 90; forward 150; sleep 4; land");
+    misses("wall-pad", "mon; mdirection 1; takeoff; up 90; cw 90; forward 150; sleep 4; land", 0);
+  }
+
+  @Test
+  void swarmStage() {
+    Flight good = flight("swarm-stage");
+    good.drones.flyAll("command", "takeoff");
+    good.drones.flyTogether(List.of("up 60", "forward 100", "up 150"));
+    good.drones.flyTogether(List.of("right 300", "up 30", "left 300"));
+    good.drones.flyAll("land");
+    assertThat(good.progress().status()).as("%s", good.progress()).isEqualTo(Status.REACHED);
+
+    Flight bad = flight("swarm-stage");
+    bad.drones.flyAll("command", "takeoff");
+    bad.drones.flyTogether(List.of("up 60", "forward 100", "up 60"));
+    bad.drones.flyTogether(List.of("right 300", "up 30", "left 300"));
+    assertThat(bad.progress().status()).as("%s", bad.progress()).isEqualTo(Status.FAILED);
+    assertThat(bad.progress().failure().orElseThrow().english()).contains("drone");
+  }
+
+  private void reaches(String scenario, String program) {
+    Progress progress = flown(scenario, program);
+    assertThat(progress.status()).as("%s, %s", progress, news).isEqualTo(Status.REACHED);
+  }
+
+  /** The program ends, and has reached only so many goals. */
+  private void misses(String scenario, String program, int reached) {
+    Progress progress = flown(scenario, program);
+    assertThat(progress.status()).as("%s", progress).isEqualTo(Status.RUNNING);
+    assertThat(progress.count()).as("%s", progress).isEqualTo(reached);
+  }
+
+  private void fails(String scenario, String program, String reason) {
+    Progress progress = flown(scenario, program);
+    assertThat(progress.status()).as("%s", progress).isEqualTo(Status.FAILED);
+    assertThat(progress.failure().orElseThrow().english()).isEqualTo(reason);
+  }
+
+  private Progress flown(String scenario, String program) {
+    Flight flight = flight(scenario);
+    flight.drones.ask(1, "command");
+    for (String command : program.split("; *", -1)) {
+      if (command.startsWith("sleep ")) {
+        flight.drones.advance(Double.parseDouble(command.substring("sleep ".length())));
+      } else {
+        flight.drones.ask(1, command);
+      }
+    }
+    return flight.progress();
+  }
+
+  private Flight flight(String name) {
+    Scenario scenario = Gallery.find(name).orElseThrow();
+    GoalWatch watch = new GoalWatch(scenario.challenge(), news::add);
+    return new Flight(watch, new SimulatedDrones(scenario.config(), List.of(watch)));
+  }
+
+  private record Flight(GoalWatch watch, SimulatedDrones drones) {
+    Progress progress() {
+      return watch.progress();
+    }
+  }
+}
