@@ -59,6 +59,7 @@ public final class Benchmarks {
   private static Map<String, Part> parts() {
     Map<String, Part> parts = new LinkedHashMap<>();
     parts.put("speed", minutes -> SpeedBenchmark.all());
+    parts.put("scenario", minutes -> ScenarioBenchmark.all());
     parts.put("wire", minutes -> wire());
     parts.put("video", minutes -> VideoBenchmark.all());
     parts.put("stream", StreamBenchmark::all);
