@@ -3,6 +3,7 @@ package tellosimulator.scenario;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.regex.Pattern;
 import java.util.stream.DoubleStream;
 import org.snakeyaml.engine.v2.api.Dump;
 import org.snakeyaml.engine.v2.api.DumpSettings;
@@ -22,6 +23,10 @@ import org.snakeyaml.engine.v2.nodes.Tag;
 final class Yaml {
 
   private static final int WIDTH = 100;
+
+  /** Texts that are more than text in YAML 1.1, which many editors read, or look like it. */
+  private static final Pattern NEEDS_QUOTES =
+      Pattern.compile("(?i)\\P{L}.*|y|yes|n|no|on|off|true|false|null");
 
   private final List<NodeTuple> tuples = new ArrayList<>();
   private final FlowStyle style;
@@ -135,7 +140,8 @@ final class Yaml {
   }
 
   private static Node text(String value) {
-    return new ScalarNode(Tag.STR, value, ScalarStyle.PLAIN);
+    boolean quoted = NEEDS_QUOTES.matcher(value).matches();
+    return new ScalarNode(Tag.STR, value, quoted ? ScalarStyle.DOUBLE_QUOTED : ScalarStyle.PLAIN);
   }
 
   private static Node number(double value) {

@@ -49,6 +49,15 @@ class GalleryTest {
   }
 
   @Test
+  void theReadmeListsThemWithWhatTheyTeach() throws IOException {
+    String readme = Files.readString(Path.of("README.md")).replaceAll("`(go|rc)`", "$1");
+    for (String name : Gallery.NAMES) {
+      String teaches = Gallery.find(name).orElseThrow().teaches();
+      assertThat(readme).contains("| `" + name + "` | " + teaches + " |");
+    }
+  }
+
+  @Test
   void aNameThatIsNotThereIsGuessed() {
     assertThat(Gallery.find("slalon")).isEmpty();
     assertThat(Gallery.meant("slalon")).contains("slalom");

@@ -1,0 +1,159 @@
+package tellosimulator.scenario;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.catchThrowableOfType;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.ObjectMapper;
+import com.networknt.schema.Error;
+import com.networknt.schema.InputFormat;
+import com.networknt.schema.Schema;
+import com.networknt.schema.SchemaRegistry;
+import com.networknt.schema.SpecificationVersion;
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Locale;
+import java.util.Set;
+import java.util.SplittableRandom;
+import java.util.TreeSet;
+import java.util.regex.Pattern;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
+import org.junit.jupiter.params.provider.MethodSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** The schema, with which editors check scenario files, and the program say the same. */
+class ScenarioSchemaTest {
+
+  private static final Path FILE = Path.of("docs/scenario.schema.json");
+  private static final Path PAGE = Path.of("docs/scenarios.md");
+  private static final Pattern EXAMPLE =
+      Pattern.compile("^```yaml\n(.*?)^```", Pattern.MULTILINE | Pattern.DOTALL);
+
+  private static final Schema SCHEMA =
+      SchemaRegistry.withDefaultDialect(SpecificationVersion.DRAFT_2020_12)
+          .getSchema(text(FILE), InputFormat.JSON);
+
+  @TempDir private Path folder;
+
+  private static List<String> names() {
+    return Gallery.NAMES;
+  }
+
+  private static List<String> examples() {
+    return EXAMPLE.matcher(text(PAGE)).results().map(match -> match.group(1)).toList();
+  }
+
+  @ParameterizedTest
+  @EnumSource
+  void schemaAndProgramKnowTheSameKeys(Kind kind) throws IOException {
+    JsonNode root = new ObjectMapper().readTree(text(FILE));
+    String name = kind.name().toLowerCase(Locale.ROOT).replace('_', '-');
+    JsonNode section = kind == Kind.SCENARIO ? root : root.get("$defs").get(name);
+    Set<String> keys = new TreeSet<>();
+    section.get("properties").fieldNames().forEachRemaining(keys::add);
+
+    assertThat(keys).containsExactlyInAnyOrderElementsOf(kind.keys());
+    assertThat(section.get("additionalProperties").asBoolean(true)).isFalse();
+  }
+
+  @ParameterizedTest
+  @MethodSource("names")
+  void theScenariosOfTheProgramAreValid(String name) throws IOException {
+    try (InputStream input = Gallery.class.getResourceAsStream(name + ".yaml")) {
+      assertThat(errors(new String(input.readAllBytes(), StandardCharsets.UTF_8))).isEmpty();
+    }
+  }
+
+  @ParameterizedTest
+  @MethodSource("examples")
+  void theExamplesOfThePageAreValidAndCanBeRead(String example) throws Exception {
+    assertThat(errors(example)).isEmpty();
+    assertThat(read(example)).isNotNull();
+  }
+
+  @Test
+  void thePageHasAnExampleOfEveryKey() {
+    String examples = String.join("", examples());
+    for (Kind kind : Kind.values()) {
+      assertThat(examples).contains(kind.keys().stream().map(key -> key + ":").toList());
+    }
+  }
+
+  @Test
+  void whatTheProgramWritesIsValid() throws IOException {
+    SplittableRandom random = new SplittableRandom(5);
+    for (int i = 0; i < 50; i++) {
+      Path file = folder.resolve("written.yaml");
+      ScenarioFile.write(new RandomScenario(random).next(), file);
+      assertThat(errors(text(file))).as("%s", text(file)).isEmpty();
+    }
+  }
+
+  @ParameterizedTest
+  @ValueSource(
+      strings = {
+        "room: {width: abc}",
+        "room: {width: 50}",
+        "room: {width: \"500\"}",
+        "room: {length: 500}",
+        "rom: {}",
+        "name: 5",
+        "walls: papered",
+        "grid: 5",
+        "posters: [{wall: front, height: 100, width: 30}]",
+        "obstacles: [{}]",
+        "obstacles: [{box: {at: [0, 0], size: [1, 1]}}]",
+        "obstacles: [{box: {at: [99, 0], size: [1, 1, 1]}, wall: {}}]",
+        "obstacles: [{box: {at: [99, 0], size: [1, 1, 1], colour: rainbow}}]",
+        "obstacles: [{cylinder: {at: [99, 0], radius: 5}}]",
+        "obstacles: [{gate: {at: [99, 0], shape: ring, centre: 100}}]",
+        "obstacles: [{gate: {at: [99, 0], shape: ring, centre: 90, diameter: 80, width: 5}}]",
+        "obstacles: [{gate: {at: [99, 0], shape: frame, centre: 90, width: 80}}]",
+        "pads: [{id: 9, at: [0, 0]}]",
+        "pads: [{id: 1}]",
+        "pads: [{id: 1, wall: left, height: 100, at: [0, 0]}]",
+        "pads: [{id: 1, at: [0, 0], rotation: 5}]",
+        "drones: [{}]",
+        "drones: [{start: [0, 0], battery: 101}]",
+        "drones: [{start: [0, 0], address: here}]",
+        "drones: [{start: [0, 0], command-port: 0}]",
+        "wind: {speed: -1}",
+        "time-factor: fast",
+        "seed: 1.5",
+        "goals: [{hover: {at: [0, 0, 30]}}]",
+        "goals: [{pass: {}}]",
+        "goals: [{land-on: {pad: 0}}]",
+        "in-order: 1",
+        "touch: never",
+        "time-limit: 0"
+      })
+  void whatTheProgramRefusesTheSchemaRefusesToo(String text) {
+    assertThat(errors(text)).isNotEmpty();
+    assertThat(catchThrowableOfType(ScenarioException.class, () -> read(text))).isNotNull();
+  }
+
+  private static List<Error> errors(String yaml) {
+    return SCHEMA.validate(yaml, InputFormat.YAML);
+  }
+
+  private Scenario read(String yaml) throws IOException, ScenarioException {
+    Files.writeString(folder.resolve("face.png"), "");
+    return ScenarioFile.read(Files.writeString(folder.resolve("example.yaml"), yaml));
+  }
+
+  private static String text(Path file) {
+    try {
+      return Files.readString(file);
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+  }
+}
