@@ -123,9 +123,9 @@ public final class Main {
 
   private int simulateInWindow(Settings settings, WindowState state)
       throws InterruptedException, PortTakenException {
-    try (SimulatorApp app =
-        new SimulatorApp(
-            options.simConfig(), options.addressPlan(), options.replyPort(), options.optics())) {
+    SimulatorApp.Rules rules =
+        new SimulatorApp.Rules(options::applied, options::addressPlan, options.replyPort());
+    try (SimulatorApp app = new SimulatorApp(options.openedScenario(), rules, options.optics())) {
       Runtime.getRuntime().addShutdownHook(new Thread(app::close, "shutdown"));
       if (options.on()) {
         app.switchAllOn();

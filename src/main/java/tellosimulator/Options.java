@@ -24,6 +24,7 @@ import tellosimulator.sim.SimConfig.Product;
 import tellosimulator.sim.Swarm;
 import tellosimulator.time.TimeFactor;
 import tellosimulator.video.camera.DroneOptics;
+import tellosimulator.view.OpenedScenario;
 import tellosimulator.world.Decor;
 import tellosimulator.world.Poster;
 import tellosimulator.world.Room;
@@ -279,7 +280,30 @@ final class Options {
    * @throws IllegalArgumentException with a sentence, if options do not fit together
    */
   Scenario scenario() {
-    Scenario base = scenarioOptions.scenario().map(this::alone).orElseGet(this::emptyRoom);
+    return changed(scenarioOptions.scenario().map(this::alone).orElseGet(this::emptyRoom));
+  }
+
+  /** The same, and from where it came. */
+  OpenedScenario openedScenario() {
+    return scenarioOptions
+        .opened()
+        .map(opened -> opened.with(scenario()))
+        .orElseGet(() -> OpenedScenario.once(scenario()));
+  }
+
+  /**
+   * A scenario with what the options say about every scenario.
+   *
+   * @throws IllegalArgumentException with a sentence, if they do not fit together, or if a picture
+   *     cannot be read
+   */
+  Scenario applied(Scenario base) {
+    Scenario scenario = changed(base);
+    ScenarioOptions.checkPictures(scenario.config().arena());
+    return scenario;
+  }
+
+  private Scenario changed(Scenario base) {
     Decor decor = base.config().arena().decor();
     List<Poster> all = new ArrayList<>(decor.posters());
     all.addAll(posters);
@@ -349,15 +373,21 @@ final class Options {
    * @throws IllegalArgumentException with a sentence, if options do not fit together
    */
   AddressPlan addressPlan() {
-    if (portPerDrone) {
-      List<InetAddress> addresses =
-          bind == null ? AddressPlan.machineAddresses() : bind.addresses();
-      return AddressPlan.portPerDrone(droneCount(), addresses, commandPort);
-    }
-    if (bind != null && droneCount() == bind.addresses().size()) {
+    droneCount(); // which may fail
+    return addressPlan(scenario());
+  }
+
+  /** The same for any scenario, also one with other drones than there are addresses to bind. */
+  AddressPlan addressPlan(Scenario scenario) {
+    int count = scenario.config().drones().size();
+    if (bind != null && !portPerDrone && count == bind.addresses().size()) {
       return AddressPlan.of(bind.addresses(), commandPort);
     }
-    Scenario scenario = scenario();
+    if (bind != null || portPerDrone) {
+      List<InetAddress> addresses =
+          bind == null ? AddressPlan.machineAddresses() : bind.addresses();
+      return AddressPlan.portPerDrone(count, addresses, commandPort);
+    }
     return given("--command-port")
         ? scenario.withCommandPort(commandPort).addressPlan(commandPort)
         : scenario.addressPlan(commandPort);

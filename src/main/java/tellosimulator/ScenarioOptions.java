@@ -16,6 +16,7 @@ import tellosimulator.scenario.Scenario;
 import tellosimulator.scenario.ScenarioException;
 import tellosimulator.scenario.ScenarioFile;
 import tellosimulator.scenery.room.PictureFile;
+import tellosimulator.view.OpenedScenario;
 import tellosimulator.world.Arena;
 import tellosimulator.world.Poster;
 
@@ -32,7 +33,7 @@ final class ScenarioOptions {
           "Room, drones and goals from a file, or from one of the scenarios that come with the"
               + " program. Options that are given beside it count more than what it says, but"
               + " --drones, --room and --start do not go with it.")
-  private Scenario scenario;
+  private OpenedScenario scenario;
 
   @Option(
       names = "--scenarios",
@@ -47,6 +48,10 @@ final class ScenarioOptions {
   private boolean exitWhenDone;
 
   Optional<Scenario> scenario() {
+    return opened().map(OpenedScenario::scenario);
+  }
+
+  Optional<OpenedScenario> opened() {
     return Optional.ofNullable(scenario);
   }
 
@@ -88,15 +93,17 @@ final class ScenarioOptions {
   }
 
   /** A file counts more than a scenario of the program that has the same name. */
-  static final class ByFileOrName implements ITypeConverter<Scenario> {
+  static final class ByFileOrName implements ITypeConverter<OpenedScenario> {
     @Override
-    public Scenario convert(String word) throws ScenarioException {
+    public OpenedScenario convert(String word) throws ScenarioException {
       Path file = path(word);
       Optional<Scenario> known = Gallery.find(word);
       if (Files.exists(file) || (known.isEmpty() && looksLikeAFile(word))) {
-        return ScenarioFile.read(file);
+        return OpenedScenario.of(ScenarioFile.read(file), file);
       }
-      return known.orElseThrow(() -> new TypeConversionException(unknown(word)));
+      return known
+          .map(scenario -> OpenedScenario.known(scenario, word))
+          .orElseThrow(() -> new TypeConversionException(unknown(word)));
     }
 
     private static boolean looksLikeAFile(String word) {

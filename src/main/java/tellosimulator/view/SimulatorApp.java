@@ -1,46 +1,70 @@
 package tellosimulator.view;
 
+import java.io.IOException;
+import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.concurrent.CountDownLatch;
+import java.util.function.Function;
+import java.util.function.UnaryOperator;
 import javafx.application.Platform;
 import javafx.stage.Stage;
 import tellosimulator.network.AddressPlan;
-import tellosimulator.network.OnlineSimulation;
 import tellosimulator.network.PortTakenException;
-import tellosimulator.sim.SimConfig;
+import tellosimulator.scenario.Gallery;
+import tellosimulator.scenario.Mistake;
+import tellosimulator.scenario.Scenario;
+import tellosimulator.scenario.ScenarioException;
+import tellosimulator.scenario.ScenarioFile;
 import tellosimulator.video.camera.DroneOptics;
+import tellosimulator.view.RunningScenario.Frame;
+import tellosimulator.view.RunningScenario.Wire;
 import tellosimulator.view.layout.WindowState;
 import tellosimulator.view.log.LogFeed;
+import tellosimulator.view.log.LogLevel;
 import tellosimulator.view.settings.Settings;
+import tellosimulator.view.settings.WindowPlacement;
 import tellosimulator.view.text.Language;
-import tellosimulator.view.video.Album;
-import tellosimulator.view.video.WindowVideo;
 
-/** The program with a window. */
-public final class SimulatorApp implements AutoCloseable {
+/** The program with a window, in which one scenario after the other can be opened. */
+public final class SimulatorApp implements AutoCloseable, ScenarioDesk {
 
-  /** Frames that the window shows before filming is warmed up. Decided: half a second. */
-  private static final int FRAMES_BEFORE_WARM_UP = 30;
+  /**
+   * What holds for every scenario.
+   *
+   * @param applied gives a scenario what was said about all; fails with a sentence if it cannot
+   * @param plan says which drone listens where; fails with a sentence if it cannot
+   * @param replyPort port to which all replies go; empty for the port each command came from
+   */
+  public record Rules(
+      UnaryOperator<Scenario> applied,
+      Function<Scenario, AddressPlan> plan,
+      OptionalInt replyPort) {}
 
   private final LogFeed feed = new LogFeed();
-  private final OnlineSimulation simulation;
-  private final WindowVideo video;
+  private final Rules rules;
+  private final DroneOptics optics;
   private final CountDownLatch closed = new CountDownLatch(1);
+  private volatile RunningScenario running;
   private volatile boolean failed;
-  private int frames;
+  private Frame frame;
+  private Optional<FileWatch> watch = Optional.empty();
 
   /**
    * Starts the simulation; all drones are off.
    *
-   * @param replyPort port to which all replies go; empty for the port each command came from
    * @param optics of the drones' cameras
    */
-  public SimulatorApp(
-      SimConfig config, AddressPlan plan, OptionalInt replyPort, DroneOptics optics) {
-    simulation = new OnlineSimulation(config, plan, replyPort, List.of(feed));
-    video = WindowVideo.of(simulation, optics, Album.ofUser());
+  public SimulatorApp(OpenedScenario first, Rules rules, DroneOptics optics) {
+    this.rules = rules;
+    this.optics = optics;
+    running = new RunningScenario(first, wire(first.scenario()), optics, feed);
+  }
+
+  private Wire wire(Scenario scenario) {
+    return new Wire(rules.plan.apply(scenario), rules.replyPort);
   }
 
   /**
@@ -49,12 +73,12 @@ public final class SimulatorApp implements AutoCloseable {
    * @throws PortTakenException if an address or port cannot be had
    */
   public void switchAllOn() throws PortTakenException {
-    simulation.switchAllOn();
+    running.simulation().switchAllOn();
   }
 
-  /** Which drone listens where; see {@link OnlineSimulation#ready}. */
+  /** Which drone listens where; see {@link tellosimulator.network.OnlineSimulation#ready}. */
   public String ready() {
-    return simulation.ready();
+    return running.simulation().ready();
   }
 
   /**
@@ -68,7 +92,7 @@ public final class SimulatorApp implements AutoCloseable {
     Platform.runLater(
         () -> {
           try {
-            open(settings, state);
+            show(new Stage(), settings, state);
           } catch (RuntimeException e) {
             failed = true;
             closed.countDown(); // or the program would go on, with nothing to be seen of it
@@ -80,34 +104,122 @@ public final class SimulatorApp implements AutoCloseable {
     return !failed;
   }
 
-  private void open(Settings settings, WindowState state) {
+  /** Shows the window in a stage. For the JavaFX thread. */
+  void show(Stage stage, Settings settings, WindowState state) {
     Language language = new Language(Locale.getDefault());
     settings.bind("language", language.localeProperty(), Language.codec());
-    ViewContext context = ViewContext.of(simulation, language, video);
-    Stage stage = new Stage();
-    context.pulse().onBeat(nanos -> warmUp());
-    SimulatorWindow window = new SimulatorWindow(stage, context, state, feed);
-    window.remember(settings);
+    frame = new Frame(stage, language, state, settings);
     stage.setOnHidden(
         hidden -> {
-          window.close();
+          running.leave();
           settings.save();
           closed.countDown();
         });
-    window.show();
+    WindowPlacement.remember(stage, settings);
+    show(running);
   }
 
-  /** Opening the window has the machine to itself. */
-  private void warmUp() {
-    frames++;
-    if (frames == FRAMES_BEFORE_WARM_UP) {
-      video.warmUp();
+  private void show(RunningScenario scenario) {
+    scenario.showIn(frame, this);
+    watch = scenario.opened().file().map(FileWatch::new);
+    scenario.pulse().onBeat(this::lookAtFile);
+  }
+
+  private void lookAtFile(long nanos) {
+    if (watch.isPresent() && watch.get().changed(nanos)) {
+      feed.say(
+          LogLevel.INFO,
+          language -> language.messages(SimulatorApp.class).now("scenario-changed", name()));
+      Platform.runLater(this::reload); // not within the beat that it ends
+    }
+  }
+
+  private String name() {
+    return running.opened().file().map(Path::toString).orElse("");
+  }
+
+  // --- the desk ---
+
+  @Override
+  public void open(Path file) {
+    try {
+      replaceBy(OpenedScenario.of(ScenarioFile.read(file), file));
+    } catch (ScenarioException e) {
+      complain(e.mistakes().stream().map(SimulatorApp::saying).toList());
     }
   }
 
   @Override
+  public void openKnown(String name) {
+    Gallery.find(name).ifPresent(known -> replaceBy(OpenedScenario.known(known, name)));
+  }
+
+  @Override
+  public void reload() {
+    OpenedScenario opened = running.opened();
+    opened.file().ifPresent(this::open);
+    opened.known().ifPresent(this::openKnown);
+  }
+
+  @Override
+  public void save(Path file) {
+    try {
+      ScenarioFile.write(running.present(), file);
+      feed.say(
+          LogLevel.INFO,
+          language -> language.messages(SimulatorApp.class).now("scenario-saved", file));
+      running.savedAs(file);
+      watch = Optional.of(new FileWatch(file));
+    } catch (IOException e) {
+      feed.say(
+          LogLevel.ERROR,
+          language ->
+              language
+                  .messages(SimulatorApp.class)
+                  .now("scenario-not-saved", file, e.getMessage()));
+    }
+  }
+
+  /** Ends what is flown and begins something else, in the same stage. */
+  private void replaceBy(OpenedScenario chosen) {
+    OpenedScenario next;
+    Wire wire;
+    try {
+      next = chosen.with(rules.applied.apply(chosen.scenario()));
+      wire = wire(next.scenario());
+    } catch (IllegalArgumentException e) {
+      complain(List.of(language -> title(chosen) + ": " + e.getMessage()));
+      return;
+    }
+    boolean on = running.on();
+    running.leave();
+    running.forget();
+    running.close();
+    running = new RunningScenario(next, wire, optics, feed);
+    feed.say(
+        LogLevel.INFO,
+        language -> language.messages(SimulatorApp.class).now("scenario-opened", title(next)));
+    show(running);
+    if (on) {
+      running.switchOn();
+    }
+  }
+
+  private static String title(OpenedScenario opened) {
+    return opened.file().map(Path::toString).orElse(opened.scenario().name());
+  }
+
+  private static Function<Language, String> saying(Mistake mistake) {
+    return language -> mistake.in(language.translation());
+  }
+
+  private void complain(List<Function<Language, String>> mistakes) {
+    mistakes.forEach(mistake -> feed.say(LogLevel.ERROR, mistake));
+    running.show(mistakes);
+  }
+
+  @Override
   public void close() {
-    video.close();
-    simulation.close();
+    running.close();
   }
 }

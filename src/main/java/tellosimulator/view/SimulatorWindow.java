@@ -1,5 +1,7 @@
 package tellosimulator.view;
 
+import java.util.List;
+import java.util.function.Function;
 import javafx.application.Application;
 import javafx.beans.property.BooleanProperty;
 import javafx.beans.property.DoubleProperty;
@@ -10,11 +12,13 @@ import javafx.scene.input.KeyCombination;
 import javafx.scene.layout.StackPane;
 import javafx.scene.layout.VBox;
 import javafx.stage.Stage;
+import javafx.util.Subscription;
 import tellosimulator.math.Frames;
 import tellosimulator.sim.Control;
 import tellosimulator.view.controls.DroneList;
 import tellosimulator.view.controls.NetworkControls;
 import tellosimulator.view.controls.SimulatorControls;
+import tellosimulator.view.goal.GoalPanel;
 import tellosimulator.view.layout.PageOverlay;
 import tellosimulator.view.layout.SimulatorPane;
 import tellosimulator.view.layout.WindowBar;
@@ -28,7 +32,7 @@ import tellosimulator.view.pilot.PilotControls;
 import tellosimulator.view.plan.PlanPane;
 import tellosimulator.view.settings.Codec;
 import tellosimulator.view.settings.Settings;
-import tellosimulator.view.settings.WindowPlacement;
+import tellosimulator.view.text.Language;
 import tellosimulator.view.video.Keeper;
 import tellosimulator.view.world.Simulator3DScene;
 import tellosimulator.view.world.ViewCamera;
@@ -48,6 +52,16 @@ public final class SimulatorWindow implements AutoCloseable {
   /** Between what lies over the scene's corner [px]. */
   private static final double ASIDE_GAP = 8;
 
+  /** What {@link #remember} binds. */
+  private static final List<String> REMEMBERED =
+      List.of(
+          "show.trail",
+          "show.inset",
+          "show.inset-enlarged",
+          "show.smooth-edges",
+          "log.time-stamps",
+          "grid-cm");
+
   private final Stage stage;
   private final ViewContext context;
   private final WindowState state;
@@ -58,7 +72,10 @@ public final class SimulatorWindow implements AutoCloseable {
   private final PlanPane plan;
   private final LogBox log;
   private final PageOverlay pages;
+  private final WindowBar bar;
+  private final GoalPanel goals;
   private final Scene scene;
+  private Subscription following;
 
   /**
    * Builds the window, and does not show it yet.
@@ -77,11 +94,14 @@ public final class SimulatorWindow implements AutoCloseable {
     world = new Simulator3DScene(context);
     pilot = new PilotControls(context);
     simulatorControls = new SimulatorControls(context);
+    goals = new GoalPanel(context);
     drones = new DroneList(context);
     plan = new PlanPane(context);
     log = new LogBox(context, feed);
     pages = new PageOverlay(context);
-    scene = new Scene(new StackPane(pane(), pages), FIRST_WIDTH, FIRST_HEIGHT);
+    bar = new WindowBar(context, state, world, pages);
+    scene = new Scene(new StackPane(pane(), pages), width(stage), height(stage));
+    following = stage.fullScreenProperty().subscribe(state.fullScreenProperty()::set);
     setupKeys();
     setupBindings();
     context.actions().onRefused((refusal, drone) -> feed.cannotSwitchOn(drone, refusal));
@@ -94,16 +114,35 @@ public final class SimulatorWindow implements AutoCloseable {
                     report.drone(),
                     report.phrase()));
     stage.setScene(scene);
-    stage.setTitle("Tello Simulator");
+    following =
+        following.and(context.scenario().fileProperty().subscribe(file -> stage.setTitle(title())));
     stage.setFullScreenExitHint("");
     stage.setFullScreenExitKeyCombination(KeyCombination.NO_MATCH);
+  }
+
+  private String title() {
+    FxScenario scenario = context.scenario();
+    String name =
+        scenario
+            .file()
+            .map(file -> file.getFileName().toString())
+            .orElse(scenario.scenario().name());
+    return name.isEmpty() ? "Tello Simulator" : name + " – Tello Simulator";
+  }
+
+  private static double width(Stage stage) {
+    return stage.getScene() == null ? FIRST_WIDTH : stage.getScene().getWidth();
+  }
+
+  private static double height(Stage stage) {
+    return stage.getScene() == null ? FIRST_HEIGHT : stage.getScene().getHeight();
   }
 
   private SimulatorPane pane() {
     return new SimulatorPane(
         new SimulatorPane.Parts(
-            new WindowBar(context, state, world, pages),
-            new SimulatorPane.Middle(world, new VBox(ASIDE_GAP, drones), pilot, plan),
+            bar,
+            new SimulatorPane.Middle(world, new VBox(ASIDE_GAP, goals, drones), pilot, plan),
             simulatorControls,
             new NetworkControls(context),
             log),
@@ -133,6 +172,10 @@ public final class SimulatorWindow implements AutoCloseable {
         .on(WindowKey.DRONE_CAMERA, this::switchCamera)
         .on(WindowKey.NEXT_DRONE, () -> context.simulation().selectNext(1))
         .on(WindowKey.PREVIOUS_DRONE, () -> context.simulation().selectNext(-1))
+        .on(WindowKey.OPEN_SCENARIO, bar.scenarios()::chooseToOpen)
+        .on(WindowKey.SAVE_SCENARIO, bar.scenarios()::chooseToSave)
+        .on(WindowKey.RELOAD_SCENARIO, context.scenario().desk()::reload)
+        .on(WindowKey.AGAIN, goals::again)
         .on(WindowKey.SEARCH_LOG, this::searchLog)
         .on(WindowKey.QUIT, stage::hide)
         .install(scene);
@@ -173,7 +216,6 @@ public final class SimulatorWindow implements AutoCloseable {
     plan.shownProperty().bindBidirectional(state.planShownProperty());
     plan.shownProperty().subscribe(this::giveKeys);
     state.fullScreenProperty().subscribe(stage::setFullScreen);
-    stage.fullScreenProperty().subscribe(full -> state.fullScreenProperty().set(full));
     simulatorControls
         .droneCameraProperty()
         .subscribe(
@@ -194,16 +236,22 @@ public final class SimulatorWindow implements AutoCloseable {
     }
   }
 
-  /** Is at first as it was left, and remembers how it is left. */
+  /** Is at first as it was left, and remembers how it is left; not where it is. */
   public void remember(Settings settings) {
-    WindowPlacement.remember(stage, settings);
     settings.bind("show.trail", world.trailVisibleProperty(), Codec.flag());
     settings.bind("show.inset", world.insetVisibleProperty(), Codec.flag());
     settings.bind("show.inset-enlarged", world.insetEnlargedProperty(), Codec.flag());
     settings.bind("show.smooth-edges", world.antialiasingProperty(), Codec.flag());
     settings.bind("log.time-stamps", log.timeStampsProperty(), Codec.flag());
-    rememberGrid(settings);
+    if (context.scenario().plain()) {
+      rememberGrid(settings);
+    }
     context.pulse().onBeat(settings::beat);
+  }
+
+  /** Lets another window of the same program remember. */
+  public void forget(Settings settings) {
+    REMEMBERED.forEach(settings::unbind);
   }
 
   private void rememberGrid(Settings settings) {
@@ -226,20 +274,30 @@ public final class SimulatorWindow implements AutoCloseable {
     return Math.rint(Frames.centimetres(decor.grid()) * 1000) / 1000;
   }
 
-  /** Opens it. */
+  /** Opens it, or takes the place of another one in the same stage. */
   public void show() {
     context.pulse().start();
+    boolean opens = !stage.isShowing();
     stage.show();
     world.requestFocus(); // or the first button would have it, and Space would press that
-    OpeningSize.hold(stage);
-    FrameLog.begin();
+    if (opens) {
+      OpeningSize.hold(stage);
+      FrameLog.begin();
+    }
   }
 
-  /** Ends what it does beside showing. */
+  /** Says what is wrong with a scenario. */
+  void show(List<Function<Language, String>> mistakes) {
+    pages.show(mistakes);
+  }
+
+  /** Ends what it does beside showing; what its log showed, the next one shows. */
   @Override
   public void close() {
+    following.unsubscribe();
     context.pulse().stop();
     world.rest();
     pilot.close();
+    log.handOver();
   }
 }

@@ -1,6 +1,11 @@
 package tellosimulator.view;
 
+import java.util.List;
 import tellosimulator.network.OnlineSimulation;
+import tellosimulator.scenario.Scenario;
+import tellosimulator.sim.DroneSetup;
+import tellosimulator.sim.SimConfig;
+import tellosimulator.sim.SimSnapshot.DroneSnapshot;
 import tellosimulator.view.text.Language;
 import tellosimulator.view.video.WindowVideo;
 
@@ -12,19 +17,39 @@ import tellosimulator.view.video.WindowVideo;
  * @param language in which it speaks
  * @param pulse when it moves on
  * @param video what the drones film
+ * @param scenario what the drones shall do
  */
 public record ViewContext(
     FxSimulation simulation,
     SimulatorActions actions,
     Language language,
     Pulse pulse,
-    WindowVideo video) {
+    WindowVideo video,
+    FxScenario scenario) {
+
+  /** The context of a window on a running simulation that nobody asks for anything. */
+  public static ViewContext of(OnlineSimulation online, Language language, WindowVideo video) {
+    List<DroneSetup> drones =
+        SimConfig.alike(online.snapshot().drones().stream().map(DroneSnapshot::start).toList());
+    return of(
+        online,
+        language,
+        video,
+        FxScenario.none(Scenario.of(SimConfig.DEFAULT.withDrones(drones))));
+  }
 
   /** The context of a window on a running simulation. */
-  public static ViewContext of(OnlineSimulation online, Language language, WindowVideo video) {
+  public static ViewContext of(
+      OnlineSimulation online, Language language, WindowVideo video, FxScenario scenario) {
     FxSimulation simulation = new FxSimulation(online.snapshot());
-    Pulse pulse = new Pulse(() -> simulation.update(online.snapshot()));
+    Pulse pulse =
+        new Pulse(
+            () -> {
+              simulation.update(online.snapshot());
+              scenario.update();
+            });
     pulse.onBeat(nanos -> video.advance());
-    return new ViewContext(simulation, new SimulatorActions(online), language, pulse, video);
+    return new ViewContext(
+        simulation, new SimulatorActions(online), language, pulse, video, scenario);
   }
 }

@@ -40,6 +40,7 @@ import tellosimulator.video.camera.DroneOptics;
 import tellosimulator.view.layout.WindowState;
 import tellosimulator.view.log.LogFeed;
 import tellosimulator.view.settings.Settings;
+import tellosimulator.view.settings.WindowPlacement;
 import tellosimulator.view.text.Language;
 import tellosimulator.view.video.Album;
 import tellosimulator.view.video.WindowVideo;
@@ -112,6 +113,7 @@ final class WholeWindow implements AutoCloseable {
     context = ViewContext.of(simulation, language, video);
     stage = new Stage(StageStyle.UNDECORATED);
     window = new SimulatorWindow(stage, context, state, feed);
+    WindowPlacement.remember(stage, settings);
     window.remember(settings);
     stage.setOnHidden(
         hidden -> {

@@ -1,16 +1,19 @@
 package tellosimulator.view.layout;
 
 import atlantafx.base.controls.ModalPane;
+import java.util.List;
 import java.util.Optional;
+import java.util.function.Function;
 import javafx.scene.Node;
 import javafx.scene.control.Button;
 import javafx.scene.layout.StackPane;
 import tellosimulator.view.ViewContext;
+import tellosimulator.view.text.Language;
 
 /**
- * The pages that lie over the window: help and about. Lies over everything else in the window's
- * root, and is not there while no page is open. Closed by Esc, by a click beside the page, or by
- * the page's button. For the JavaFX thread.
+ * The pages that lie over the window: help, about, and what is wrong with a scenario. Lies over
+ * everything else in the window's root, and is not there while no page is open. Closed by Esc, by a
+ * click beside the page, or by the page's button. For the JavaFX thread.
  */
 public final class PageOverlay extends StackPane {
 
@@ -41,6 +44,12 @@ public final class PageOverlay extends StackPane {
   public void showAbout() {
     AboutPage about = new AboutPage(context);
     show(about, about.closeButton());
+  }
+
+  /** Says what is wrong with a scenario. */
+  public void show(List<Function<Language, String>> mistakes) {
+    MistakesPage page = new MistakesPage(context, mistakes);
+    show(page, page.closeButton());
   }
 
   private void show(Node page, Button close) {

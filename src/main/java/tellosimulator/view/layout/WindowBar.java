@@ -33,15 +33,18 @@ public final class WindowBar extends ToolBar {
   private final Messages messages;
   private final WindowState state;
   private final Simulator3DScene scene;
+  private final ScenarioMenu scenarios;
 
   public WindowBar(
       ViewContext context, WindowState state, Simulator3DScene scene, PageOverlay pages) {
+    this.scenarios = new ScenarioMenu(context);
     this.messages = context.language().messages(WindowBar.class);
     this.state = state;
     this.scene = scene;
     setId("window-bar");
     getItems()
         .setAll(
+            scenarios,
             toggle("show-controls", Feather.SLIDERS, state.simulatorControlsShownProperty()),
             new Separator(Orientation.VERTICAL),
             views(),
@@ -58,6 +61,11 @@ public final class WindowBar extends ToolBar {
             new Separator(Orientation.VERTICAL),
             toggle("show-log", Feather.TERMINAL, state.logShownProperty()),
             toggle("show-network", Feather.WIFI, state.networkControlsShownProperty()));
+  }
+
+  /** The menu of scenarios. */
+  public ScenarioMenu scenarios() {
+    return scenarios;
   }
 
   private HBox views() {

@@ -32,6 +32,10 @@ public enum WindowKey {
   RESET_VIEW(KeyCode.DIGIT0, KeyCode.NUMPAD0, KeyCode.HOME),
   NEXT_DRONE(KeyCode.PAGE_DOWN),
   PREVIOUS_DRONE(KeyCode.PAGE_UP),
+  OPEN_SCENARIO(KeyCombination.SHORTCUT_DOWN, KeyCode.O),
+  SAVE_SCENARIO(KeyCombination.SHORTCUT_DOWN, KeyCode.S),
+  RELOAD_SCENARIO(KeyCombination.SHORTCUT_DOWN, KeyCode.R),
+  AGAIN(KeyCombination.SHORTCUT_DOWN, KeyCode.N),
   SEARCH_LOG(KeyCombination.SHORTCUT_DOWN, KeyCode.F),
   QUIT(KeyCombination.SHORTCUT_DOWN, KeyCode.Q);
 

@@ -46,6 +46,21 @@ public final class WindowState {
     return state;
   }
 
+  /** The same state for a window that comes and goes; each of them follows the other. */
+  public WindowState linked() {
+    WindowState other = new WindowState();
+    other.simulatorControlsShown.bindBidirectional(simulatorControlsShown);
+    other.networkControlsShown.bindBidirectional(networkControlsShown);
+    other.logShown.bindBidirectional(logShown);
+    other.dronesShown.bindBidirectional(dronesShown);
+    other.planShown.bindBidirectional(planShown);
+    other.logHeight.bindBidirectional(logHeight);
+    other.fullScreen.bindBidirectional(fullScreen);
+    other.theme.bindBidirectional(theme);
+    other.uiScale.bindBidirectional(uiScale);
+    return other;
+  }
+
   public BooleanProperty simulatorControlsShownProperty() {
     return simulatorControlsShown;
   }

@@ -82,11 +82,16 @@ public final class LogBox extends VBox {
     toolbar.startSearch();
   }
 
+  /** Hands what it shows to the log that comes after it. */
+  public void handOver() {
+    feed.takeBack(model.lines());
+  }
+
   private void initializeSelf() {
     setId("log");
     getStyleClass().add("log-box");
     getStylesheets().add(LogBox.class.getResource("log.css").toExternalForm());
-    feed.note(LogLevel.INFO, "welcome");
+    feed.welcome();
   }
 
   private void initializeParts() {

@@ -4,12 +4,15 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Queue;
 import java.util.concurrent.ArrayBlockingQueue;
+import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.atomic.AtomicLong;
+import java.util.function.Function;
 import tellosimulator.network.PortTakenException;
 import tellosimulator.sim.SimEvent;
 import tellosimulator.sim.SimListener;
 import tellosimulator.sim.SimSnapshot;
 import tellosimulator.time.SimTime;
+import tellosimulator.view.text.Language;
 import tellosimulator.words.Phrase;
 
 /**
@@ -26,7 +29,11 @@ public final class LogFeed implements SimListener {
 
   private final Queue<LogLine> waiting = new ArrayBlockingQueue<>(CAPACITY);
   private final AtomicLong lost = new AtomicLong();
+  private final AtomicBoolean welcomed = new AtomicBoolean();
   private volatile SimTime now = SimTime.ZERO;
+
+  /** Only for the JavaFX thread. */
+  private List<LogLine> shownBefore = List.of();
 
   @Override
   public void event(SimEvent event) {
@@ -57,6 +64,27 @@ public final class LogFeed implements SimListener {
     add(new LogLine(now, level, drone, language -> language.say(phrase)));
   }
 
+  /**
+   * Writes a sentence of others.
+   *
+   * @param saying makes it in each language
+   */
+  public void say(LogLevel level, Function<Language, String> saying) {
+    add(new LogLine(now, level, 0, saying::apply));
+  }
+
+  /** Greets, the first time. */
+  void welcome() {
+    if (welcomed.compareAndSet(false, true)) {
+      note(LogLevel.INFO, "welcome");
+    }
+  }
+
+  /** Takes back what a log showed; the next one shows it first. */
+  void takeBack(List<LogLine> lines) {
+    shownBefore = List.copyOf(lines);
+  }
+
   /** Says why a drone stays off. */
   public void cannotSwitchOn(int drone, PortTakenException refusal) {
     note(
@@ -69,7 +97,8 @@ public final class LogFeed implements SimListener {
 
   /** Takes what waits, oldest first. */
   List<LogLine> drain() {
-    List<LogLine> lines = new ArrayList<>();
+    List<LogLine> lines = new ArrayList<>(shownBefore);
+    shownBefore = List.of();
     long missing = lost.getAndSet(0);
     for (int i = 0; i < CAPACITY; i++) {
       LogLine line = waiting.poll();

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Function;
 import java.util.regex.Pattern;
+import java.util.stream.IntStream;
 import javafx.collections.FXCollections;
 import javafx.collections.ObservableList;
 
@@ -41,6 +42,11 @@ final class LogModel {
   /** The lines that pass the filter, oldest first. */
   ObservableList<LogLine> shown() {
     return readOnly;
+  }
+
+  /** All lines, shown or not, oldest first. */
+  List<LogLine> lines() {
+    return IntStream.range(0, lines.size()).mapToObj(lines::get).toList();
   }
 
   /** How many lines are kept, shown or not. */

@@ -2,6 +2,7 @@ package tellosimulator.view.settings;
 
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.HashMap;
 import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
@@ -42,7 +43,7 @@ public final class Settings {
 
   private Settings(SettingsFile file, Map<String, String> found) {
     this.file = file;
-    this.found = found;
+    this.found = new HashMap<>(found);
   }
 
   /** Where this system keeps such files for this user. */
@@ -75,6 +76,14 @@ public final class Settings {
       codec.read().apply(text).ifPresentOrElse(property::setValue, () -> complain(key, codec));
     }
     property.addListener((observed, before, now) -> noteChange());
+  }
+
+  /** Lets go of a property; who binds the key next gets its value. */
+  public void unbind(String key) {
+    Kept<?> before = kept.remove(key);
+    if (before != null) {
+      before.text().ifPresentOrElse(text -> found.put(key, text), () -> found.remove(key));
+    }
   }
 
   private void complain(String key, Codec<?> codec) {

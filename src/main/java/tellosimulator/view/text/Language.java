@@ -51,7 +51,19 @@ public final class Language {
 
   /** What the simulation says about itself, in the present language. */
   public String say(Phrase phrase) {
-    return phrase.in(translations.computeIfAbsent(locale(), Glossary::of));
+    return phrase.in(translation());
+  }
+
+  /** The present language, for those who make sentences of phrases. */
+  public Translation translation() {
+    return translations.computeIfAbsent(locale(), Glossary::of);
+  }
+
+  /** The same language for a while; each of them follows the other. */
+  public Language linked() {
+    Language other = new Language(locale());
+    other.locale.bindBidirectional(locale); // which holds neither of them in memory
+    return other;
   }
 
   /**

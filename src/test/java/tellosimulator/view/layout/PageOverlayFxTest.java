@@ -166,7 +166,16 @@ class PageOverlayFxTest {
   @ParameterizedTest
   @EnumSource(
       value = WindowKey.class,
-      names = {"HELP", "SEARCH_LOG", "QUIT", "RESET_VIEW"},
+      names = {
+        "HELP",
+        "OPEN_SCENARIO",
+        "SAVE_SCENARIO",
+        "RELOAD_SCENARIO",
+        "AGAIN",
+        "SEARCH_LOG",
+        "QUIT",
+        "RESET_VIEW"
+      },
       mode = EnumSource.Mode.EXCLUDE)
   void keysAct(WindowKey key, FxRobot robot) {
     robot.type(
@@ -177,9 +186,18 @@ class PageOverlayFxTest {
 
   @Test
   void keysWithControlAct(FxRobot robot) {
-    robot.press(KeyCode.CONTROL).type(KeyCode.F).release(KeyCode.CONTROL).type(KeyCode.HOME);
+    robot.press(KeyCode.CONTROL);
+    robot.type(KeyCode.O, KeyCode.S, KeyCode.R, KeyCode.N, KeyCode.F);
+    robot.release(KeyCode.CONTROL).type(KeyCode.HOME);
 
-    assertThat(pressed).containsExactly(WindowKey.SEARCH_LOG, WindowKey.RESET_VIEW);
+    assertThat(pressed)
+        .containsExactly(
+            WindowKey.OPEN_SCENARIO,
+            WindowKey.SAVE_SCENARIO,
+            WindowKey.RELOAD_SCENARIO,
+            WindowKey.AGAIN,
+            WindowKey.SEARCH_LOG,
+            WindowKey.RESET_VIEW);
   }
 
   @Test

@@ -219,6 +219,19 @@ class SettingsTest {
   }
 
   @Test
+  void whoBindsAKeyNextGetsItsValue() {
+    Settings settings = load();
+    trail.set(!trail.get());
+    boolean left = trail.get();
+
+    settings.unbind("trail");
+    BooleanProperty next = new SimpleBooleanProperty(!left);
+    settings.bind("trail", next, Codec.flag());
+
+    assertThat(next.get()).isEqualTo(left);
+  }
+
+  @Test
   void aKeyIsBoundOnce() {
     Settings settings = load();
 

@@ -84,7 +84,8 @@ public final class SceneFixture implements BeforeEachCallback, AfterEachCallback
           simulation = new FxSimulation(snapshot);
           language = new Language(Locale.ENGLISH);
           pulse = new Pulse(() -> simulation.update(snapshot));
-          scene = new Simulator3DScene(new ViewContext(simulation, null, language, pulse, video));
+          scene =
+              new Simulator3DScene(new ViewContext(simulation, null, language, pulse, video, null));
           scene.setPrefSize(WIDTH, HEIGHT);
           stage = new Stage(StageStyle.UNDECORATED);
           stage.setScene(new Scene(scene, WIDTH, HEIGHT));

@@ -1,0 +1,151 @@
+package tellosimulator.view;
+
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.OptionalInt;
+import java.util.function.Function;
+import javafx.stage.Stage;
+import tellosimulator.goal.GoalWatch;
+import tellosimulator.network.AddressPlan;
+import tellosimulator.network.OnlineSimulation;
+import tellosimulator.scenario.Scenario;
+import tellosimulator.sim.DroneSetup;
+import tellosimulator.sim.SimConfig.Outlets;
+import tellosimulator.sim.SimSnapshot;
+import tellosimulator.sim.SimSnapshot.DroneSnapshot;
+import tellosimulator.video.camera.DroneOptics;
+import tellosimulator.view.layout.WindowState;
+import tellosimulator.view.log.LogFeed;
+import tellosimulator.view.settings.Settings;
+import tellosimulator.view.text.Language;
+import tellosimulator.view.video.Album;
+import tellosimulator.view.video.WindowVideo;
+
+/**
+ * A scenario while it is flown: its simulation, its drones' video, and what the window shows of
+ * them. Another scenario has all of it anew, in the same stage.
+ */
+final class RunningScenario implements AutoCloseable {
+
+  /** Frames that the window shows before filming is warmed up. Decided: half a second. */
+  private static final int FRAMES_BEFORE_WARM_UP = 30;
+
+  /**
+   * How drones and operators reach each other.
+   *
+   * @param replyPort port to which all replies go; empty for the port each command came from
+   */
+  record Wire(AddressPlan plan, OptionalInt replyPort) {}
+
+  /** What stays when the scenario changes. */
+  record Frame(Stage stage, Language language, WindowState state, Settings settings) {}
+
+  private OpenedScenario opened;
+  private final LogFeed feed;
+  private final GoalWatch goals;
+  private final OnlineSimulation simulation;
+  private final WindowVideo video;
+  private SimulatorWindow window;
+  private ViewContext context;
+  private Frame frame;
+  private int frames;
+
+  /** Starts its simulation; all drones are off. */
+  RunningScenario(OpenedScenario opened, Wire wire, DroneOptics optics, LogFeed feed) {
+    this.opened = opened;
+    this.feed = feed;
+    Scenario scenario = opened.scenario();
+    goals = new GoalWatch(scenario.challenge(), feed::event);
+    simulation =
+        new OnlineSimulation(
+            scenario.config(), wire.plan(), wire.replyPort(), List.of(feed, goals));
+    video = WindowVideo.of(simulation, optics, Album.ofUser());
+  }
+
+  OnlineSimulation simulation() {
+    return simulation;
+  }
+
+  OpenedScenario opened() {
+    return opened;
+  }
+
+  /** Shows it in a stage. For the JavaFX thread, as all that follows but for {@link #close}. */
+  void showIn(Frame newFrame, ScenarioDesk desk) {
+    frame = newFrame;
+    FxScenario scenario = new FxScenario(opened.scenario(), opened.file(), goals, desk);
+    context = ViewContext.of(simulation, frame.language.linked(), video, scenario);
+    context.pulse().onBeat(nanos -> warmUp());
+    window = new SimulatorWindow(frame.stage, context, frame.state.linked(), feed);
+    window.remember(frame.settings);
+    window.show();
+  }
+
+  /** Opening the window has the machine to itself. */
+  private void warmUp() {
+    frames++;
+    if (frames == FRAMES_BEFORE_WARM_UP) {
+      video.warmUp();
+    }
+  }
+
+  Pulse pulse() {
+    return context.pulse();
+  }
+
+  /** Whether any drone has power. */
+  boolean on() {
+    return context.simulation().drones().stream().anyMatch(drone -> drone.onProperty().get());
+  }
+
+  /** Switches all drones on; the log says which stay off, and why. */
+  void switchOn() {
+    context
+        .simulation()
+        .drones()
+        .forEach(drone -> context.actions().switchPower(drone.number(), true));
+  }
+
+  /** Says in the window what is wrong with another scenario. */
+  void show(List<Function<Language, String>> mistakes) {
+    window.show(mistakes);
+  }
+
+  /** The scenario with room and starts as they are now. */
+  Scenario present() {
+    SimSnapshot snapshot = simulation.snapshot();
+    List<DroneSetup> setups = new ArrayList<>();
+    for (DroneSnapshot drone : snapshot.drones()) {
+      DroneSetup first = opened.scenario().config().drones().get(setups.size());
+      Outlets outlets = new Outlets(drone.link().statePort(), drone.link().videoPort());
+      setups.add(first.withStart(drone.start()).withProduct(drone.product()).withOutlets(outlets));
+    }
+    return opened
+        .scenario()
+        .withConfig(opened.scenario().config().withArena(snapshot.arena()).withDrones(setups));
+  }
+
+  /** It has been written to a file, which from now on is the one to open again. */
+  void savedAs(Path file) {
+    opened = OpenedScenario.of(opened.scenario(), file);
+    context.scenario().savedAs(file);
+  }
+
+  /** Ends the window's part of it; the stage stays. */
+  void leave() {
+    window.close();
+  }
+
+  /** Lets go of the settings, so that another scenario can have them. */
+  void forget() {
+    window.forget(frame.settings);
+  }
+
+  /** Ends simulation and video. For any thread. */
+  @Override
+  public void close() {
+    video.close();
+    simulation.close();
+  }
+}

@@ -1,0 +1,44 @@
+package tellosimulator.view;
+
+import java.nio.file.Path;
+
+/**
+ * Where people get and give back scenarios. What goes wrong is told in the window, which then goes
+ * on as before. For the JavaFX thread.
+ */
+public interface ScenarioDesk {
+
+  /** One that has no scenarios. */
+  ScenarioDesk CLOSED =
+      new ScenarioDesk() {
+        @Override
+        public void open(Path file) {}
+
+        @Override
+        public void openKnown(String name) {}
+
+        @Override
+        public void reload() {}
+
+        @Override
+        public void save(Path file) {}
+      };
+
+  /** Opens a file in place of what is flown. */
+  void open(Path file);
+
+  /**
+   * Opens a scenario that comes with the program.
+   *
+   * @param name its short name
+   */
+  void openKnown(String name);
+
+  /** Opens again what is flown. */
+  void reload();
+
+  /**
+   * Writes room, drones and goals, as they are now, to a file, which from then on is the opened.
+   */
+  void save(Path file);
+}

@@ -1,0 +1,222 @@
+package tellosimulator.view.goal;
+
+import java.util.ArrayList;
+import java.util.List;
+import javafx.beans.value.ObservableValue;
+import javafx.css.PseudoClass;
+import javafx.scene.control.Button;
+import javafx.scene.control.Label;
+import javafx.scene.control.ScrollPane;
+import javafx.scene.control.Tooltip;
+import javafx.scene.layout.HBox;
+import javafx.scene.layout.Priority;
+import javafx.scene.layout.Region;
+import javafx.scene.layout.VBox;
+import org.kordamp.ikonli.feather.Feather;
+import org.kordamp.ikonli.javafx.FontIcon;
+import tellosimulator.goal.Challenge;
+import tellosimulator.goal.Progress;
+import tellosimulator.goal.Progress.Status;
+import tellosimulator.scenario.Scenario;
+import tellosimulator.sim.Control;
+import tellosimulator.view.FxSimulation;
+import tellosimulator.view.SimulatorActions;
+import tellosimulator.view.ViewContext;
+import tellosimulator.view.text.Language;
+import tellosimulator.view.text.Messages;
+
+/**
+ * What the scenario teaches, its goals with a tick and a time for each that is reached, the time,
+ * and how it ended. Not there if nothing is asked for. For the JavaFX thread.
+ */
+public final class GoalPanel extends VBox {
+
+  /** Width of the panel [px]. Decided: that of the list of drones. */
+  private static final double WIDTH = 316;
+
+  private static final PseudoClass REACHED = PseudoClass.getPseudoClass("reached");
+  private static final PseudoClass FAILED = PseudoClass.getPseudoClass("failed");
+
+  private final FxSimulation simulation;
+  private final SimulatorActions actions;
+  private final Language language;
+  private final Messages messages;
+  private final ObservableValue<Progress> progress;
+  private final Scenario scenario;
+  private final List<GoalRow> rows = new ArrayList<>();
+  private final Label name = new Label();
+  private final Label teaches = new Label();
+  private final Label time = new Label();
+  private final Label banner = new Label();
+  private final Label rules = new Label();
+  private final Button again = new Button();
+  private final Button fold = new Button();
+  private final VBox details = new VBox();
+  private final VBox goals = new VBox();
+
+  public GoalPanel(ViewContext context) {
+    simulation = context.simulation();
+    actions = context.actions();
+    language = context.language();
+    messages = language.messages(GoalPanel.class);
+    progress = context.scenario().progressProperty();
+    scenario = context.scenario().scenario();
+    initializeSelf(!context.scenario().plain());
+    initializeParts();
+    layoutParts();
+    setupEventHandlers();
+    setupBindings();
+  }
+
+  /** Puts all drones back to their starts, with which the goals begin anew. */
+  public void again() {
+    simulation.drones().forEach(drone -> actions.carryOut(new Control.Reset(drone.number())));
+  }
+
+  private void initializeSelf(boolean wanted) {
+    setId("goal-panel");
+    getStyleClass().add("goal-panel");
+    getStylesheets().add(GoalPanel.class.getResource("goal.css").toExternalForm());
+    setMinWidth(WIDTH);
+    setPrefWidth(WIDTH);
+    setMaxWidth(WIDTH);
+    setMinHeight(USE_PREF_SIZE);
+    setVisible(wanted);
+    setManaged(wanted);
+  }
+
+  private void initializeParts() {
+    name.setId("scenario-name");
+    name.setText(scenario.name());
+    name.getStyleClass().add("name");
+    name.setMaxWidth(Double.MAX_VALUE);
+    HBox.setHgrow(name, Priority.ALWAYS);
+    teaches.setId("scenario-teaches");
+    teaches.setText(scenario.teaches());
+    teaches.setWrapText(true);
+    teaches.getStyleClass().add("muted");
+    onlyWithText(teaches);
+    time.setId("goal-time");
+    time.setMinWidth(USE_PREF_SIZE);
+    banner.setId("goal-banner");
+    banner.setWrapText(true);
+    banner.setMaxWidth(Double.MAX_VALUE);
+    banner.setMinHeight(USE_PREF_SIZE);
+    banner.getStyleClass().add("banner");
+    rules.setId("goal-rules");
+    rules.setWrapText(true);
+    rules.getStyleClass().add("muted");
+    onlyWithText(rules);
+    again.setId("goal-again");
+    again.setGraphic(new FontIcon(Feather.ROTATE_CCW));
+    again.setFocusTraversable(false);
+    again.setMinWidth(USE_PREF_SIZE);
+    fold.setId("goal-fold");
+    fold.setFocusTraversable(false);
+    fold.getStyleClass().add("fold");
+    for (int i = 0; i < challenge().goals().size(); i++) {
+      rows.add(new GoalRow(i, challenge().goals().get(i), language));
+    }
+    goals.getChildren().addAll(rows);
+    goals.getStyleClass().add("goals");
+    details.getStyleClass().add("details");
+  }
+
+  private void layoutParts() {
+    HBox head = new HBox(name, time, fold);
+    head.getStyleClass().add("head");
+    ScrollPane scroll = new ScrollPane(goals);
+    scroll.setFitToWidth(true);
+    scroll.setHbarPolicy(ScrollPane.ScrollBarPolicy.NEVER);
+    scroll.setFocusTraversable(false);
+    Region space = new Region();
+    HBox.setHgrow(space, Priority.ALWAYS);
+    HBox.setHgrow(rules, Priority.ALWAYS);
+    HBox foot = new HBox(rules, space, again);
+    foot.getStyleClass().add("foot");
+    boolean asked = !rows.isEmpty();
+    for (Region part : List.of(scroll, foot, time)) {
+      part.setVisible(asked);
+      part.setManaged(asked);
+    }
+    details.getChildren().addAll(teaches, scroll, foot);
+    getChildren().addAll(head, banner, details);
+  }
+
+  private void setupEventHandlers() {
+    again.setOnAction(pressed -> again());
+    fold.setOnAction(pressed -> unfold(!details.isVisible()));
+    unfold(true);
+  }
+
+  private void unfold(boolean open) {
+    details.setVisible(open);
+    details.setManaged(open);
+    fold.setGraphic(new FontIcon(open ? Feather.CHEVRON_UP : Feather.CHEVRON_DOWN));
+  }
+
+  private void setupBindings() {
+    again.textProperty().bind(messages.text("again"));
+    Tooltip hint = new Tooltip();
+    hint.textProperty().bind(messages.text("again.hint"));
+    again.setTooltip(hint);
+    fold.accessibleTextProperty().bind(messages.text("fold"));
+    rules.textProperty().bind(language.localeProperty().map(locale -> rules()));
+    progress.addListener((property, before, now) -> show());
+    language.localeProperty().addListener((property, before, now) -> show());
+    show();
+  }
+
+  private Challenge challenge() {
+    return scenario.challenge();
+  }
+
+  private String rules() {
+    List<String> all = new ArrayList<>();
+    if (challenge().inOrder() && rows.size() > 1) {
+      all.add(messages.now("in-order"));
+    }
+    if (challenge().untouched()) {
+      all.add(messages.now("untouched"));
+    }
+    return String.join(" ", all);
+  }
+
+  private void show() {
+    Progress now = progress.getValue();
+    for (int i = 0; i < rows.size(); i++) {
+      rows.get(i).show(now.reached().get(i), isNext(now, i));
+    }
+    String elapsed = seconds(now.elapsed());
+    time.setText(
+        challenge().timeLimit().isPresent()
+            ? messages.now("time-of", elapsed, seconds(challenge().timeLimit().getAsDouble()))
+            : messages.now("time", elapsed));
+    Status status = now.status();
+    banner.pseudoClassStateChanged(REACHED, status == Status.REACHED);
+    banner.pseudoClassStateChanged(FAILED, status == Status.FAILED);
+    banner.setVisible(status != Status.RUNNING);
+    banner.setManaged(status != Status.RUNNING);
+    banner.setText(
+        now.failure()
+            .map(reason -> messages.now("failed", language.say(reason)))
+            .orElseGet(() -> messages.now("reached", elapsed)));
+  }
+
+  /** Whether a goal counts next. */
+  private boolean isNext(Progress now, int index) {
+    if (now.status() != Status.RUNNING || now.reached().get(index).isPresent()) {
+      return false;
+    }
+    return !challenge().inOrder() || now.count() == index;
+  }
+
+  private String seconds(double seconds) {
+    return String.format(language.locale(), "%.1f", seconds);
+  }
+
+  private static void onlyWithText(Label label) {
+    label.managedProperty().bind(label.textProperty().isNotEmpty());
+    label.setMinHeight(USE_PREF_SIZE);
+  }
+}

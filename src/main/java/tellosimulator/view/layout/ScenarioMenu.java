@@ -1,0 +1,130 @@
+package tellosimulator.view.layout;
+
+import atlantafx.base.theme.Styles;
+import atlantafx.base.theme.Tweaks;
+import java.io.File;
+import java.nio.file.Path;
+import java.util.Optional;
+import javafx.scene.control.Label;
+import javafx.scene.control.MenuButton;
+import javafx.scene.control.MenuItem;
+import javafx.scene.control.SeparatorMenuItem;
+import javafx.scene.control.Tooltip;
+import javafx.scene.input.KeyCode;
+import javafx.scene.input.KeyCodeCombination;
+import javafx.scene.input.KeyCombination;
+import javafx.scene.layout.VBox;
+import javafx.stage.FileChooser;
+import javafx.stage.FileChooser.ExtensionFilter;
+import org.kordamp.ikonli.feather.Feather;
+import org.kordamp.ikonli.javafx.FontIcon;
+import tellosimulator.scenario.Gallery;
+import tellosimulator.scenario.Scenario;
+import tellosimulator.view.FxScenario;
+import tellosimulator.view.ScenarioDesk;
+import tellosimulator.view.ViewContext;
+import tellosimulator.view.text.Messages;
+
+/**
+ * Scenarios: those of files, and those that come with the program, each with what it teaches. For
+ * the JavaFX thread.
+ */
+public final class ScenarioMenu extends MenuButton {
+
+  private final Messages messages;
+  private final FxScenario scenario;
+  private final ScenarioDesk desk;
+  private boolean listed;
+
+  public ScenarioMenu(ViewContext context) {
+    super("", new FontIcon(Feather.FOLDER));
+    messages = context.language().messages(ScenarioMenu.class);
+    scenario = context.scenario();
+    desk = scenario.desk();
+    setId("scenarios");
+    setFocusTraversable(false);
+    getStyleClass().addAll(Styles.BUTTON_ICON, Styles.FLAT, Styles.SMALL, Tweaks.NO_ARROW);
+    Tooltip tooltip = new Tooltip();
+    tooltip.textProperty().bind(messages.text("scenarios-tip"));
+    setTooltip(tooltip);
+    accessibleTextProperty().bind(messages.text("scenarios"));
+    MenuItem reload = item("scenario-reload", KeyCode.R, desk::reload);
+    reload.setDisable(scenario.plain());
+    getItems()
+        .setAll(
+            item("scenario-open", KeyCode.O, this::chooseToOpen),
+            item("scenario-save", KeyCode.S, this::chooseToSave),
+            reload,
+            new SeparatorMenuItem());
+    setOnShowing(event -> listKnown());
+  }
+
+  /** Lets somebody choose a file, and opens it. */
+  public void chooseToOpen() {
+    Optional<File> chosen =
+        Optional.ofNullable(chooser("scenario-open").showOpenDialog(getScene().getWindow()));
+    chosen.map(File::toPath).ifPresent(desk::open);
+  }
+
+  /** Lets somebody choose a file, and writes what is there now to it. */
+  public void chooseToSave() {
+    FileChooser chooser = chooser("scenario-save");
+    String name =
+        scenario.file().map(Path::getFileName).map(Path::toString).orElse(suggestedName());
+    chooser.setInitialFileName(name);
+    Optional.ofNullable(chooser.showSaveDialog(getScene().getWindow()))
+        .map(File::toPath)
+        .ifPresent(desk::save);
+  }
+
+  private String suggestedName() {
+    return messages.now("scenario-name");
+  }
+
+  private FileChooser chooser(String title) {
+    FileChooser chooser = new FileChooser();
+    chooser.setTitle(messages.now(title));
+    chooser
+        .getExtensionFilters()
+        .setAll(new ExtensionFilter(messages.now("scenario-files"), "*.yaml", "*.yml"));
+    scenario
+        .file()
+        .map(Path::toAbsolutePath)
+        .map(Path::getParent)
+        .map(Path::toFile)
+        .filter(File::isDirectory)
+        .ifPresent(chooser::setInitialDirectory);
+    return chooser;
+  }
+
+  private MenuItem item(String id, KeyCode key, Runnable action) {
+    MenuItem item = new MenuItem();
+    item.setId(id);
+    item.textProperty().bind(messages.text(id));
+    // only to be seen; the window's keys do it
+    item.setAccelerator(new KeyCodeCombination(key, KeyCombination.SHORTCUT_DOWN));
+    item.setOnAction(event -> action.run());
+    return item;
+  }
+
+  /** Reads them only when somebody looks. */
+  private void listKnown() {
+    if (!listed) {
+      listed = true;
+      for (String name : Gallery.NAMES) {
+        Gallery.find(name).ifPresent(known -> getItems().add(known(name, known)));
+      }
+    }
+  }
+
+  private MenuItem known(String name, Scenario known) {
+    Label title = new Label(known.name());
+    title.getStyleClass().add(Styles.TEXT_BOLD);
+    Label teaches = new Label(known.teaches());
+    teaches.getStyleClass().addAll(Styles.TEXT_SMALL, Styles.TEXT_MUTED);
+    MenuItem item = new MenuItem("", new VBox(title, teaches));
+    item.setId("scenario-" + name);
+    item.setOnAction(event -> desk.openKnown(name));
+    return item;
+  }
+}

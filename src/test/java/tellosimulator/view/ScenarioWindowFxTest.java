@@ -1,0 +1,217 @@
+package tellosimulator.view;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+import static tellosimulator.view.testing.WindowFixture.onFxThread;
+import static tellosimulator.view.testing.WindowFixture.waitUntil;
+
+import java.io.IOException;
+import java.net.InetAddress;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.attribute.FileTime;
+import java.util.List;
+import java.util.OptionalInt;
+import java.util.concurrent.TimeoutException;
+import java.util.function.UnaryOperator;
+import javafx.scene.control.Label;
+import javafx.scene.control.Labeled;
+import javafx.scene.control.ToggleButton;
+import javafx.scene.input.KeyCode;
+import javafx.stage.Stage;
+import javafx.stage.StageStyle;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.testfx.api.FxRobot;
+import org.testfx.api.FxToolkit;
+import org.testfx.util.WaitForAsyncUtils;
+import tellosimulator.math.Vec3;
+import tellosimulator.network.AddressPlan;
+import tellosimulator.scenario.Scenario;
+import tellosimulator.scenario.ScenarioException;
+import tellosimulator.scenario.ScenarioFile;
+import tellosimulator.sim.SimConfig;
+import tellosimulator.video.camera.DroneOptics;
+import tellosimulator.view.layout.WindowState;
+import tellosimulator.view.settings.Settings;
+
+/** Scenarios that are opened, saved and read again in the window. */
+class ScenarioWindowFxTest {
+
+  private static final List<InetAddress> LOOPBACK = List.of(InetAddress.getLoopbackAddress());
+
+  private static final String SLALOM =
+      """
+      name: Small slalom
+      teaches: to fly around things
+      room: {width: 400, depth: 600, height: 250}
+      obstacles:
+        - cylinder: {name: pole, at: [100, 0], radius: 10, height: 200}
+      drones:
+        - {start: [-200, 50], heading: 90, state-port: 9, video-port: 10}
+        - {start: [-200, -50], state-port: 9, video-port: 10}
+      goals:
+        - reach: {at: [200, 0, 100], radius: 30}
+        - land: {at: [-200, 50], radius: 30}
+      in-order: true
+      time-limit: 60
+      """;
+
+  private final FxRobot robot = new FxRobot();
+  @TempDir private Path folder;
+  private Path file;
+  private SimulatorApp app;
+  private Stage stage;
+
+  @BeforeEach
+  void open() throws IOException, TimeoutException {
+    file = folder.resolve("slalom.yaml");
+    Files.writeString(file, SLALOM);
+    FxToolkit.registerPrimaryStage();
+    app =
+        new SimulatorApp(
+            OpenedScenario.once(
+                Scenario.of(SimConfig.DEFAULT.withOutlets(new SimConfig.Outlets(9, 10)))),
+            new SimulatorApp.Rules(
+                UnaryOperator.identity(),
+                scenario ->
+                    AddressPlan.portPerDrone(scenario.config().drones().size(), LOOPBACK, 0),
+                OptionalInt.empty()),
+            DroneOptics.DEFAULT);
+    Settings settings = Settings.load(folder.resolve("settings"));
+    change(
+        () -> {
+          stage = new Stage(StageStyle.UNDECORATED);
+          app.show(stage, settings, WindowState.remembered(settings));
+        });
+  }
+
+  @AfterEach
+  void close() {
+    change(stage::hide);
+    app.close();
+  }
+
+  @Test
+  void anotherScenarioTakesThePlaceOfTheFirst() {
+    double width = stage.getWidth();
+    assertThat(robot.lookup("#goal-panel").query().isVisible()).isFalse();
+    waitUntil(() -> log().contains("Welcome"));
+
+    change(() -> app.open(file));
+
+    assertThat(stage.getTitle()).isEqualTo("slalom.yaml – Tello Simulator");
+    assertThat(stage.getWidth()).isEqualTo(width);
+    assertThat(label("scenario-name")).isEqualTo("Small slalom");
+    assertThat(label("scenario-teaches")).isEqualTo("to fly around things");
+    assertThat(label("goal-time")).isEqualTo("0.0 of 60.0 s");
+    assertThat(robot.lookup("#drone-list").query().isVisible()).isTrue();
+    assertThat(robot.lookup(".goal").queryAll()).hasSize(2);
+    waitUntil(() -> log().contains("Welcome") && log().contains("slalom.yaml is open"));
+    assertThat(robot.lookup("#start-x-value").queryTextInputControl().getText()).isEqualTo("-200");
+  }
+
+  @Test
+  void dronesThatWereOnAreOnAgainAndKeysActOnTheNewOnes() {
+    robot.clickOn("#power");
+    change(() -> app.open(file));
+
+    waitUntil(() -> app.ready().contains("drone 2"));
+    waitUntil(() -> label("drones-heading").equals("2 of 2 on"));
+    robot.type(KeyCode.F10);
+    assertThat(robot.lookup("#plan-pane").query().isVisible()).isTrue();
+  }
+
+  @Test
+  void whatIsRememberedStays() {
+    boolean shown = trailButton();
+    robot.clickOn("#show-trail");
+    assertThat(trailButton()).isEqualTo(!shown);
+
+    change(() -> app.open(file));
+
+    assertThat(trailButton()).isEqualTo(!shown);
+  }
+
+  @Test
+  void aFileWithMistakesLeavesTheSceneAndAllAreShown() throws IOException {
+    Path wrong = folder.resolve("wrong.yaml");
+    Files.writeString(wrong, "rooms: {}\ndrones:\n  - {start: [0, abc]}\n");
+
+    change(() -> app.open(wrong));
+
+    assertThat(robot.lookup("#mistakes-page").tryQuery()).isPresent();
+    List<String> lines =
+        robot.lookup(".lines .label").queryAllAs(Label.class).stream().map(Label::getText).toList();
+    assertThat(lines).hasSize(2);
+    assertThat(lines.get(0)).contains("wrong.yaml:1:1:");
+    assertThat(lines.get(1)).contains("wrong.yaml:3:17:").contains("abc");
+    assertThat(stage.getTitle()).isEqualTo("Tello Simulator");
+    waitUntil(() -> log().contains("wrong.yaml:3:17:"));
+
+    robot.clickOn("#mistakes-close");
+    assertThat(robot.lookup("#mistakes-page").tryQuery()).isEmpty();
+  }
+
+  @Test
+  void aChangedFileIsReadAgain() throws IOException {
+    change(() -> app.open(file));
+    Files.writeString(file, SLALOM.replace("Small slalom", "Larger slalom"));
+    Files.setLastModifiedTime(file, FileTime.fromMillis(1_000_000_000));
+
+    waitUntil(() -> label("scenario-name").equals("Larger slalom"));
+    waitUntil(() -> log().contains("has changed and is read again"));
+  }
+
+  @Test
+  void whatWasMovedIsSavedWithTheGoals() throws ScenarioException {
+    change(() -> app.open(file));
+    robot.type(KeyCode.F10).clickOn("#plan-add-box");
+    Path copy = folder.resolve("copy.yaml");
+
+    change(() -> app.save(copy));
+
+    Scenario saved = ScenarioFile.read(copy);
+    assertThat(saved.name()).isEqualTo("Small slalom");
+    assertThat(saved.challenge().goals()).hasSize(2);
+    assertThat(saved.config().arena().obstacles()).extracting("name").contains("pole", "box-1");
+    assertThat(saved.config().starts().get(0).position()).isEqualTo(new Vec3(-2, 0.5, 0));
+    assertThat(saved.config().starts().get(0).attitude().heading())
+        .isCloseTo(Math.PI / 2, within(1e-9));
+    assertThat(stage.getTitle()).isEqualTo("copy.yaml – Tello Simulator");
+  }
+
+  @Test
+  void aFileThatCannotBeWrittenIsToldInTheLog() {
+    change(() -> app.save(folder.resolve("missing").resolve("room.yaml")));
+
+    waitUntil(() -> log().contains("could not be saved"));
+    assertThat(stage.getTitle()).isEqualTo("Tello Simulator");
+  }
+
+  private boolean trailButton() {
+    return robot.lookup("#show-trail").queryAs(ToggleButton.class).isSelected();
+  }
+
+  private String label(String id) {
+    return robot.lookup("#" + id).queryAs(Label.class).getText();
+  }
+
+  private String log() {
+    return stage.getScene().lookup("#log-list").lookupAll(".log-words").stream()
+        .map(words -> ((Labeled) words).getText())
+        .toList()
+        .toString();
+  }
+
+  private static void change(Runnable work) {
+    onFxThread(
+        () -> {
+          work.run();
+          return true;
+        });
+    WaitForAsyncUtils.waitForFxEvents();
+  }
+}
