@@ -5,6 +5,7 @@ import atlantafx.base.theme.Tweaks;
 import java.io.File;
 import java.nio.file.Path;
 import java.util.Optional;
+import javafx.scene.control.CustomMenuItem;
 import javafx.scene.control.Label;
 import javafx.scene.control.MenuButton;
 import javafx.scene.control.MenuItem;
@@ -122,7 +123,8 @@ public final class ScenarioMenu extends MenuButton {
     title.getStyleClass().add(Styles.TEXT_BOLD);
     Label teaches = new Label(known.teaches());
     teaches.getStyleClass().addAll(Styles.TEXT_SMALL, Styles.TEXT_MUTED);
-    MenuItem item = new MenuItem("", new VBox(title, teaches));
+    // a graphic would push the texts of all other entries to its right
+    MenuItem item = new CustomMenuItem(new VBox(title, teaches));
     item.setId("scenario-" + name);
     item.setOnAction(event -> desk.openKnown(name));
     return item;
