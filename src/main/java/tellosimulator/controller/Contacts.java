@@ -1,12 +1,15 @@
 package tellosimulator.controller;
 
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import tellosimulator.controller.FlightEvent.Touched;
 import tellosimulator.model.DroneSpec;
 import tellosimulator.time.SimTime;
 import tellosimulator.world.Collision;
+import tellosimulator.world.Touchable;
 
 /**
  * What a drone touches in a step, and what people are told of it. For one drone and the simulation
@@ -14,14 +17,13 @@ import tellosimulator.world.Collision;
  */
 final class Contacts {
 
-  /** A touch this long after the last one is told anew [s]. Decided. */
+  /** A touch this long after the last one of the same thing is told anew [s]. Decided. */
   private static final double APART = 1;
 
   private final FlightObserver observer;
   private final List<Collision> present = new ArrayList<>(2);
   private SimTime now = SimTime.ZERO;
-  private Optional<Collision> told = Optional.empty();
-  private SimTime lastTouch = SimTime.ZERO;
+  private final Map<Touchable, SimTime> lastTouches = new HashMap<>();
 
   Contacts(FlightObserver observer) {
     this.observer = observer;
@@ -47,7 +49,7 @@ final class Contacts {
 
   void forget() {
     present.clear();
-    told = Optional.empty();
+    lastTouches.clear();
   }
 
   /** Whether the drone stands on something. */
@@ -61,12 +63,9 @@ final class Contacts {
   }
 
   private void tell(Collision collision) {
-    boolean same =
-        told.filter(last -> last.touched().equals(collision.touched())).isPresent()
-            && now.since(lastTouch) < APART;
-    lastTouch = now;
-    if (!same && collision.speed() <= DroneSpec.CRASH_SPEED) {
-      told = Optional.of(collision);
+    Optional<SimTime> last = Optional.ofNullable(lastTouches.put(collision.touched(), now));
+    boolean goesOn = last.filter(time -> now.since(time) < APART).isPresent();
+    if (!goesOn && collision.speed() <= DroneSpec.CRASH_SPEED) {
       observer.happened(new Touched(collision.touched(), collision.speed(), collision.position()));
     }
   }

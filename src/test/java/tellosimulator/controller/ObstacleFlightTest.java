@@ -59,6 +59,19 @@ class ObstacleFlightTest {
   }
 
   @Test
+  void inACornerEachTouchIsToldOnce() {
+    SimulatedDrone drone = flying(Behaviour.REPORT, WALL.movedTo(new Vec3(1.5, 2, 0), 0));
+    drone.send("rc -60 60 0 0");
+    drone.advance(10);
+
+    assertThat(words(drone))
+        .filteredOn(line -> line.startsWith("touched"))
+        .satisfiesExactlyInAnyOrder(
+            line -> assertThat(line).startsWith("touched the obstacle screen"),
+            line -> assertThat(line).startsWith("touched the left wall"));
+  }
+
+  @Test
   void aHardHitIsACrash() {
     SimulatedDrone drone =
         flying(
