@@ -31,6 +31,11 @@ public final class QuadcopterDynamics {
     return next;
   }
 
+  /** The body rests for a step: it does not move, and does not feel the wind. */
+  public void rest() {
+    windSense.forget();
+  }
+
   private Forces forces(Motion motion, Setpoint setpoint, Vec3 wind) {
     if (setpoint instanceof Setpoint.Track track) {
       Vec3 wanted = positionLoop.thrust(track, motion, windSense.push());

@@ -22,6 +22,11 @@ final class WindSense {
     return push;
   }
 
+  /** Stands on something, where the wind does not move it. */
+  void forget() {
+    push = Vec3.ZERO;
+  }
+
   /**
    * Feels the air for a step.
    *

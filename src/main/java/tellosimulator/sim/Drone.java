@@ -250,6 +250,7 @@ final class Drone {
     before = position();
     Setpoint setpoint = controller.setpoint();
     if (model.resting() && setpoint instanceof Setpoint.MotorsOff) {
+      dynamics.rest();
       return;
     }
     model.setMotion(dynamics.advance(model.motion(), setpoint, wind, SimTime.STEP));

@@ -79,6 +79,26 @@ class WindTest {
   }
 
   @Test
+  void onTheFloorADroneForgetsTheWind() {
+    SimulatedDrone drone = flying();
+    drone.control(blowing(new Vec3(5, 0, 0), 0));
+    drone.advance(5);
+    drone.ask("land");
+    Vec3 landed = drone.state().motion().position();
+    drone.control(blowing(Vec3.ZERO, 0));
+    drone.advance(60);
+    drone.send("takeoff");
+    double farthest = 0;
+    for (int i = 0; i < 30; i++) {
+      drone.advance(0.1);
+      Vec3 drift = drone.state().motion().position().minus(landed).horizontal();
+      farthest = Math.max(farthest, drift.norm());
+    }
+
+    assertThat(farthest).isLessThan(1e-3);
+  }
+
+  @Test
   void whenTheWindEndsTheFlightIsThatOfStillAirAgain() {
     SimulatedDrone drone = flying();
     drone.control(blowing(new Vec3(3, 0, 0), 0));
