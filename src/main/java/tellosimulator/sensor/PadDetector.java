@@ -9,12 +9,10 @@ import tellosimulator.math.Vec3;
 import tellosimulator.model.DroneSpec;
 import tellosimulator.model.PadMode;
 import tellosimulator.model.PadSighting;
+import tellosimulator.model.Perception;
 import tellosimulator.time.SimTime;
 
-/**
- * Finds mission pads in what the cameras see. It knows since when it sees each of them. For one
- * drone and the simulation thread.
- */
+/** Finds mission pads in what the cameras see. Immutable; for any thread. */
 public final class PadDetector {
 
   /**
@@ -41,7 +39,6 @@ public final class PadDetector {
 
   private final double tanAcross = StrictMath.tan(DroneSpec.CAMERA_FIELD_OF_VIEW / 2);
   private final double tanUp = tanAcross * DroneSpec.CAMERA_HEIGHT_SHARE;
-  private List<PadSighting> seen = List.of();
 
   /** A pad in the room. */
   public record Card(int id, Pose pose) {}
@@ -58,39 +55,37 @@ public final class PadDetector {
     return mode != PadMode.OFF && time.nanos() % period == 0;
   }
 
-  /** Forgets what it has seen. */
-  public void forget() {
-    seen = List.of();
-  }
-
   /**
    * What it sees now: first what is below, and of several the nearest.
    *
    * @param moment now, and from where it looks
+   * @param before where it looks, and what it saw when it looked last
    */
-  public List<PadSighting> look(
-      PadSighting.Moment moment, PadMode mode, List<Card> cards, Sight sight) {
+  public Perception look(
+      PadSighting.Moment moment, Perception before, List<Card> cards, Sight sight) {
+    PadMode mode = before.padMode();
     List<PadSighting> found = new ArrayList<>();
     for (Card card : cards) {
       boolean below = mode != PadMode.FORWARD && sees(moment.drone(), card, UNDERSIDE, true);
       boolean ahead = mode != PadMode.DOWN && sees(moment.drone(), card, NOSE, false);
       if ((below || ahead) && sight.free(moment.drone().position(), card.pose().position())) {
-        found.add(new PadSighting(card.id(), card.pose(), since(card.id(), moment), below));
+        PadSighting.Moment seen = since(card.id(), moment, before.pads());
+        found.add(new PadSighting(card.id(), card.pose(), seen, below));
       }
     }
     found.sort(
         Comparator.comparing(PadSighting::below)
             .reversed()
             .thenComparing(sighting -> sighting.offset().norm()));
-    seen = List.copyOf(found);
-    return seen;
+    return new Perception(mode, true, found);
   }
 
-  private PadSighting.Moment since(int id, PadSighting.Moment now) {
-    return seen.stream()
+  private static PadSighting.Moment since(
+      int id, PadSighting.Moment now, List<PadSighting> before) {
+    return before.stream()
         .filter(sighting -> sighting.id() == id)
         .findFirst()
-        .map(before -> new PadSighting.Moment(before.moment().since(), now.drone()))
+        .map(sighting -> new PadSighting.Moment(sighting.moment().since(), now.drone()))
         .orElse(now);
   }
 

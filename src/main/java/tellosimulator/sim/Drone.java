@@ -22,7 +22,6 @@ import tellosimulator.model.DroneModel;
 import tellosimulator.model.DroneSpec;
 import tellosimulator.model.DroneState;
 import tellosimulator.model.FlightPhase;
-import tellosimulator.model.PadMode;
 import tellosimulator.model.PadSighting;
 import tellosimulator.model.Perception;
 import tellosimulator.physics.QuadcopterDynamics;
@@ -204,10 +203,14 @@ final class Drone {
   /** Other things stand around it: what carried it may be gone, or something is where it is. */
   void lookAround(Surroundings surroundings) {
     model.moveInto(surroundings.arena().room());
+    settle(surroundings);
+  }
+
+  /** Lets a drone that rests fall, or move out of what it is in. */
+  private void settle(Surroundings surroundings) {
     if (model.resting() && surroundings.unsettles(this)) {
       model.setMotion(model.motion());
     }
-    padDetector.forget();
   }
 
   // --- what others ask ---
@@ -272,14 +275,11 @@ final class Drone {
 
   /** Looks for mission pads. */
   void sense(Surroundings surroundings) {
-    PadMode mode = model.perception().padMode();
-    if (PadDetector.looksAt(now, mode)) {
+    Perception before = model.perception();
+    if (PadDetector.looksAt(now, before.padMode())) {
       PadSighting.Moment moment = new PadSighting.Moment(now, model.motion().pose());
       model.setPerception(
-          new Perception(
-              mode,
-              true,
-              padDetector.look(moment, mode, surroundings.cards(), surroundings::free)));
+          padDetector.look(moment, before, surroundings.cards(), surroundings::free));
     }
   }
 

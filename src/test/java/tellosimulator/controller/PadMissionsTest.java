@@ -16,6 +16,7 @@ import tellosimulator.sim.SimEvent;
 import tellosimulator.testing.SimulatedDrone;
 import tellosimulator.world.Arena;
 import tellosimulator.world.Cover;
+import tellosimulator.world.Decor;
 import tellosimulator.world.MissionPad;
 import tellosimulator.world.Obstacle;
 import tellosimulator.world.Room;
@@ -162,9 +163,26 @@ class PadMissionsTest {
 
     assertThat(drone.ask("go 0 0 80 50 m-2")).isEqualTo("ok");
     assertNear(drone, new Vec3(0.35, 0, 0.8));
+    drone.control(new Control.Decorate(Decor.DEFAULT)); // no reason to forget anything
     drone.ask("up 20");
     assertThat(drone.ask("go 0 0 60 50 m-1")).isEqualTo("ok");
     assertNear(drone, new Vec3(0, 0, 0.6));
+  }
+
+  @Test
+  void whatWasSeenBeforeDetectionWasOffDoesNotCount() {
+    MissionPad ahead = MissionPad.onFloor(6, new Vec3(0.35, 0, 0), 0);
+    SimulatedDrone drone = flying(MissionPad.onFloor(3, Vec3.ZERO, 0), ahead);
+    drone.ask("mon"); // at 30 cm the drone sees only the pad 3
+    drone.advance(1);
+    drone.ask("moff");
+    drone.ask("up 50");
+    drone.ask("forward 25");
+    drone.ask("mon"); // both at once, and the pad 6 is nearer
+    drone.advance(1);
+
+    assertThat(drone.ask("go 0 0 80 50 m-1")).isEqualTo("ok");
+    assertNear(drone, new Vec3(0.35, 0, 0.8));
   }
 
   @Test
