@@ -41,7 +41,8 @@ public sealed interface Control {
   }
 
   /**
-   * Puts a drone's start elsewhere, and the drone too if it stands on the ground.
+   * Puts a drone's start elsewhere, and the drone too if it stands on the ground; out of what is
+   * there already, it moves at once.
    *
    * @param position on the floor, room frame [m]
    * @param heading where its nose points [rad], counter-clockwise seen from above
@@ -65,7 +66,8 @@ public sealed interface Control {
 
   /**
    * Other obstacles, mission pads and wind, and with them other looks and another room. Drones and
-   * starts that would be outside the room, or in something, move out of it.
+   * starts that would be outside the room move in; drones that would be in something move out of
+   * it.
    */
   record Furnish(Arena arena) implements Control {}
 

@@ -166,6 +166,7 @@ final class Drone {
     } else if (control instanceof Control.Reset) {
       controller.reset();
       handler.forgetCopies();
+      settle(neighbourhood.surroundings());
     } else if (control instanceof Control.SetBattery battery) {
       model.setBattery(new Battery(battery.percent() / 100));
       note(Phrase.of("has %d %% of its battery now", model.battery().percent()));
@@ -326,6 +327,7 @@ final class Drone {
     model.setStart(start);
     if (model.resting() && !controller.flying()) {
       controller.reset();
+      settle(neighbourhood.surroundings());
     }
   }
 

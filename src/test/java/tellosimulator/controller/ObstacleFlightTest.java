@@ -158,6 +158,25 @@ class ObstacleFlightTest {
     assertThat(drone.ask("takeoff")).isEqualTo("ok");
   }
 
+  @Test
+  void aDroneIsNotPutBackIntoAnObstacle() {
+    SimulatedDrone drone = flying(Behaviour.REPORT, TABLE);
+    drone.ask("land");
+    drone.control(new Control.SetStart(1, new Vec3(0.55, 0, 0)));
+    drone.advance(1);
+    assertThat(drone.state().motion().position().x())
+        .isCloseTo(0.5 - DroneSpec.HULL.radius(), within(0.001));
+
+    drone.ask("takeoff");
+    drone.control(new Control.Reset(1));
+    drone.advance(1);
+
+    assertThat(drone.state().motion().position().x())
+        .isCloseTo(0.5 - DroneSpec.HULL.radius(), within(0.001));
+    assertThat(drone.state().motion().position().z()).isZero();
+    assertThat(drone.ask("takeoff")).isEqualTo("ok");
+  }
+
   private static SimulatedDrone flying(Behaviour behaviour, Obstacle... obstacles) {
     SimulatedDrone drone =
         SimulatedDrone.of(
