@@ -47,22 +47,20 @@ public record AddressPlan(List<List<InetSocketAddress>> drones) {
    * @param ports for each drone its port
    */
   public static AddressPlan ofMachine(List<Optional<InetAddress>> given, List<Integer> ports) {
-    List<List<InetSocketAddress>> plan = new ArrayList<>();
-    List<InetAddress> others = new ArrayList<>();
+    List<InetSocketAddress> others = new ArrayList<>();
     for (int number = 2; number <= given.size(); number++) {
-      others.add(usual(given.get(number - 1), number));
+      InetAddress usual = loopback(number);
+      others.add(new InetSocketAddress(given.get(number - 1).orElse(usual), ports.get(number - 1)));
     }
-    List<InetAddress> first = new ArrayList<>(machineAddresses());
-    first.removeAll(others); // where they had to be added, the machine counts them among its own
-    plan.add(onPort(given.get(0).map(List::of).orElse(first), ports.get(0)));
-    for (int i = 1; i < given.size(); i++) {
-      plan.add(onPort(List.of(others.get(i - 1)), ports.get(i)));
+    List<InetAddress> wanted = given.get(0).map(List::of).orElseGet(AddressPlan::machineAddresses);
+    List<InetSocketAddress> first = new ArrayList<>(onPort(wanted, ports.get(0)));
+    if (given.get(0).isEmpty()) {
+      first.removeAll(others); // where they had to be added, the machine counts them among its own
     }
+    List<List<InetSocketAddress>> plan = new ArrayList<>();
+    plan.add(first);
+    others.forEach(other -> plan.add(List.of(other)));
     return new AddressPlan(plan);
-  }
-
-  private static InetAddress usual(Optional<InetAddress> given, int number) {
-    return given.orElseGet(() -> loopback(number));
   }
 
   /**

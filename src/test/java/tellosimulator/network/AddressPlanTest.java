@@ -6,6 +6,7 @@ import static tellosimulator.testing.SimulatedDrone.address;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.util.List;
+import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -60,6 +61,15 @@ class AddressPlanTest {
     assertThat(plan.drones().get(0)).extracting(InetSocketAddress::getPort).containsOnly(8879);
     assertThat(plan.drones().get(1)).containsExactly(address("127.0.0.2", 8879));
     assertThat(plan.drones().get(2)).containsExactly(address("127.0.0.3", 8879));
+  }
+
+  @Test
+  void drones1And2CanShareAnAddressOnDifferentPorts() {
+    AddressPlan plan =
+        AddressPlan.ofMachine(List.of(Optional.empty(), Optional.of(ONE)), List.of(8879, 9000));
+
+    assertThat(plan.drones().get(0)).contains(address("127.0.0.1", 8879));
+    assertThat(plan.drones().get(1)).containsExactly(address("127.0.0.1", 9000));
   }
 
   @Test
