@@ -32,6 +32,9 @@ final class Checks {
   private final Room room;
   private final Mistakes mistakes;
 
+  /** Of which things all could be read. */
+  record Whole(boolean obstacles, boolean pads) {}
+
   Checks(Room room, Mistakes mistakes) {
     this.room = room;
     this.mistakes = mistakes;
@@ -113,11 +116,14 @@ final class Checks {
     return different;
   }
 
-  /** Where the drones stand. */
+  /** Where the drones stand; only those that were read without mistakes are looked at. */
   void starts(List<Located<DroneReader.Entry>> drones, Arena arena) {
     Obstacles obstacles = Obstacles.of(arena);
     for (int i = 0; i < drones.size(); i++) {
       Node node = drones.get(i).node();
+      if (!drones.get(i).value().sound()) {
+        continue;
+      }
       int number = i + 1;
       Vec3 start = start(drones, i);
       if (!room.contains(start, DroneSpec.HULL)) {
@@ -129,7 +135,8 @@ final class Checks {
               obstacle ->
                   mistakes.add(node, Phrase.of("drone %d is in %s", number, obstacle.phrase())));
       for (int j = 0; j < i; j++) {
-        if (start.distanceTo(start(drones, j)) < 2 * DroneSpec.HULL.radius()) {
+        if (drones.get(j).value().sound()
+            && start.distanceTo(start(drones, j)) < 2 * DroneSpec.HULL.radius()) {
           mistakes.add(node, Phrase.of("drone %d is in drone %d", number, j + 1));
         }
       }
@@ -144,6 +151,9 @@ final class Checks {
   void addresses(List<Located<DroneReader.Entry>> drones) {
     Map<String, Integer> taken = new HashMap<>();
     for (int i = 0; i < drones.size(); i++) {
+      if (!drones.get(i).value().sound()) {
+        continue;
+      }
       int number = i + 1;
       Station station = drones.get(i).value().station();
       String host =
@@ -158,7 +168,7 @@ final class Checks {
   }
 
   /** What goals name; only what was read without mistakes is looked for. */
-  void goals(List<Located<Goal>> goals, Arena arena, boolean allObstacles) {
+  void goals(List<Located<Goal>> goals, Arena arena, Whole whole) {
     for (Located<Goal> goal : goals) {
       if (goal.value() instanceof Goal.Reach reach) {
         place(goal.node(), reach.spot());
@@ -166,9 +176,9 @@ final class Checks {
         place(goal.node(), hover.spot());
       } else if (goal.value() instanceof Goal.Land land) {
         place(goal.node(), land.spot());
-      } else if (goal.value() instanceof Goal.Pass pass && allObstacles) {
+      } else if (goal.value() instanceof Goal.Pass pass && whole.obstacles()) {
         gate(goal.node(), pass.gate(), arena.obstacles());
-      } else if (goal.value() instanceof Goal.LandOn land) {
+      } else if (goal.value() instanceof Goal.LandOn land && whole.pads()) {
         pad(goal.node(), land.pad(), arena.pads());
       }
     }

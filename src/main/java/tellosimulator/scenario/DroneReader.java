@@ -20,8 +20,12 @@ import tellosimulator.words.Phrase;
 /** Reads a drone: what it is, where it starts, and where it takes commands. */
 final class DroneReader implements Value<DroneReader.Entry> {
 
-  /** A drone and its place in the network. */
-  record Entry(DroneSetup setup, Station station) {}
+  /**
+   * A drone and its place in the network.
+   *
+   * @param sound whether all that the file says of it could be read
+   */
+  record Entry(DroneSetup setup, Station station, boolean sound) {}
 
   static final Map<String, Profile> PROFILES =
       Arrays.stream(Profile.values()).collect(Collectors.toMap(Profile::option, each -> each));
@@ -52,7 +56,8 @@ final class DroneReader implements Value<DroneReader.Entry> {
             section.read("address", Values.address()),
             toInt(section.read("command-port", Values.port())));
     Pose pose = new Pose(start, Attitude.ofHeading(heading));
-    return Optional.of(new Entry(new DroneSetup(pose, product, outlets, battery, rgb), station));
+    DroneSetup setup = new DroneSetup(pose, product, outlets, battery, rgb);
+    return Optional.of(new Entry(setup, station, section.sound()));
   }
 
   private static OptionalInt toInt(Optional<Integer> value) {

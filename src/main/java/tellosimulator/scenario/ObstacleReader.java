@@ -47,6 +47,7 @@ final class ObstacleReader implements Value<ObstacleReader.Entry> {
           "bottom", Side.BOTTOM);
 
   private static final Value<Double> LENGTH = Values.length(SHORTEST_CM, LONGEST_CM);
+  private static final Value<Double> DIAMETER = Values.length(2 * SHORTEST_CM, LONGEST_CM);
   private static final Value<Double> HEIGHT = Values.length(0, LONGEST_CM);
   private static final Value<List<Double>> SIZE =
       Values.lengths("x, y, z", SHORTEST_CM, LONGEST_CM);
@@ -132,6 +133,11 @@ final class ObstacleReader implements Value<ObstacleReader.Entry> {
     if (section.sound() && length < Shape.SHORTEST) {
       mistakes.add(section.at("to"), Phrase.of("expected another place than that of from"));
     }
+    if (section.sound() && length > Shape.LONGEST) {
+      mistakes.add(
+          section.at("to"),
+          Phrase.of("expected a wall of at most %s cm", Values.plain(LONGEST_CM)));
+    }
     if (!section.sound()) {
       return Optional.empty();
     }
@@ -156,7 +162,7 @@ final class ObstacleReader implements Value<ObstacleReader.Entry> {
 
   private static Shape ring(Section section, double thickness) {
     section.exclude("ring", "width", "height");
-    double radius = section.need("diameter", LENGTH, 1.0) / 2;
+    double radius = section.need("diameter", DIAMETER, 1.0) / 2;
     double centre = centre(section, radius + thickness);
     return section.sound() ? new Shape.Ring(radius, thickness, centre) : UNKNOWN;
   }

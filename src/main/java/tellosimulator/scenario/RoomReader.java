@@ -40,6 +40,9 @@ final class RoomReader {
   private static final Value<Double> EDGE = Values.length(Room.SHORTEST * 100, LONGEST_CM);
   private static final Value<Double> OFFSET = Values.length(-LONGEST_CM, LONGEST_CM);
 
+  /** What stands for a room until the mistake is told; everything is in it. */
+  private static final Room UNKNOWN = new Room(Room.LONGEST, Room.LONGEST, Room.LONGEST);
+
   private RoomReader() {}
 
   static Optional<Room> room(Node node, Mistakes mistakes) {
@@ -47,7 +50,7 @@ final class RoomReader {
     double width = section.read("width", EDGE, Room.DEFAULT.width());
     double depth = section.read("depth", EDGE, Room.DEFAULT.depth());
     double height = section.read("height", EDGE, Room.DEFAULT.height());
-    return Optional.of(new Room(width, depth, height));
+    return Optional.of(section.sound() ? new Room(width, depth, height) : UNKNOWN);
   }
 
   /** The looks of the room. */

@@ -58,14 +58,18 @@ final class ScenarioReader {
         checks.named(scenario.list("obstacles", MOST_OBSTACLES, new ObstacleReader(folder)));
     boolean allObstacles = mistakes.count() == before;
     checks.obstacles(obstacles);
-    Arena arena = furnished(room, checks).withObstacles(values(obstacles));
+    before = mistakes.count();
+    List<Located<MissionPad>> pads = scenario.list("pads", MOST_OTHERS, RoomReader::pad);
+    boolean allPads = mistakes.count() == before;
+    Arena arena =
+        furnished(room, checks).withObstacles(values(obstacles)).withPads(checks.pads(pads));
     List<Located<DroneReader.Entry>> drones = drones();
     checks.starts(drones, arena);
     checks.addresses(drones);
     SimConfig config = config(arena, drones);
     List<Located<Goal>> goals =
         scenario.list("goals", MOST_OTHERS, new GoalReader(config.drones().size()));
-    checks.goals(goals, arena, allObstacles);
+    checks.goals(goals, arena, new Checks.Whole(allObstacles, allPads));
     return new Scenario(
         scenario.read("name", Values.text(), ""),
         scenario.read("teaches", Values.text(), ""),
@@ -79,19 +83,16 @@ final class ScenarioReader {
     List<Located<DroneReader.Entry>> drones =
         scenario.list("drones", MOST_DRONES, new DroneReader());
     DroneReader.Entry usual =
-        new DroneReader.Entry(SimConfig.DEFAULT.drones().get(0), Station.USUAL);
+        new DroneReader.Entry(SimConfig.DEFAULT.drones().get(0), Station.USUAL, true);
     return drones.isEmpty() ? List.of(new Located<>(usual, scenario.node())) : drones;
   }
 
-  /** All that is in the room but obstacles. */
+  /** All that is in the room but obstacles and mission pads. */
   private Arena furnished(Room room, Checks checks) {
     List<Located<Poster>> posters =
         scenario.list("posters", MOST_OTHERS, RoomReader.poster(folder));
     checks.posters(posters);
-    List<Located<MissionPad>> pads = scenario.list("pads", MOST_OTHERS, RoomReader::pad);
-    List<MissionPad> different = checks.pads(pads);
     return Arena.empty(room, RoomReader.decor(scenario, values(posters)))
-        .withPads(different)
         .withWind(scenario.read("wind", RoomReader::wind, Wind.CALM));
   }
 

@@ -103,7 +103,7 @@ final class Section {
   /** A value that must be there. */
   <T> Optional<T> need(String key, Value<T> value) {
     check(key);
-    if (!has(key)) {
+    if (!has(key) && node instanceof MappingNode) {
       mistakes.add(node, Phrase.of("%s needs the key %s", kind.phrase(), key));
     }
     return read(key, value);

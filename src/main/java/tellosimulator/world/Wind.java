@@ -16,8 +16,11 @@ public record Wind(Vec3 mean, double gusts) {
   /** Fastest wind, and strongest gusts [m/s]. Decided: a gale, in which no drone can stay. */
   public static final double FASTEST = 20;
 
+  /** What the sides of a triangle may be longer for rounding [m/s]. */
+  private static final double ROUNDING = 1e-9;
+
   public Wind {
-    if (!(mean.norm() <= FASTEST)) {
+    if (!(mean.norm() <= FASTEST + ROUNDING)) {
       throw new IllegalArgumentException(
           "wind is " + mean.norm() + " m/s, but must be at most " + FASTEST);
     }

@@ -2,6 +2,7 @@ package tellosimulator.scenario;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.catchThrowableOfType;
+import static org.assertj.core.api.Assertions.within;
 
 import java.io.IOException;
 import java.lang.management.ManagementFactory;
@@ -49,6 +50,7 @@ import tellosimulator.world.Room;
 import tellosimulator.world.Shape;
 import tellosimulator.world.Surface;
 import tellosimulator.world.Walls;
+import tellosimulator.world.Wind;
 
 class ScenarioFileTest {
 
@@ -311,6 +313,9 @@ class ScenarioFileTest {
           drones: [{start: [0, 0], address: 127.0.0.300}] | 1:35: expected an address such as 127.0.0.2, found "127.0.0.300"
           drones: [{start: [0, 0], command-port: 0}] | 1:40: expected a port from 1 to 65535, found "0"
           drones: [{start: [0, 0]}, {start: [0, 50], address: 127.0.0.1}] | 1:27: drone 2 takes commands where drone 1 does
+          drones: [5]                         | 1:10: expected a drone, found "5"
+          drones: [{start: [0, 0]}, {start: abc}] | 1:35: expected [x, y] in cm, each from -20000 to 20000, found "abc"
+          {room: {width: 2O00}, pads: [{id: 1, at: [0, 600]}], drones: [{start: [0, 700]}]} | 1:16: expected a length in cm from 100 to 20000, found "2O00"
           pads: [{id: 9, at: [0, 0]}]         | 1:13: expected a pad from 1 to 8, found "9"
           pads: [{id: 1, at: [0, 0]}, {id: 1, at: [50, 0]}] | 1:29: there are two mission pads of the number 1
           pads: [{id: 1, at: [245, 0]}]       | 1:8: the mission pad 1 is not on the floor
@@ -325,12 +330,15 @@ class ScenarioFileTest {
           obstacles: [{wall: {from: [0, 0], to: [0, 0], height: 5}}] | 1:39: expected another place than that of from
           obstacles: [{gate: {at: [0, 0], shape: ring, diameter: 80, centre: 20}}] | 1:68: the centre of this opening must be at least 45 cm high
           obstacles: [{gate: {at: [0, 0], shape: ring, diameter: 80, centre: 90, width: 5}}] | 1:79: the key width does not go with ring
+          obstacles: [{gate: {at: [0, 0], shape: ring, diameter: 0.1, centre: 90}}] | 1:56: expected a length in cm from 0.2 to 20000, found "0.1"
+          {room: {width: 20000, depth: 20000}, obstacles: [{wall: {from: [-9000, -9000], to: [9000, 9000], height: 5}}]} | 1:84: expected a wall of at most 20000 cm
           posters: [{wall: front, height: 100, width: 30, picture: none.png}] | 1:58: expected the name of an image file, found no file "none.png"
           wind: {speed: 5000}                 | 1:15: expected a speed in cm/s from 0 to 2000, found "5000"
           wind: {towards: 400}                | 1:17: expected an angle in degrees from -360 to 360, found "400"
           time-factor: fast                   | 1:14: expected a time factor from 0.01 to 5000, or max, found "fast"
           seed: 1.5                           | 1:7: expected a whole number of at most 18 digits, found "1.5"
           goals: [{land-on: {pad: 3}}]        | 1:9: no mission pad 3 lies on the floor
+          {goals: [{land-on: {pad: 3}}], pads: [{id: 3, at: 5}]} | 1:51: expected [x, y] in cm, each from -20000 to 20000, found "5"
           goals: [{reach: {at: [0, 0, 301]}}] | 1:9: this place is not in the room
           goals: [{reach: {at: [0, 0, 30], drone: 2}}] | 1:41: expected drone 1, the only one, found "2"
           goals: [{hover: {at: [0, 0, 30]}}]  | 1:17: a place to hover needs the key seconds
@@ -343,6 +351,14 @@ class ScenarioFileTest {
           """)
   void aMistakeIsOneSentenceWithItsPlace(String text, String sentence) {
     assertThat(mistakes(text + "\n")).containsExactly(sentence);
+  }
+
+  @Test
+  void theFastestWindCanBlowAnywhere() throws Exception {
+    for (int towards = -360; towards <= 360; towards++) {
+      Wind wind = read("wind: {speed: 2000, towards: " + towards + "}\n").config().arena().wind();
+      assertThat(wind.mean().norm()).isCloseTo(20, within(1e-9));
+    }
   }
 
   @Test
