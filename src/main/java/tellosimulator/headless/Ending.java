@@ -3,6 +3,8 @@ package tellosimulator.headless;
 import java.util.Optional;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicLong;
+import java.util.function.BooleanSupplier;
 import tellosimulator.goal.GoalWatch;
 import tellosimulator.goal.Progress;
 import tellosimulator.goal.Progress.Status;
@@ -25,7 +27,15 @@ final class Ending implements SimListener {
   /** The same where simulated time stands still, because nothing moves any more [ms]. */
   private static final int REPLIES_MS = 500;
 
+  /**
+   * How long simulated time may stand still after the first takeoff, where it does so because
+   * nothing moves [ms]. Decided: twice as long as a drone waits for a command before it lands.
+   */
+  private static final int STANDSTILL_MS = 30_000;
+
   private final GoalWatch goals;
+  private final int patienceMs;
+  private final AtomicLong steps = new AtomicLong();
   private final CountDownLatch result = new CountDownLatch(1);
   private final CountDownLatch landed = new CountDownLatch(1);
   private final CountDownLatch answered = new CountDownLatch(1);
@@ -37,12 +47,21 @@ final class Ending implements SimListener {
    * @param goals is told of each step before
    */
   Ending(GoalWatch goals) {
+    this(goals, STANDSTILL_MS);
+  }
+
+  /**
+   * @param patienceMs how long simulated time may stand still [ms]
+   */
+  Ending(GoalWatch goals, int patienceMs) {
     this.goals = goals;
+    this.patienceMs = patienceMs;
   }
 
   @Override
   public void stepped(SimSnapshot snapshot) {
     SimTime now = snapshot.time();
+    steps.incrementAndGet();
     if (resultAt.isEmpty() && goals.progress().status() == Status.RUNNING) {
       return;
     }
@@ -71,16 +90,38 @@ final class Ending implements SimListener {
     answered.countDown();
   }
 
-  /** Waits for the result, which stays the same whatever happens afterwards. */
-  Progress awaitResult() throws InterruptedException {
-    result.await();
+  /**
+   * Waits for the result, which stays the same whatever happens afterwards. Where nothing moves any
+   * more, it is what was reached until then.
+   *
+   * @param asNeeded whether simulated time passes only while something moves
+   */
+  Progress awaitResult(BooleanSupplier asNeeded) throws InterruptedException {
+    await(result, asNeeded);
     return progress.orElseGet(goals::progress);
   }
 
-  /** Waits for the drones and their last replies. */
+  /**
+   * Waits for the drones and their last replies.
+   *
+   * @param asNeeded whether simulated time passes only while something moves
+   */
   @SuppressWarnings("ReturnValueIgnored") // whichever comes first
-  void awaitRest() throws InterruptedException {
-    landed.await();
+  void awaitRest(BooleanSupplier asNeeded) throws InterruptedException {
+    await(landed, asNeeded);
     answered.await(REPLIES_MS, TimeUnit.MILLISECONDS);
+  }
+
+  /** Waits, but not for a moment to which time never comes. */
+  private void await(CountDownLatch latch, BooleanSupplier asNeeded) throws InterruptedException {
+    long before = -1;
+    while (!latch.await(patienceMs, TimeUnit.MILLISECONDS)) {
+      long count = steps.get();
+      boolean begun = goals.progress().elapsed() > 0;
+      if (begun && count == before && asNeeded.getAsBoolean()) {
+        return;
+      }
+      before = count;
+    }
   }
 }

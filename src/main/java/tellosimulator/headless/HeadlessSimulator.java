@@ -69,18 +69,24 @@ public final class HeadlessSimulator implements AutoCloseable {
 
   /**
    * Takes what is typed, and returns after {@code quit}, or when the goals are reached or missed
-   * and the drones have come down.
+   * and the drones have come down; with time factor {@code max} also after nothing has moved for
+   * half a minute since the first takeoff, because time stands still then.
    *
    * @return whether the goals were reached; it still runs after {@code quit}
    */
   public Progress.Status runUntilDone(BufferedReader in, PrintStream out)
       throws InterruptedException {
     Threads.start("console", () -> readUntilQuit(in, out));
-    Progress result = ending.awaitResult();
+    Progress result = ending.awaitResult(this::passesWhileSomethingMoves);
     out.println(result.phrase());
     out.flush();
-    ending.awaitRest();
+    ending.awaitRest(this::passesWhileSomethingMoves);
     return result.status();
+  }
+
+  private boolean passesWhileSomethingMoves() {
+    SimSnapshot.Clock clock = snapshot().clock();
+    return clock.factor().unlimited() && !clock.paused();
   }
 
   private void readUntilQuit(BufferedReader in, PrintStream out) {
