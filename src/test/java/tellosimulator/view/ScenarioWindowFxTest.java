@@ -6,7 +6,11 @@ import static tellosimulator.view.testing.WindowFixture.onFxThread;
 import static tellosimulator.view.testing.WindowFixture.waitUntil;
 
 import java.io.IOException;
+import java.net.DatagramPacket;
+import java.net.DatagramSocket;
 import java.net.InetAddress;
+import java.net.InetSocketAddress;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.attribute.FileTime;
@@ -14,6 +18,8 @@ import java.util.List;
 import java.util.OptionalInt;
 import java.util.concurrent.TimeoutException;
 import java.util.function.UnaryOperator;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import javafx.scene.control.Label;
 import javafx.scene.control.Labeled;
 import javafx.scene.control.ToggleButton;
@@ -189,6 +195,79 @@ class ScenarioWindowFxTest {
 
     waitUntil(() -> log().contains("could not be saved"));
     assertThat(stage.getTitle()).isEqualTo("Tello Simulator");
+  }
+
+  @Test
+  void goalsAreTickedAndBeginAnew() throws IOException {
+    Files.writeString(
+        file,
+        """
+        name: First flight
+        time-factor: max
+        drones:
+          - {start: [0, 0], state-port: 9, video-port: 10}
+        goals:
+          - reach: {at: [0, 0, 30], radius: 10}
+          - land: {at: [0, 0], radius: 20}
+        in-order: true
+        """);
+    change(() -> app.open(file));
+    robot.clickOn("#power");
+    assertThat(robot.lookup("#goal-banner").query().isVisible()).isFalse();
+
+    assertThat(fly("command", "takeoff", "land")).isEqualTo("ok");
+
+    waitUntil(() -> label("goal-banner").startsWith("Reached in "));
+    assertThat(robot.lookup("#goal-banner").query().isVisible()).isTrue();
+    assertThat(ticked()).isEqualTo(2);
+
+    robot.clickOn("#goal-again");
+    waitUntil(() -> ticked() == 0);
+    assertThat(robot.lookup("#goal-banner").query().isVisible()).isFalse();
+    assertThat(label("goal-time")).isEqualTo("0.0 s");
+  }
+
+  @Test
+  void aFailureIsToldWithItsReason() throws IOException {
+    Files.writeString(
+        file,
+        SLALOM
+            .replace("time-limit: 60", "touch: forbidden")
+            .replace("drones:", "time-factor: max\ndrones:")
+            .replace("heading: 90", "heading: 0")
+            .replace("at: [100, 0]", "at: [-150, 50]"));
+    change(() -> app.open(file));
+    robot.clickOn("#power");
+
+    fly("command", "takeoff", "forward 100");
+
+    waitUntil(() -> label("goal-banner").equals("Failed: drone 1 touched the obstacle pole"));
+  }
+
+  private long ticked() {
+    return robot.lookup(".goal").queryAll().stream()
+        .filter(goal -> goal.getPseudoClassStates().toString().contains("reached"))
+        .count();
+  }
+
+  /** Sends the first drone commands, one after the other, and returns the last reply. */
+  private String fly(String... commands) throws IOException {
+    Matcher port = Pattern.compile("drone 1 at 127.0.0.1:(\\d+)").matcher(app.ready());
+    assertThat(port.find()).isTrue();
+    InetSocketAddress drone =
+        new InetSocketAddress(LOOPBACK.get(0), Integer.parseInt(port.group(1)));
+    try (DatagramSocket socket = new DatagramSocket(0, LOOPBACK.get(0))) {
+      socket.setSoTimeout(20_000);
+      String reply = "";
+      for (String command : commands) {
+        byte[] bytes = command.getBytes(StandardCharsets.US_ASCII);
+        socket.send(new DatagramPacket(bytes, bytes.length, drone));
+        DatagramPacket answer = new DatagramPacket(new byte[2048], 2048);
+        socket.receive(answer);
+        reply = new String(answer.getData(), 0, answer.getLength(), StandardCharsets.US_ASCII);
+      }
+      return reply;
+    }
   }
 
   private boolean trailButton() {

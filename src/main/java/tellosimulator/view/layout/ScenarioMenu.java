@@ -123,7 +123,6 @@ public final class ScenarioMenu extends MenuButton {
     title.getStyleClass().add(Styles.TEXT_BOLD);
     Label teaches = new Label(known.teaches());
     teaches.getStyleClass().addAll(Styles.TEXT_SMALL, Styles.TEXT_MUTED);
-    // a graphic would push the texts of all other entries to its right
     MenuItem item = new CustomMenuItem(new VBox(title, teaches));
     item.setId("scenario-" + name);
     item.setOnAction(event -> desk.openKnown(name));
