@@ -27,8 +27,6 @@ import tellosimulator.video.camera.DroneOptics;
 import tellosimulator.view.OpenedScenario;
 import tellosimulator.world.Decor;
 import tellosimulator.world.Poster;
-import tellosimulator.world.Room;
-import tellosimulator.world.Walls;
 
 /** What can be chosen on the command line, and what follows from it. */
 @Command(
@@ -157,45 +155,7 @@ final class Options {
               + " noise, delays and errors of real drones. Default: report.")
   private Behaviour behaviour;
 
-  @Option(
-      names = "--room",
-      paramLabel = "WxDxH",
-      defaultValue = "500x500x300",
-      converter = OptionTypes.RoomSize.class,
-      description =
-          "Width, depth and height of the room in cm, each 100 to 20000. Default: 500x500x300.")
-  private Room room;
-
-  @Option(
-      names = "--walls",
-      paramLabel = "textured|plain",
-      defaultValue = "textured",
-      converter = OptionTypes.WallsName.class,
-      description =
-          "textured: walls and floor with patterns that cameras can see. plain: even colours."
-              + " Default: textured.")
-  private Walls walls;
-
-  @Option(
-      names = "--poster",
-      paramLabel = "WALL,ALONG,HEIGHT,WIDTH,FILE",
-      converter = OptionTypes.PosterOnWall.class,
-      description =
-          "Hang an image file (PNG, JPEG, GIF or BMP) on a wall: front, back, left, right, floor or"
-              + " ceiling. ALONG is from the middle of the wall to the right, HEIGHT from the floor"
-              + " to the middle of the image (on floor and ceiling: from the middle upwards), and"
-              + " WIDTH that of the image, all in cm. Can be given several times.")
-  private List<Poster> posters = List.of();
-
-  @Option(
-      names = "--start",
-      paramLabel = "X,Y",
-      defaultValue = "0,0",
-      converter = OptionTypes.FloorPoint.class,
-      description =
-          "Where the drone starts, in cm from the room's centre: X along its depth, Y to the left."
-              + " Several drones stand in a row around it. Default: 0,0.")
-  private OptionTypes.Point start;
+  @Mixin private RoomOptions roomOptions;
 
   @Option(
       names = "--time-factor",
@@ -306,11 +266,13 @@ final class Options {
   private Scenario changed(Scenario base) {
     Decor decor = base.config().arena().decor();
     List<Poster> all = new ArrayList<>(decor.posters());
-    all.addAll(posters);
+    all.addAll(roomOptions.posters());
     SimConfig config =
         base.config()
             .withDecor(
-                decor.withWalls(unlessGiven("--walls", decor.walls(), walls)).withPosters(all))
+                decor
+                    .withWalls(unlessGiven("--walls", decor.walls(), roomOptions.walls()))
+                    .withPosters(all))
             .withTimeFactor(unlessGiven("--time-factor", base.config().timeFactor(), timeFactor))
             .withSeed(unlessGiven("--seed", base.config().seed(), seed));
     return base.withConfig(config.withDrones(changed(config.drones())));
@@ -326,8 +288,8 @@ final class Options {
   }
 
   private Scenario emptyRoom() {
-    List<Pose> starts = Swarm.row(droneCount(), start.inMetres(), room);
-    return Scenario.of(SimConfig.DEFAULT.withRoom(room, starts));
+    List<Pose> starts = Swarm.row(droneCount(), roomOptions.start(), roomOptions.room());
+    return Scenario.of(SimConfig.DEFAULT.withRoom(roomOptions.room(), starts));
   }
 
   private List<DroneSetup> changed(List<DroneSetup> setups) {
