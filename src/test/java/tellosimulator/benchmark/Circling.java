@@ -11,6 +11,9 @@ final class Circling implements AutoCloseable {
 
   private static final int PERIOD_MS = 50;
 
+  /** Forward at 30 cm/s with 60 degrees a second: a circle of 57 cm. */
+  private static final String CIRCLE = "rc 0 30 0 60";
+
   private final Operator operator;
   private final ScheduledExecutorService timer = Executors.newSingleThreadScheduledExecutor();
 
@@ -24,7 +27,7 @@ final class Circling implements AutoCloseable {
 
   private void steer() {
     try {
-      operator.send("rc 0 20 0 40");
+      operator.send(CIRCLE);
     } catch (IOException e) {
       throw new UncheckedIOException(e);
     }

@@ -23,6 +23,9 @@ final class WindowBenchmark {
   private static final int QUERIES = 10_000;
   private static final double LEAST_FRAMES = 20;
 
+  private static final int SWARM = 20;
+  private static final double LEAST_SWARM_FRAMES = 15;
+
   private WindowBenchmark() {}
 
   /** Everything, or why nothing of it can be measured here. */
@@ -33,6 +36,7 @@ final class WindowBenchmark {
     List<Row> rows = new ArrayList<>();
     rows.add(start());
     rows.add(frames());
+    rows.add(swarmFrames());
     rows.addAll(queries());
     rows.add(heapAfter(minutes));
     return rows;
@@ -79,6 +83,37 @@ final class WindowBenchmark {
           "at least 20 frames/s",
           String.format(Locale.ROOT, "%.1f frames/s", median),
           median >= LEAST_FRAMES);
+    }
+  }
+
+  /** Twenty drones side by side that fly by {@code rc}, all of them at once. */
+  private static Row swarmFrames() throws IOException {
+    List<String> options = new ArrayList<>(List.of(NOT_ON_THE_USUAL_PORTS));
+    options.addAll(List.of("--port-per-drone", "--drones", "" + SWARM, "--room", "1000x1000x300"));
+    List<Circling> flying = new ArrayList<>();
+    try (Simulator simulator = Simulator.inWindow(options.toArray(String[]::new))) {
+      for (int drone = 1; drone <= SWARM; drone++) {
+        try (Operator operator = new Operator(simulator.port(drone))) {
+          operator.expect("command", "ok");
+          operator.send("takeoff");
+        }
+        Circling circling = new Circling(simulator.port(drone));
+        flying.add(circling);
+        circling.start();
+      }
+      long end = System.nanoTime() + FLIGHT_SECONDS * 1_000_000_000L;
+      while (System.nanoTime() < end) {
+        Threads.backOff();
+      }
+      List<Double> rates = simulator.frameRates();
+      double median = new Statistics(rates.subList(WARM_UP_PERIODS, rates.size())).median();
+      return new Row(
+          "… with " + SWARM + " drones flying",
+          "at least 15 frames/s",
+          String.format(Locale.ROOT, "%.1f frames/s", median),
+          median >= LEAST_SWARM_FRAMES);
+    } finally {
+      flying.forEach(Circling::close);
     }
   }
 

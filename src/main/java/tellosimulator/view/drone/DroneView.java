@@ -59,6 +59,11 @@ public final class DroneView extends Group {
     return light;
   }
 
+  /** Where it is, room frame [m]. */
+  public Vec3 position() {
+    return model.poseProperty().get().position();
+  }
+
   /**
    * Moves on what moves by itself.
    *

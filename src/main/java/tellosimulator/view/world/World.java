@@ -30,6 +30,12 @@ final class World extends Group {
   private record Parts(
       DroneView view, Trail trail, PlumbLine plumbLine, List<NumberTag> tags, FollowsStart start) {}
 
+  /** Drones that are nearer than this are always drawn [m]. Decided: some times their size. */
+  private static final double NEARBY = 1;
+
+  /** Cosine of the widest angle from the middle of a picture. Decided: beyond any window's form. */
+  private static final double WIDEST = Math.cos(Math.toRadians(58));
+
   private final FxSimulation simulation;
   private final List<Parts> drones = new ArrayList<>();
   private final RoomView room;
@@ -60,6 +66,9 @@ final class World extends Group {
   void advance(long nanos, Pose camera) {
     for (Parts drone : drones) {
       drone.view.advance(nanos);
+      if (!mayBeSeen(drone.view.position(), camera)) {
+        drone.view.setVisible(false); // the toolkit would take its thousands of corners on
+      }
       if (drone.start.wasReset()) {
         drone.trail.clear();
       }
@@ -67,6 +76,14 @@ final class World extends Group {
       drone.plumbLine.advance(camera.position());
       drone.tags.forEach(tag -> tag.advance(camera));
     }
+  }
+
+  /** Whether something as large as a drone could be in the picture of a camera. */
+  private static boolean mayBeSeen(Vec3 place, Pose camera) {
+    Vec3 way = place.minus(camera.position());
+    double distance = way.norm();
+    Vec3 ahead = camera.attitude().toRoom(new Vec3(1, 0, 0));
+    return distance < NEARBY || way.dot(ahead) > WIDEST * distance;
   }
 
   /** The flown paths. */
