@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.IntConsumer;
 import tellosimulator.math.Vec3;
 import tellosimulator.world.Solid.Bounds;
 
@@ -21,6 +22,9 @@ public final class Obstacles {
   /** Most cells along an edge of the room. Decided: some megabytes at the most. */
   private static final int MOST_CELLS = 64;
 
+  /** A part in more cells than this is looked at everywhere. Decided: a long wall is in fewer. */
+  private static final int MANY_CELLS = 100;
+
   private static final Part[] NOTHING = {};
 
   /** A solid, and whose it is. */
@@ -31,6 +35,7 @@ public final class Obstacles {
   private final int columns;
   private final int rows;
   private final Part[][] cells;
+  private final Part[] wide;
   private final boolean empty;
 
   private Obstacles(Room room, List<Part> parts) {
@@ -45,7 +50,15 @@ public final class Obstacles {
     for (int i = 0; i < cells.length; i++) {
       lists.add(new ArrayList<>());
     }
-    parts.forEach(part -> forCells(part.bounds, index -> lists.get(index).add(part)));
+    List<Part> everywhere = new ArrayList<>();
+    for (Part part : parts) {
+      if (cellCount(part.bounds) > MANY_CELLS) {
+        everywhere.add(part);
+      } else {
+        forCells(part.bounds, index -> lists.get(index).add(part));
+      }
+    }
+    this.wide = everywhere.toArray(NOTHING);
     for (int i = 0; i < cells.length; i++) {
       cells[i] = lists.get(i).toArray(NOTHING);
     }
@@ -117,6 +130,12 @@ public final class Obstacles {
     int firstRow = row(bounds.least().y());
     int lastRow = row(bounds.most().y());
     List<Part> near = List.of();
+    for (Part part : wide) {
+      if (part.bounds.meets(bounds)) {
+        near = near.isEmpty() ? new ArrayList<>(4) : near;
+        near.add(part);
+      }
+    }
     for (int column = firstColumn; column <= lastColumn; column++) {
       for (int row = firstRow; row <= lastRow; row++) {
         for (Part part : cells[column * rows + row]) {
@@ -130,7 +149,12 @@ public final class Obstacles {
     return near;
   }
 
-  private void forCells(Bounds bounds, java.util.function.IntConsumer consumer) {
+  private int cellCount(Bounds bounds) {
+    return (column(bounds.most().x()) - column(bounds.least().x()) + 1)
+        * (row(bounds.most().y()) - row(bounds.least().y()) + 1);
+  }
+
+  private void forCells(Bounds bounds, IntConsumer consumer) {
     for (int column = column(bounds.least().x()); column <= column(bounds.most().x()); column++) {
       for (int row = row(bounds.least().y()); row <= row(bounds.most().y()); row++) {
         consumer.accept(column * rows + row);

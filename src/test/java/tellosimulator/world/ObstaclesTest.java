@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.within;
 import java.util.List;
 import java.util.Optional;
 import java.util.SplittableRandom;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -223,6 +224,26 @@ class ObstaclesTest {
     for (Obstacle one : many) {
       assertThat(all.around(one.foot().plus(new Vec3(0.25, 0, 1)), HULL)).isPresent();
     }
+  }
+
+  @Test
+  void aThousandThatFillAHugeRoomAreNoBurdenAndStillStop() {
+    Room hall = new Room(200, 200, 10);
+    List<Obstacle> plates =
+        IntStream.range(0, 1000)
+            .mapToObj(i -> thing(new Shape.Box(199, 199, 0.001), new Vec3(0, 0, 1 + 0.008 * i), 0))
+            .toList();
+    Runtime runtime = Runtime.getRuntime();
+    runtime.gc();
+    long before = runtime.totalMemory() - runtime.freeMemory();
+    Obstacles all = Obstacles.of(Arena.DEFAULT.withRoom(hall).withObstacles(plates));
+    long used = runtime.totalMemory() - runtime.freeMemory() - before;
+
+    // in each of the 64 by 64 cells they would take 4096 · 1000 · 4 bytes twice, 33 MB
+    assertThat(used).isLessThan(16_000_000);
+    Collision hit =
+        all.collide(new Vec3(50, 50, 0.95), new Vec3(50, 50, 0.97), Vec3.UP, HULL).orElseThrow();
+    assertThat(hit.position().z()).as("below by its height").isCloseTo(0.96, within(1e-9));
   }
 
   private static boolean crosses(Obstacles obstacles, double y, double z) {
