@@ -5,6 +5,7 @@ import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
 import java.util.Optional;
 
 /** A scenario as a YAML file. For any thread. */
@@ -48,8 +49,14 @@ public final class ScenarioFile {
    * @throws IOException if it cannot be written
    */
   public static void write(Scenario scenario, Path file) throws IOException {
-    Files.writeString(
-        file, new ScenarioWriter(folder(file)).text(scenario), StandardCharsets.UTF_8);
+    String text = new ScenarioWriter(folder(file)).text(scenario);
+    Path beside = Files.createTempFile(file.toAbsolutePath().getParent(), "scenario", ".tmp");
+    try {
+      Files.writeString(beside, text, StandardCharsets.UTF_8);
+      Files.move(beside, file, StandardCopyOption.REPLACE_EXISTING); // all of it, or nothing
+    } finally {
+      Files.deleteIfExists(beside);
+    }
   }
 
   private static Path folder(Path file) {
