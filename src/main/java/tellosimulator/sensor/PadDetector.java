@@ -66,7 +66,8 @@ public final class PadDetector {
     PadMode mode = before.padMode();
     List<PadSighting> found = new ArrayList<>();
     for (Card card : cards) {
-      boolean below = mode != PadMode.FORWARD && sees(moment.drone(), card, UNDERSIDE, true);
+      boolean below =
+          mode != PadMode.FORWARD && lies(card) && sees(moment.drone(), card, UNDERSIDE, true);
       boolean ahead = mode != PadMode.DOWN && sees(moment.drone(), card, NOSE, false);
       if ((below || ahead) && sight.free(moment.drone().position(), card.pose().position())) {
         PadSighting.Moment seen = since(card.id(), moment, before.pads());
@@ -87,6 +88,11 @@ public final class PadDetector {
         .findFirst()
         .map(sighting -> new PadSighting.Moment(sighting.moment().since(), now.drone()))
         .orElse(now);
+  }
+
+  /** A pad that hangs is none to fly over, even if a tilted drone sees it with its underside. */
+  private static boolean lies(Card card) {
+    return card.pose().attitude().up().z() > STEEPEST;
   }
 
   /**
