@@ -1,6 +1,5 @@
 package tellosimulator.scenario;
 
-import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalInt;
@@ -34,26 +33,17 @@ final class GoalReader implements Value<Goal> {
   @Override
   public Optional<Goal> read(Node node, Mistakes mistakes) {
     Section section = Section.of(Kind.GOAL, node, mistakes);
-    List<String> kinds = Kind.GOAL.keys().stream().filter(section::has).toList();
-    if (kinds.size() != 1) {
-      if (section.sound()) {
-        mistakes.add(
-            node,
-            Phrase.of(
-                "expected one of %s, found %d of them",
-                String.join(", ", Kind.GOAL.keys()), kinds.size()));
-      }
-      return Optional.empty();
-    }
-    Value<Goal> reader =
-        switch (kinds.get(0)) {
-          case "reach" -> this::reach;
-          case "hover" -> this::hover;
-          case "pass" -> this::pass;
-          case "land" -> this::land;
-          default -> this::landOn;
-        };
-    return section.read(kinds.get(0), reader);
+    return section.onlyKey().flatMap(kind -> section.read(kind, reader(kind)));
+  }
+
+  private Value<Goal> reader(String kind) {
+    return switch (kind) {
+      case "reach" -> this::reach;
+      case "hover" -> this::hover;
+      case "pass" -> this::pass;
+      case "land" -> this::land;
+      default -> this::landOn;
+    };
   }
 
   private Optional<Goal> reach(Node node, Mistakes mistakes) {

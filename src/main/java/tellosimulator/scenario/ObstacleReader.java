@@ -82,26 +82,19 @@ final class ObstacleReader implements Value<ObstacleReader.Entry> {
   @Override
   public Optional<Entry> read(Node node, Mistakes mistakes) {
     Section section = Section.of(Kind.OBSTACLE, node, mistakes);
-    List<String> kinds = Kind.OBSTACLE.keys().stream().filter(section::has).toList();
-    if (kinds.size() != 1) {
-      if (section.sound()) {
-        mistakes.add(
-            node,
-            Phrase.of(
-                "expected one of %s, found %d of them",
-                String.join(", ", Kind.OBSTACLE.keys()), kinds.size()));
-      }
-      return Optional.empty();
-    }
-    Value<Obstacle> reader =
-        switch (kinds.get(0)) {
-          case "box" -> this::box;
-          case "cylinder" -> this::cylinder;
-          case "wall" -> this::wall;
-          default -> this::gate;
-        };
-    String kind = kinds.get(0);
-    return section.read(kind, reader).map(obstacle -> new Entry(kind, obstacle));
+    return section
+        .onlyKey()
+        .flatMap(
+            kind -> section.read(kind, reader(kind)).map(obstacle -> new Entry(kind, obstacle)));
+  }
+
+  private Value<Obstacle> reader(String kind) {
+    return switch (kind) {
+      case "box" -> this::box;
+      case "cylinder" -> this::cylinder;
+      case "wall" -> this::wall;
+      default -> this::gate;
+    };
   }
 
   private Optional<Obstacle> box(Node node, Mistakes mistakes) {

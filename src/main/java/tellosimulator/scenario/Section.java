@@ -89,6 +89,22 @@ final class Section {
     return mistakes.count() == mistakesBefore;
   }
 
+  /** The key of a section that says by it what it is; a mistake if it has none, or several. */
+  Optional<String> onlyKey() {
+    List<String> present = kind.keys().stream().filter(this::has).toList();
+    if (present.size() == 1) {
+      return Optional.of(present.get(0));
+    }
+    if (sound()) {
+      mistakes.add(
+          node,
+          Phrase.of(
+              "expected one of %s, found %d of them",
+              String.join(", ", kind.keys()), present.size()));
+    }
+    return Optional.empty();
+  }
+
   /** A value that can be there. */
   <T> Optional<T> read(String key, Value<T> value) {
     check(key);
