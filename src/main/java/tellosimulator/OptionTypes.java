@@ -108,11 +108,10 @@ final class OptionTypes {
   static final class Seed implements ITypeConverter<Long> {
     @Override
     public Long convert(String word) {
-      try {
-        return Long.valueOf(word);
-      } catch (NumberFormatException e) {
+      if (!word.matches("-?[0-9]{1,18}")) { // as in scenario files
         throw mistake("a whole number of at most 18 digits", word);
       }
+      return Long.valueOf(word);
     }
   }
 

@@ -255,6 +255,7 @@ class OptionsTest {
           --time-factor  | 5001      | expected a number from 0.01 to 5000, or max, found 5001
           --time-factor  | Infinity  | expected a number from 0.01 to 5000, or max, found Infinity
           --seed         | 1.5       | expected a whole number of at most 18 digits, found 1.5
+          --seed         | 1234567890123456789 | expected a whole number of at most 18 digits, found 1234567890123456789
           --log-level    | loud      | expected one of error, warn, info, debug, off, found loud
           """)
   void aWrongValueIsNamedWithWhatWasExpected(String option, String value, String sentence) {
