@@ -10,9 +10,11 @@ import java.net.InetSocketAddress;
 import java.net.SocketTimeoutException;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
+import java.util.Deque;
 import java.util.List;
 import java.util.OptionalInt;
 import java.util.Set;
+import java.util.concurrent.ConcurrentLinkedDeque;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
@@ -42,11 +44,18 @@ class GarbageOnTheSocketTest {
   /** The largest datagram that IPv4 carries: 65,535 less the headers of IP and UDP. */
   private static final int LARGEST = 65_507;
 
+  private static final int LAST_EVENTS = 40;
+
   private final AtomicInteger heard = new AtomicInteger();
+  private final Deque<String> lastEvents = new ConcurrentLinkedDeque<>();
   private final SimListener counter =
       new SimListener() {
         @Override
         public void event(SimEvent event) {
+          lastEvents.add(event.time().seconds() + " s: " + event.words());
+          if (lastEvents.size() > LAST_EVENTS) {
+            lastEvents.remove();
+          }
           if (event instanceof SimEvent.CommandReceived
               || event instanceof SimEvent.CommandIgnored) {
             heard.incrementAndGet();
@@ -140,8 +149,9 @@ class GarbageOnTheSocketTest {
   }
 
   /** As a person would after a mess: back to the start, then a flight. */
-  private static void fly(Simulation simulation, InetSocketAddress drone) throws IOException {
+  private void fly(Simulation simulation, InetSocketAddress drone) throws IOException {
     try (DatagramSocket operator = new DatagramSocket(address("127.0.0.1", 0))) {
+      operator.connect(drone); // deaf to late replies of others to whoever had its port before
       operator.setSoTimeout(20_000);
       awaitAnswer(operator, drone);
       simulation.control(new Control.Reset(1));
@@ -149,13 +159,17 @@ class GarbageOnTheSocketTest {
       assertThat(ask(operator, drone, "command")).isEqualTo("ok");
       assertThat(ask(operator, drone, "rc 0 0 0 0; speed")).startsWith("unknown command: ");
       assertThat(ask(operator, drone, "speed 100")).isEqualTo("ok");
-      assertThat(ask(operator, drone, "takeoff")).isEqualTo("ok");
+      assertThat(ask(operator, drone, "takeoff")).as(this::lastEvents).isEqualTo("ok");
       double x = simulation.snapshot().drones().get(0).state().motion().position().x();
       assertThat(ask(operator, drone, "forward 50")).isEqualTo("ok");
       double flown = simulation.snapshot().drones().get(0).state().motion().position().x() - x;
       assertThat(flown).isBetween(0.48, 0.52);
       assertThat(ask(operator, drone, "land")).isEqualTo("ok");
     }
+  }
+
+  private String lastEvents() {
+    return String.join("\n", lastEvents);
   }
 
   /** Asks until what was waiting before is worked off. */
