@@ -1,6 +1,7 @@
 package tellosimulator.scenario;
 
 import java.util.List;
+import java.util.Set;
 import tellosimulator.words.Phrase;
 
 /** What a mapping in a scenario file describes, and the keys that it can have. */
@@ -88,10 +89,12 @@ enum Kind {
 
   private final Phrase phrase;
   private final List<String> keys;
+  private final Set<String> known;
 
   Kind(Phrase phrase, String... keys) {
     this.phrase = phrase;
     this.keys = List.of(keys);
+    this.known = Set.of(keys);
   }
 
   /** For people: {@code a room}. */
@@ -102,5 +105,10 @@ enum Kind {
   /** In the order in which they are written. */
   List<String> keys() {
     return keys;
+  }
+
+  /** Whether a mapping can have a key. */
+  boolean has(String key) {
+    return known.contains(key);
   }
 }

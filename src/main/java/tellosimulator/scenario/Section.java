@@ -49,7 +49,7 @@ final class Section {
       return;
     }
     String name = scalar.getValue();
-    if (!kind.keys().contains(name)) {
+    if (!kind.has(name)) {
       mistakes.add(Mistakes.place(key), () -> unknown(name));
     } else if (values.putIfAbsent(name, tuple.getValueNode()) != null) {
       mistakes.add(key, Phrase.of("the key %s is there twice", name));
@@ -91,16 +91,15 @@ final class Section {
 
   /** The key of a section that says by it what it is; a mistake if it has none, or several. */
   Optional<String> onlyKey() {
-    List<String> present = kind.keys().stream().filter(this::has).toList();
-    if (present.size() == 1) {
-      return Optional.of(present.get(0));
+    if (values.size() == 1) {
+      return Optional.of(values.keySet().iterator().next());
     }
     if (sound()) {
       mistakes.add(
           node,
           Phrase.of(
               "expected one of %s, found %d of them",
-              String.join(", ", kind.keys()), present.size()));
+              String.join(", ", kind.keys()), values.size()));
     }
     return Optional.empty();
   }
@@ -108,7 +107,8 @@ final class Section {
   /** A value that can be there. */
   <T> Optional<T> read(String key, Value<T> value) {
     check(key);
-    return Optional.ofNullable(values.get(key)).flatMap(found -> value.read(found, mistakes));
+    Node found = values.get(key);
+    return found == null ? Optional.empty() : value.read(found, mistakes);
   }
 
   /** A value that can be there, and what it is otherwise. */
@@ -168,7 +168,7 @@ final class Section {
   }
 
   private void check(String key) {
-    if (!kind.keys().contains(key)) {
+    if (!kind.has(key)) {
       throw new IllegalArgumentException(kind + " has no key " + key);
     }
   }

@@ -19,6 +19,7 @@ import org.snakeyaml.engine.v2.nodes.Node;
 import org.snakeyaml.engine.v2.parser.Parser;
 import org.snakeyaml.engine.v2.parser.ParserImpl;
 import org.snakeyaml.engine.v2.scanner.StreamReader;
+import org.snakeyaml.engine.v2.schema.FailsafeSchema;
 import tellosimulator.scenario.Mistake.Place;
 import tellosimulator.words.Phrase;
 
@@ -40,6 +41,7 @@ final class Source {
             .setLabel(file)
             .setAllowDuplicateKeys(true) // told with their places by who reads them
             .setCodePointLimit(LARGEST)
+            .setSchema(new FailsafeSchema()) // what a text means is up to who reads it
             .build();
   }
 

@@ -13,14 +13,19 @@ import org.snakeyaml.engine.v2.nodes.Node;
 import org.snakeyaml.engine.v2.nodes.ScalarNode;
 import org.snakeyaml.engine.v2.nodes.SequenceNode;
 import org.snakeyaml.engine.v2.nodes.Tag;
+import org.snakeyaml.engine.v2.resolver.JsonScalarResolver;
+import org.snakeyaml.engine.v2.resolver.ScalarResolver;
 import tellosimulator.math.Frames;
 import tellosimulator.words.Phrase;
 
 /** How single values are read, and what is said if they cannot be. */
 final class Values {
 
-  private static final Pattern NUMBER =
-      Pattern.compile("[-+]?([0-9]+(\\.[0-9]*)?|\\.[0-9]+)([eE][-+]?[0-9]{1,3})?");
+  /** Of what numbers are written; without those of NaN, of infinity and of Java's own suffixes. */
+  private static final String NUMBER_LETTERS = "0123456789.+-eE";
+
+  /** What YAML's usual schema takes a text for. */
+  private static final ScalarResolver MEANING = new JsonScalarResolver();
 
   private static final Pattern WHOLE_NUMBER = Pattern.compile("-?[0-9]{1,18}");
 
@@ -46,13 +51,34 @@ final class Values {
   /** A number that may have decimals. */
   static Value<Double> number(Phrase expected, double least, double most) {
     return (node, mistakes) -> {
+      double value = number(node);
       Optional<Double> number =
-          plain(node)
-              .filter(word -> word.length() <= LONGEST_NUMBER && NUMBER.matcher(word).matches())
-              .map(word -> rounded(Double.parseDouble(word)))
-              .filter(value -> value >= least && value <= most);
+          value >= least && value <= most ? Optional.of(value) : Optional.empty();
       return orMistake(number, expected, node, mistakes);
     };
+  }
+
+  /** The number that a node is, or NaN. */
+  private static double number(Node node) {
+    String word = node instanceof ScalarNode scalar && scalar.isPlain() ? scalar.getValue() : "";
+    if (word.length() > LONGEST_NUMBER || !allOf(NUMBER_LETTERS, word)) {
+      return Double.NaN;
+    }
+    try {
+      return rounded(Double.parseDouble(word));
+    } catch (NumberFormatException e) {
+      return Double.NaN;
+    }
+  }
+
+  /** Whether there are only some letters in a word. A loop, because big files have many numbers. */
+  private static boolean allOf(String letters, String word) {
+    for (int i = 0; i < word.length(); i++) {
+      if (letters.indexOf(word.charAt(i)) < 0) {
+        return false;
+      }
+    }
+    return true;
   }
 
   /** A length in centimetres, as metres. */
@@ -100,12 +126,17 @@ final class Values {
   static Value<String> text() {
     return (node, mistakes) -> {
       Optional<String> text =
-          node instanceof ScalarNode scalar && scalar.getTag().equals(Tag.STR)
+          node instanceof ScalarNode scalar && isText(scalar)
               ? Optional.of(scalar.getValue().strip()).filter(Values::oneLine)
               : Optional.empty();
       return orMistake(
           text, Phrase.of("a line of text of at most %d letters", LONGEST_TEXT), node, mistakes);
     };
+  }
+
+  /** Whether it is in quotation marks, or would not be a number or the like to other programs. */
+  private static boolean isText(ScalarNode scalar) {
+    return !scalar.isPlain() || MEANING.resolve(scalar.getValue(), true).equals(Tag.STR);
   }
 
   private static boolean oneLine(String text) {
@@ -182,7 +213,9 @@ final class Values {
         return orMistake(Optional.empty(), expected, node, mistakes);
       }
       List<Double> lengths = new ArrayList<>();
-      sequence.getValue().forEach(item -> length.read(item, mistakes).ifPresent(lengths::add));
+      for (Node item : sequence.getValue()) {
+        length.read(item, mistakes).ifPresent(lengths::add);
+      }
       return lengths.size() == size ? Optional.of(List.copyOf(lengths)) : Optional.empty();
     };
   }

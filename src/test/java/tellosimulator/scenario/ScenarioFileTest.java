@@ -290,6 +290,13 @@ class ScenarioFileTest {
           room: {width: .nan}                 | 1:15: expected a length in cm from 100 to 20000, found ".nan"
           room: {width: .inf}                 | 1:15: expected a length in cm from 100 to 20000, found ".inf"
           room: {width: 1e999}                | 1:15: expected a length in cm from 100 to 20000, found "1e999"
+          room: {width: 1e}                   | 1:15: expected a length in cm from 100 to 20000, found "1e"
+          room: {width: 1.2.3}                | 1:15: expected a length in cm from 100 to 20000, found "1.2.3"
+          room: {width: 200-300}              | 1:15: expected a length in cm from 100 to 20000, found "200-300"
+          room: {width: 0x100}                | 1:15: expected a length in cm from 100 to 20000, found "0x100"
+          room: {width: 300f}                 | 1:15: expected a length in cm from 100 to 20000, found "300f"
+          room: {width: NaN}                  | 1:15: expected a length in cm from 100 to 20000, found "NaN"
+          room: {width: true}                 | 1:15: expected a length in cm from 100 to 20000, found "true"
           room: {width: "500"}                | 1:15: expected a length in cm from 100 to 20000, found "500"
           room: {width: [500]}                | 1:15: expected a length in cm from 100 to 20000, found a list of 1
           room: {width: }                     | 1:14: expected a length in cm from 100 to 20000, found nothing
@@ -345,6 +352,8 @@ class ScenarioFileTest {
           goals: [{pass: {gate: ring}}]       | 1:9: there is no gate "ring"
           in-order: yes                       | 1:11: expected one of false, true, found "yes"
           touch: never                        | 1:8: expected one of allowed, forbidden, found "never"
+          name: true                          | 1:7: expected a line of text of at most 200 letters, found "true"
+          name: 1.5e3                         | 1:7: expected a line of text of at most 200 letters, found "1.5e3"
           name: 5                             | 1:7: expected a line of text of at most 200 letters, found "5"
           name: "a: b                         | 2:1: this is not YAML: found unexpected end of stream
           name: a: b                          | 1:8: this is not YAML: mapping values are not allowed here
