@@ -24,7 +24,7 @@ public final class Tile {
     return Texture.painted(size, size, () -> pixels(size, look.get()));
   }
 
-  private static int[] pixels(int size, Look look) {
+  static int[] pixels(int size, Look look) {
     int[] pixels = new int[size * size];
     for (int y = 0; y < size; y++) {
       for (int x = 0; x < size; x++) {

@@ -1,11 +1,11 @@
 package tellosimulator.scenery.room;
 
 import tellosimulator.scenery.Rgb;
-import tellosimulator.scenery.Texture;
 import tellosimulator.scenery.paint.Field;
 import tellosimulator.scenery.paint.Field.Grain;
 import tellosimulator.scenery.paint.Shades;
 import tellosimulator.scenery.paint.Tile;
+import tellosimulator.scenery.paint.Tile.Look;
 import tellosimulator.scenery.paint.Tones;
 
 /** Upright boards, painted green and worn, of three widths and with butts here and there. */
@@ -37,8 +37,8 @@ final class Boards {
 
   private Boards() {}
 
-  static Texture texture() {
-    return Tile.painted(Wallpaper.SIZE, () -> new Boards()::argb);
+  static Look look() {
+    return new Boards()::argb;
   }
 
   private int argb(int x, int y) {

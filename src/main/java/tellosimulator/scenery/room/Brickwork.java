@@ -1,11 +1,11 @@
 package tellosimulator.scenery.room;
 
 import tellosimulator.scenery.Rgb;
-import tellosimulator.scenery.Texture;
 import tellosimulator.scenery.paint.Field;
 import tellosimulator.scenery.paint.Field.Grain;
 import tellosimulator.scenery.paint.Shades;
 import tellosimulator.scenery.paint.Tile;
+import tellosimulator.scenery.paint.Tile.Look;
 import tellosimulator.scenery.paint.Tones;
 
 /**
@@ -40,8 +40,8 @@ final class Brickwork {
 
   private Brickwork() {}
 
-  static Texture texture() {
-    return Tile.painted(Wallpaper.SIZE, () -> new Brickwork()::argb);
+  static Look look() {
+    return new Brickwork()::argb;
   }
 
   private int argb(int x, int y) {

@@ -1,11 +1,11 @@
 package tellosimulator.scenery.room;
 
 import tellosimulator.scenery.Rgb;
-import tellosimulator.scenery.Texture;
 import tellosimulator.scenery.paint.Field;
 import tellosimulator.scenery.paint.Field.Grain;
 import tellosimulator.scenery.paint.Shades;
 import tellosimulator.scenery.paint.Tile;
+import tellosimulator.scenery.paint.Tile.Look;
 import tellosimulator.scenery.paint.Tones;
 
 /** Light square panels with dark joints. */
@@ -13,7 +13,7 @@ final class CeilingPanels {
 
   private static final long SEED = 97;
 
-  private static final int SIZE = 256;
+  static final int SIZE = 256;
 
   private static final int PANELS = 4;
 
@@ -26,8 +26,8 @@ final class CeilingPanels {
 
   private CeilingPanels() {}
 
-  static Texture texture() {
-    return Tile.painted(SIZE, () -> new CeilingPanels()::argb);
+  static Look look() {
+    return new CeilingPanels()::argb;
   }
 
   private int argb(int x, int y) {

@@ -1,11 +1,11 @@
 package tellosimulator.scenery.room;
 
 import tellosimulator.scenery.Rgb;
-import tellosimulator.scenery.Texture;
 import tellosimulator.scenery.paint.Field;
 import tellosimulator.scenery.paint.Field.Grain;
 import tellosimulator.scenery.paint.Shades;
 import tellosimulator.scenery.paint.Tile;
+import tellosimulator.scenery.paint.Tile.Look;
 import tellosimulator.scenery.paint.Tones;
 
 /** Blue six-sided tiles with light joints. */
@@ -38,8 +38,8 @@ final class Hexagons {
 
   private Hexagons() {}
 
-  static Texture texture() {
-    return Tile.painted(Wallpaper.SIZE, () -> new Hexagons()::argb);
+  static Look look() {
+    return new Hexagons()::argb;
   }
 
   /** A pixel is part of the tile whose middle is nearest, in one of the two nearest rows. */

@@ -72,11 +72,11 @@ public final class Interior {
     parts.add(
         painted(
             new Quads().add(ceiling.whole(), centred(ceiling, Wallpaper.TILE, 0)),
-            Wallpaper.panels()));
-    parts.add(papered(Face.of(room, Surface.FRONT_WALL), Wallpaper.bricks()));
-    parts.add(papered(Face.of(room, Surface.BACK_WALL), Wallpaper.hexagons()));
-    parts.add(papered(Face.of(room, Surface.LEFT_WALL), Wallpaper.boards()));
-    parts.add(papered(Face.of(room, Surface.RIGHT_WALL), Wallpaper.triangles()));
+            Wallpaper.PANELS.texture()));
+    parts.add(papered(Face.of(room, Surface.FRONT_WALL), Wallpaper.BRICKS.texture()));
+    parts.add(papered(Face.of(room, Surface.BACK_WALL), Wallpaper.HEXAGONS.texture()));
+    parts.add(papered(Face.of(room, Surface.LEFT_WALL), Wallpaper.BOARDS.texture()));
+    parts.add(papered(Face.of(room, Surface.RIGHT_WALL), Wallpaper.TRIANGLES.texture()));
     parts.addAll(Trim.parts(room));
     return parts;
   }

@@ -18,7 +18,7 @@ final class Parquet {
   private static final long SEED = 71;
 
   /** Edge of the tile [pixels]. Decided: made quickly, as the first picture waits for it. */
-  private static final int SIZE = 512;
+  static final int SIZE = 512;
 
   /** Strips side by side, each with its pieces one after the other. */
   private static final int STRIPS = 16;
@@ -42,12 +42,12 @@ final class Parquet {
           .rough(new Grain(64, 8), 0.4, SEED + 1)
           .rough(new Grain(256, 16), 0.3, SEED + 2);
 
-  /** The wood without lines; made when the first floor is. */
-  private static final class Bare {
-    static final Texture WOOD = Tile.painted(SIZE, () -> new Parquet()::wood);
-  }
-
   private Parquet() {}
+
+  /** The wood without lines. */
+  static Look look() {
+    return new Parquet()::wood;
+  }
 
   /** How many cells of a grid are in a tile, in a row and in a column. */
   static int cells(double grid) {
@@ -66,10 +66,11 @@ final class Parquet {
   private static Look lined(double grid) {
     double cell = (double) SIZE / cells(grid);
     double halfLine = Math.max(1.5, (0.0035 / grid + 0.0075) * cell);
+    Texture wood = Wallpaper.PARQUET.texture();
     return (x, y) -> {
       double line = halfLine - Math.min(fromLine(x, cell), fromLine(y, cell)) + 0.5;
       double opacity = LINE_OPACITY * Math.max(0, Math.min(1, line));
-      return Tile.mixed(Bare.WOOD.argb(x, y), LINE, opacity);
+      return Tile.mixed(wood.argb(x, y), LINE, opacity);
     };
   }
 

@@ -1,11 +1,11 @@
 package tellosimulator.scenery.room;
 
 import tellosimulator.scenery.Rgb;
-import tellosimulator.scenery.Texture;
 import tellosimulator.scenery.paint.Field;
 import tellosimulator.scenery.paint.Field.Grain;
 import tellosimulator.scenery.paint.Shades;
 import tellosimulator.scenery.paint.Tile;
+import tellosimulator.scenery.paint.Tile.Look;
 import tellosimulator.scenery.paint.Tones;
 
 /** Ochre wallpaper with triangles of a hand's size, printed a little unevenly. */
@@ -33,8 +33,8 @@ final class Triangles {
 
   private Triangles() {}
 
-  static Texture texture() {
-    return Tile.painted(Wallpaper.SIZE, () -> new Triangles()::argb);
+  static Look look() {
+    return new Triangles()::argb;
   }
 
   private int argb(int x, int y) {

@@ -51,7 +51,7 @@ class TexturesTest {
 
   @Test
   void theyAreMadeOnce() {
-    assertThat(Wallpaper.bricks()).isSameAs(Wallpaper.bricks());
+    assertThat(Wallpaper.BRICKS.texture()).isSameAs(Wallpaper.BRICKS.texture());
   }
 
   @ParameterizedTest
@@ -106,11 +106,11 @@ class TexturesTest {
 
   private static Texture texture(String name) {
     return switch (name) {
-      case "bricks" -> Wallpaper.bricks();
-      case "hexagons" -> Wallpaper.hexagons();
-      case "boards" -> Wallpaper.boards();
-      case "triangles" -> Wallpaper.triangles();
-      case "panels" -> Wallpaper.panels();
+      case "bricks" -> Wallpaper.BRICKS.texture();
+      case "hexagons" -> Wallpaper.HEXAGONS.texture();
+      case "boards" -> Wallpaper.BOARDS.texture();
+      case "triangles" -> Wallpaper.TRIANGLES.texture();
+      case "panels" -> Wallpaper.PANELS.texture();
       case "parquet" -> Parquet.texture(0.4);
       default -> throw new IllegalArgumentException("there is no texture " + name);
     };
