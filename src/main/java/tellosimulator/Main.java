@@ -143,6 +143,7 @@ public final class Main {
             options.replyPort(),
             cameras.withOptics(options.optics()))) {
       Runtime.getRuntime().addShutdownHook(new Thread(simulator::close, "shutdown"));
+      warmUp.awaitEarly();
       simulator.sayReady(out);
       warmUp.begin(simulator::snapshot);
       Charset charset = Charset.defaultCharset();

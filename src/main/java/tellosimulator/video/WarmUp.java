@@ -2,6 +2,8 @@ package tellosimulator.video;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeUnit;
 import java.util.function.Supplier;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -30,6 +32,8 @@ import tellosimulator.video.codec.Encoders;
  */
 public final class WarmUp implements AutoCloseable {
 
+  private static final String NAME = "video-warm-up";
+
   /** How many pictures. Measured: after these a picture takes hardly longer than after many. */
   private static final int PICTURES = 60;
 
@@ -44,9 +48,19 @@ public final class WarmUp implements AutoCloseable {
    */
   private static final double TURN = Math.toRadians(2);
 
+  /**
+   * How long it rests before it films a simulation [ms]. Decided: longer than a program takes that
+   * asks for pictures right after the start, which shall have the processors to itself.
+   */
+  private static final int REST_MS = 400;
+
+  /** Longest time for which the start of the program waits for the early pictures [ms]. Decided. */
+  private static final int PATIENCE_MS = 300;
+
   private final Supplier<FrameSource> sources;
   private final Encoders encoders;
-  private volatile boolean unneeded;
+  private final CountDownLatch early = new CountDownLatch(1);
+  private final CountDownLatch closed = new CountDownLatch(1);
 
   /**
    * Does nothing yet.
@@ -60,33 +74,59 @@ public final class WarmUp implements AutoCloseable {
 
   /** Films a few pictures of the default room, for which no simulation has to be there yet. */
   public void beginEarly() {
-    start(WarmUp::beforeTheStart, EARLY_PICTURES);
+    Threads.start(
+        NAME,
+        () -> {
+          film(WarmUp::beforeTheStart, EARLY_PICTURES);
+          early.countDown();
+        });
   }
 
   /**
-   * Films the first drone of a simulation.
+   * Waits until the pictures of {@link #beginEarly} are there, but no longer than a moment; only
+   * after that is a program ready to film.
+   */
+  public void awaitEarly() throws InterruptedException {
+    if (!early.await(PATIENCE_MS, TimeUnit.MILLISECONDS)) {
+      log().debug("The first pictures are not yet there");
+    }
+  }
+
+  /**
+   * Films the first drone of a simulation, a moment later.
    *
    * @param snapshots the newest one
    */
   public void begin(Supplier<SimSnapshot> snapshots) {
-    start(snapshots, PICTURES);
+    Threads.start(
+        NAME,
+        () -> {
+          if (!closedWithin(REST_MS)) {
+            film(snapshots, PICTURES);
+          }
+        });
+  }
+
+  private boolean closedWithin(int milliseconds) {
+    try {
+      return closed.await(milliseconds, TimeUnit.MILLISECONDS);
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+      return true;
+    }
   }
 
   /** Ends it early. */
   @Override
   public void close() {
-    unneeded = true;
-  }
-
-  private void start(Supplier<SimSnapshot> snapshots, int pictures) {
-    Threads.start("video-warm-up", () -> film(snapshots, pictures));
+    closed.countDown();
   }
 
   private void film(Supplier<SimSnapshot> snapshots, int pictures) {
     try {
       Film film = new Film(1, sources.get(), encoders);
       VideoFormat format = VideoFormat.of(VideoSettings.DEFAULT);
-      for (int i = 0; i < pictures && !unneeded; i++) {
+      for (int i = 0; i < pictures && closed.getCount() > 0; i++) {
         SimSnapshot snapshot = snapshots.get();
         if (filming(snapshot)) {
           return; // in earnest, and who waits for it shall have the processor

@@ -51,7 +51,16 @@ class WarmUpTest {
     SimSnapshot early = filmed.take();
     assertThat(early.room()).isEqualTo(Room.DEFAULT);
     assertThat(early.drones()).hasSize(1);
-    assertThat(filmed.poll(300, TimeUnit.MILLISECONDS)).isNull();
+    assertThat(filmed.poll(1, TimeUnit.SECONDS)).isNull();
+  }
+
+  @Test
+  void whoWaitsForTheEarlyPictureGetsIt() throws InterruptedException {
+    WarmUp warmUp = warmUp();
+    warmUp.beginEarly();
+    warmUp.awaitEarly();
+
+    assertThat(filmed).hasSize(1);
   }
 
   @Test
@@ -80,7 +89,7 @@ class WarmUpTest {
 
     warmUp().begin(() -> filming);
 
-    assertThat(filmed.poll(300, TimeUnit.MILLISECONDS)).isNull();
+    assertThat(filmed.poll(1, TimeUnit.SECONDS)).isNull();
   }
 
   @Test
@@ -89,7 +98,7 @@ class WarmUpTest {
     warmUp.close();
     warmUp.begin(() -> snapshot);
 
-    assertThat(filmed.poll(300, TimeUnit.MILLISECONDS)).isNull();
+    assertThat(filmed.poll(1, TimeUnit.SECONDS)).isNull();
   }
 
   private static double heading(SimSnapshot moment) {
