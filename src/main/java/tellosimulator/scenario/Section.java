@@ -106,9 +106,12 @@ final class Section {
 
   /** A value that can be there. */
   <T> Optional<T> read(String key, Value<T> value) {
-    check(key);
     Node found = values.get(key);
-    return found == null ? Optional.empty() : value.read(found, mistakes);
+    if (found == null) {
+      check(key);
+      return Optional.empty();
+    }
+    return value.read(found, mistakes);
   }
 
   /** A value that can be there, and what it is otherwise. */
@@ -118,7 +121,6 @@ final class Section {
 
   /** A value that must be there. */
   <T> Optional<T> need(String key, Value<T> value) {
-    check(key);
     if (!has(key) && node instanceof MappingNode) {
       mistakes.add(node, Phrase.of("%s needs the key %s", kind.phrase(), key));
     }
