@@ -7,6 +7,7 @@ import tellosimulator.model.DroneSpec;
 import tellosimulator.model.Motion;
 import tellosimulator.physics.Setpoint;
 import tellosimulator.profile.Behaviour;
+import tellosimulator.time.SimTime;
 import tellosimulator.words.Phrase;
 
 /**
@@ -103,13 +104,18 @@ final class Autopilot {
     setpoint = planned instanceof Setpoint.Track track ? steered(track, motion, seconds) : planned;
   }
 
-  /** Looks at what the step has made of the target. */
-  void observe(Motion motion, Vec3 contactNormal, double seconds) {
+  /**
+   * Looks at what the step has made of the target.
+   *
+   * @param contactNormal of what it touches; zero if it touches nothing
+   * @param pushed whether wind pushes it
+   */
+  void observe(Motion motion, Vec3 contactNormal, boolean pushed) {
     touched = !contactNormal.equals(Vec3.ZERO);
     boolean leans = lag(motion).dot(contactNormal) < -LEANING_LAG;
-    leaning = leans ? leaning + seconds : 0;
+    leaning = leans ? leaning + SimTime.STEP : 0;
     if (maneuver.planned()) {
-      settling.observe(setpoint, motion, !rc.atRest());
+      settling.observe(setpoint, motion, !rc.atRest(), pushed);
     }
   }
 

@@ -227,8 +227,8 @@ final class Flight {
       observer.happened(new TookOff());
     }
     if (flying()) {
-      autopilot.observe(
-          model.motion(), contacts.obstacle().map(Collision::normal).orElse(Vec3.ZERO), STEP);
+      Vec3 normal = contacts.obstacle().map(Collision::normal).orElse(Vec3.ZERO);
+      autopilot.observe(model.motion(), normal, model.pushed());
       switch (autopilot.outcome()) {
         case ARRIVED -> arrived();
         case HELD -> gaveUp(Reply.ERROR, Phrase.of("it was held by %s for a second", obstacle()));

@@ -20,10 +20,7 @@ final class Settling {
   /** How long it must stay so [s]. Measured: about 0.3. */
   private static final double STEADY = 0.3;
 
-  /**
-   * After this the drone need only be about where it shall be [s]: gusts shake it. Assumed: still
-   * air lets it balance out in less.
-   */
+  /** After this a drone that wind shakes need only be about where it shall be [s]. Assumed. */
   private static final double SHAKEN = 2;
 
   /** What is about there [m, m/s]. Assumed. */
@@ -46,10 +43,12 @@ final class Settling {
    * Looks at the end of a step.
    *
    * @param steered whether sticks move the target, so that only time counts
+   * @param pushed whether wind pushes the drone
    */
-  void observe(Setpoint setpoint, Motion motion, boolean steered) {
+  void observe(Setpoint setpoint, Motion motion, boolean steered, boolean pushed) {
     waited += SimTime.STEP;
-    steady = steered || near(setpoint, motion) ? steady + SimTime.STEP : 0;
+    boolean shaken = pushed && waited >= SHAKEN;
+    steady = steered || near(setpoint, motion, shaken) ? steady + SimTime.STEP : 0;
   }
 
   boolean settled() {
@@ -60,11 +59,10 @@ final class Settling {
     return waited >= PATIENCE;
   }
 
-  private boolean near(Setpoint setpoint, Motion motion) {
+  private static boolean near(Setpoint setpoint, Motion motion, boolean shaken) {
     if (!(setpoint instanceof Setpoint.Track track)) {
       return true;
     }
-    boolean shaken = waited >= SHAKEN;
     double drift = motion.velocity().minus(track.velocity()).norm();
     double distance = motion.position().distanceTo(track.position());
     double turn = Frames.wrapped(track.heading().angle() - motion.attitude().heading());

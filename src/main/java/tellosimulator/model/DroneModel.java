@@ -20,6 +20,7 @@ public final class DroneModel {
   private Pose start;
   private Motion motion;
   private boolean resting = true;
+  private boolean pushed;
   private FlightPhase phase = FlightPhase.OFF;
   private Battery battery = Battery.FULL;
   private double temperature = Temperature.COLD;
@@ -112,6 +113,11 @@ public final class DroneModel {
     resting = false;
   }
 
+  /** Tells whether wind pushes it, as far as the drone itself feels that. */
+  public void setPushed(boolean newPushed) {
+    pushed = newPushed;
+  }
+
   public void setPhase(FlightPhase newPhase) {
     phase = newPhase;
   }
@@ -156,6 +162,11 @@ public final class DroneModel {
   /** Whether it lies or stands still without motors. */
   public boolean resting() {
     return resting;
+  }
+
+  /** Whether wind pushes it, as far as the drone itself feels that. */
+  public boolean pushed() {
+    return pushed;
   }
 
   /** Whether its feet are below it. */

@@ -36,6 +36,11 @@ public final class QuadcopterDynamics {
     windSense.forget();
   }
 
+  /** Whether wind pushes it, as far as the drone itself feels that. */
+  public boolean pushed() {
+    return !windSense.push().equals(Vec3.ZERO);
+  }
+
   private Forces forces(Motion motion, Setpoint setpoint, Vec3 wind) {
     if (setpoint instanceof Setpoint.Track track) {
       Vec3 wanted = positionLoop.thrust(track, motion, windSense.push());

@@ -258,6 +258,7 @@ final class Drone {
       return;
     }
     model.setMotion(dynamics.advance(model.motion(), setpoint, wind, SimTime.STEP));
+    model.setPushed(dynamics.pushed());
   }
 
   void collide(Surroundings surroundings) {
