@@ -66,8 +66,7 @@ public final class Main {
   }
 
   private int run(String... args) {
-    CommandLine commandLine = new CommandLine(options);
-    commandLine.getCommandSpec().mixinStandardHelpOptions(true).versionProvider(new Version());
+    CommandLine commandLine = options.commandLine(new Version());
     try {
       ParseResult parsed = commandLine.parseArgs(args);
       if (parsed.isUsageHelpRequested()) {

@@ -7,11 +7,8 @@ import java.util.Locale;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.OptionalInt;
-import picocli.CommandLine.Command;
-import picocli.CommandLine.Mixin;
-import picocli.CommandLine.Model.CommandSpec;
-import picocli.CommandLine.Option;
-import picocli.CommandLine.Spec;
+import picocli.CommandLine;
+import picocli.CommandLine.IVersionProvider;
 import tellosimulator.math.Pose;
 import tellosimulator.network.AddressPlan;
 import tellosimulator.profile.Behaviour;
@@ -29,181 +26,158 @@ import tellosimulator.world.Decor;
 import tellosimulator.world.Poster;
 
 /** What can be chosen on the command line, and what follows from it. */
-@Command(
-    name = "tello-simulator",
-    addMethodSubcommands = false, // looking for them takes a twelfth of the time to read options
-    sortOptions = false,
-    usageHelpAutoWidth = true,
-    header = "Simulates Tello drones: programs fly them over UDP as they fly real ones.",
-    footer = {
-      "",
-      "Two changes make an existing program fly the simulator on the same machine:",
-      "the drone's address becomes 127.0.0.1, and the command port becomes 8879.",
-      "",
-      "While it runs, type: help, reset [N], power on|off [N], battery PERCENT [N],",
-      "pause, resume, state or quit. N is a drone's number; without it, all drones."
-    })
 final class Options {
 
   /** Also looked for before the options are read. */
   static final String HEADLESS = "--headless";
 
-  @Spec private CommandSpec spec;
+  private final Choices choices = new Choices();
 
-  @Option(names = HEADLESS, description = "Run without a window.")
-  private boolean headless;
+  private final Choice<Boolean> headless = choices.flag(HEADLESS, "Run without a window.");
 
-  @Option(
-      names = "--on",
-      description = "Switch all drones on at once. Without a window they always are.")
-  private boolean on;
+  private final Choice<Boolean> on =
+      choices.flag("--on", "Switch all drones on at once. Without a window they always are.");
 
-  @Mixin private ScenarioOptions scenarioOptions;
+  private final ScenarioOptions scenarioOptions = new ScenarioOptions(choices);
 
-  @Option(
-      names = "--command-port",
-      paramLabel = "PORT",
-      defaultValue = "8879",
-      converter = OptionTypes.PortOrFree.class,
-      description = "Where drones take commands; 0 chooses a free port. Default: 8879.")
-  private int commandPort;
+  private final Choice<Integer> commandPort =
+      choices
+          .option(
+              "--command-port",
+              "PORT",
+              "Where drones take commands; 0 chooses a free port. Default: 8879.")
+          .read(new OptionTypes.PortOrFree(), "8879");
 
-  @Option(
-      names = "--state-port",
-      paramLabel = "PORT",
-      defaultValue = "8890",
-      converter = OptionTypes.Port.class,
-      description = "Where your program takes the drone's state. Default: 8890.")
-  private int statePort;
+  private final Choice<Integer> statePort =
+      choices
+          .option(
+              "--state-port", "PORT", "Where your program takes the drone's state. Default: 8890.")
+          .read(new OptionTypes.Port(), "8890");
 
-  @Option(
-      names = "--video-port",
-      paramLabel = "PORT,...",
-      defaultValue = "11111",
-      converter = OptionTypes.PortsOfDrones.class,
-      description =
-          "Where your program takes the drone's video: one port for all drones, or one for each."
-              + " Default: 11111.")
-  private OptionTypes.PortList videoPorts;
+  private final Choice<OptionTypes.PortList> videoPorts =
+      choices
+          .option(
+              "--video-port",
+              "PORT,...",
+              "Where your program takes the drone's video: one port for all drones, or one for each."
+                  + " Default: 11111.")
+          .read(new OptionTypes.PortsOfDrones(), "11111");
 
-  @Option(
-      names = "--camera-fov",
-      paramLabel = "DEG|manual",
-      defaultValue = "55",
-      converter = OptionTypes.FieldOfView.class,
-      description =
-          "What the camera sees from left to right, in degrees: 55 as measured, or manual for the"
-              + " 82.6 degrees from corner to corner of the manual. Default: 55.")
-  private double fieldOfViewDeg;
+  private final Choice<Double> fieldOfViewDeg =
+      choices
+          .option(
+              "--camera-fov",
+              "DEG|manual",
+              "What the camera sees from left to right, in degrees: 55 as measured, or manual for the"
+                  + " 82.6 degrees from corner to corner of the manual. Default: 55.")
+          .read(new OptionTypes.FieldOfView(), "55");
 
-  @Option(
-      names = "--camera-tilt",
-      paramLabel = "DEG",
-      defaultValue = "15",
-      converter = OptionTypes.Tilt.class,
-      description = "How far the camera looks down, in degrees. Default: 15.")
-  private double tiltDeg;
+  private final Choice<Double> tiltDeg =
+      choices
+          .option("--camera-tilt", "DEG", "How far the camera looks down, in degrees. Default: 15.")
+          .read(new OptionTypes.Tilt(), "15");
 
-  @Option(
-      names = "--reply-port",
-      paramLabel = "sender|PORT",
-      defaultValue = "sender",
-      converter = OptionTypes.ReplyPort.class,
-      description =
-          "Where replies go on your program's host: to the port that the command came from, or"
-              + " always to the same one. Default: sender.")
-  private OptionalInt replyPort;
+  private final Choice<OptionalInt> replyPort =
+      choices
+          .option(
+              "--reply-port",
+              "sender|PORT",
+              "Where replies go on your program's host: to the port that the command came from, or"
+                  + " always to the same one. Default: sender.")
+          .read(new OptionTypes.ReplyPort(), "sender");
 
-  @Option(
-      names = "--drones",
-      paramLabel = "N",
-      converter = OptionTypes.DroneCount.class,
-      description = "How many drones to simulate. Default: 1, or as many as --bind has addresses.")
-  private Integer drones;
+  private final Choice<Optional<Integer>> drones =
+      choices
+          .option(
+              "--drones",
+              "N",
+              "How many drones to simulate. Default: 1, or as many as --bind has addresses.")
+          .readIfGiven(new OptionTypes.DroneCount());
 
-  @Option(
-      names = "--bind",
-      paramLabel = "A,B,...",
-      converter = OptionTypes.Addresses.class,
-      description =
-          "One address of this machine for each drone. Default: all addresses for drone 1,"
-              + " 127.0.0.2 for drone 2, 127.0.0.3 for drone 3, and so on.")
-  private OptionTypes.AddressList bind;
+  private final Choice<Optional<OptionTypes.AddressList>> bind =
+      choices
+          .option(
+              "--bind",
+              "A,B,...",
+              "One address of this machine for each drone. Default: all addresses for drone 1,"
+                  + " 127.0.0.2 for drone 2, 127.0.0.3 for drone 3, and so on.")
+          .readIfGiven(new OptionTypes.Addresses());
 
-  @Option(
-      names = "--port-per-drone",
-      description =
+  private final Choice<Boolean> portPerDrone =
+      choices.flag(
+          "--port-per-drone",
           "Give all drones the same addresses and count the port up: 8879, 8880 and so on, leaving out"
-              + " 8889, 8890 and 11111.")
-  private boolean portPerDrone;
+              + " 8889, 8890 and 11111.");
 
-  @Option(
-      names = "--profile",
-      paramLabel = "edu|tello|tt",
-      defaultValue = "edu",
-      converter = OptionTypes.ProfileName.class,
-      description = "Which drone: Tello EDU, white Tello or RoboMaster TT. Default: edu.")
-  private Profile profile;
+  private final Choice<Profile> profile =
+      choices
+          .option(
+              "--profile",
+              "edu|tello|tt",
+              "Which drone: Tello EDU, white Tello or RoboMaster TT. Default: edu.")
+          .read(new OptionTypes.ProfileName(), "edu");
 
-  @Option(
-      names = "--behaviour",
-      paramLabel = "report|measured",
-      defaultValue = "report",
-      converter = OptionTypes.BehaviourName.class,
-      description =
-          "report: exact, and strict about commands that come too early. measured: with the"
-              + " noise, delays and errors of real drones. Default: report.")
-  private Behaviour behaviour;
+  private final Choice<Behaviour> behaviour =
+      choices
+          .option(
+              "--behaviour",
+              "report|measured",
+              "report: exact, and strict about commands that come too early. measured: with the"
+                  + " noise, delays and errors of real drones. Default: report.")
+          .read(new OptionTypes.BehaviourName(), "report");
 
-  @Mixin private RoomOptions roomOptions;
+  private final RoomOptions roomOptions = new RoomOptions(choices);
 
-  @Option(
-      names = "--time-factor",
-      paramLabel = "F|max",
-      defaultValue = "1",
-      converter = OptionTypes.Factor.class,
-      description =
-          "How fast time passes: 5 is five times as fast. max runs as fast as the machine can"
-              + " while a drone moves, and waits for your program otherwise. Default: 1.")
-  private TimeFactor timeFactor;
+  private final Choice<TimeFactor> timeFactor =
+      choices
+          .option(
+              "--time-factor",
+              "F|max",
+              "How fast time passes: 5 is five times as fast. max runs as fast as the machine can"
+                  + " while a drone moves, and waits for your program otherwise. Default: 1.")
+          .read(new OptionTypes.Factor(), "1");
 
-  @Option(
-      names = "--seed",
-      paramLabel = "N",
-      defaultValue = "1",
-      converter = OptionTypes.Seed.class,
-      description = "The same seed and the same commands give the same flight. Default: 1.")
-  private long seed;
+  private final Choice<Long> seed =
+      choices
+          .option(
+              "--seed",
+              "N",
+              "The same seed and the same commands give the same flight. Default: 1.")
+          .read(new OptionTypes.Seed(), "1");
 
-  @Option(
-      names = "--log-level",
-      paramLabel = "LEVEL",
-      defaultValue = "info",
-      converter = OptionTypes.LogLevel.class,
-      description =
-          "error, warn (refused commands), info (all commands and replies), debug (also reads and"
-              + " rc), or off. Default: info.")
-  private String logLevel;
+  private final Choice<String> logLevel =
+      choices
+          .option(
+              "--log-level",
+              "LEVEL",
+              "error, warn (refused commands), info (all commands and replies), debug (also reads and"
+                  + " rc), or off. Default: info.")
+          .read(new OptionTypes.LogLevel(), "info");
+
+  /** Reads the command line into these options, and explains them. */
+  CommandLine commandLine(IVersionProvider version) {
+    return choices.commandLine(version);
+  }
 
   boolean headless() {
-    return headless;
+    return headless.value();
   }
 
   boolean on() {
-    return on;
+    return on.value();
   }
 
   String logLevel() {
-    return logLevel;
+    return logLevel.value();
   }
 
   /** The drones' cameras. */
   DroneOptics optics() {
-    return new DroneOptics(Math.toRadians(fieldOfViewDeg), Math.toRadians(tiltDeg));
+    return new DroneOptics(Math.toRadians(fieldOfViewDeg.value()), Math.toRadians(tiltDeg.value()));
   }
 
   OptionalInt replyPort() {
-    return replyPort;
+    return replyPort.value();
   }
 
   boolean listScenarios() {
@@ -222,7 +196,7 @@ final class Options {
   void check() {
     Scenario scenario = scenario();
     Objects.requireNonNull(addressPlan());
-    if (exitWhenDone() && (!headless || scenario.challenge().goals().isEmpty())) {
+    if (exitWhenDone() && (!headless() || scenario.challenge().goals().isEmpty())) {
       throw new IllegalArgumentException(
           ScenarioOptions.EXIT_WHEN_DONE + " needs --headless and a --scenario with goals");
     }
@@ -269,19 +243,17 @@ final class Options {
     all.addAll(roomOptions.posters());
     SimConfig config =
         base.config()
-            .withDecor(
-                decor
-                    .withWalls(unlessGiven("--walls", decor.walls(), roomOptions.walls()))
-                    .withPosters(all))
-            .withTimeFactor(unlessGiven("--time-factor", base.config().timeFactor(), timeFactor))
-            .withSeed(unlessGiven("--seed", base.config().seed(), seed));
+            .withDecor(decor.withWalls(roomOptions.walls().or(decor.walls())).withPosters(all))
+            .withTimeFactor(timeFactor.or(base.config().timeFactor()))
+            .withSeed(seed.or(base.config().seed()));
     return base.withConfig(config.withDrones(changed(config.drones())));
   }
 
   private Scenario alone(Scenario scenario) {
-    for (String option : List.of("--drones", "--room", "--start")) {
-      if (given(option)) {
-        throw new IllegalArgumentException(option + " does not go with --scenario, which says it");
+    for (Choice<?> option : List.of(drones, roomOptions.size(), roomOptions.startPoint())) {
+      if (option.given()) {
+        throw new IllegalArgumentException(
+            option.name() + " does not go with --scenario, which says it");
       }
     }
     return scenario;
@@ -293,7 +265,7 @@ final class Options {
   }
 
   private List<DroneSetup> changed(List<DroneSetup> setups) {
-    List<Integer> ports = videoPorts.ports();
+    List<Integer> ports = videoPorts.value().ports();
     if (ports.size() != 1 && ports.size() != setups.size()) {
       throw new IllegalArgumentException(
           String.format(
@@ -310,23 +282,13 @@ final class Options {
       changed.add(
           setup
               .withProduct(
-                  new Product(
-                      unlessGiven("--profile", product.profile(), profile),
-                      unlessGiven("--behaviour", product.behaviour(), behaviour)))
+                  new Product(profile.or(product.profile()), behaviour.or(product.behaviour())))
               .withOutlets(
                   new Outlets(
-                      unlessGiven("--state-port", outlets.statePort(), statePort),
-                      unlessGiven("--video-port", outlets.videoPort(), port))));
+                      statePort.or(outlets.statePort()),
+                      videoPorts.given() ? port : outlets.videoPort())));
     }
     return changed;
-  }
-
-  private <T> T unlessGiven(String option, T said, T chosen) {
-    return given(option) ? chosen : said;
-  }
-
-  private boolean given(String option) {
-    return spec.commandLine().getParseResult().hasMatchedOption(option);
   }
 
   /**
@@ -342,17 +304,18 @@ final class Options {
   /** The same for any scenario, also one with other drones than there are addresses to bind. */
   AddressPlan addressPlan(Scenario scenario) {
     int count = scenario.config().drones().size();
-    if (bind != null && !portPerDrone && count == bind.addresses().size()) {
-      return AddressPlan.of(bind.addresses(), commandPort);
+    int port = commandPort.value();
+    Optional<List<InetAddress>> bound = bind.value().map(OptionTypes.AddressList::addresses);
+    boolean oneForEach = bound.isPresent() && bound.get().size() == count;
+    if (oneForEach && !portPerDrone.value()) {
+      return AddressPlan.of(bound.get(), port);
     }
-    if (bind != null || portPerDrone) {
-      List<InetAddress> addresses =
-          bind == null ? AddressPlan.machineAddresses() : bind.addresses();
-      return AddressPlan.portPerDrone(count, addresses, commandPort);
+    if (bound.isPresent() || portPerDrone.value()) {
+      return AddressPlan.portPerDrone(count, bound.orElseGet(AddressPlan::machineAddresses), port);
     }
-    return given("--command-port")
-        ? scenario.withCommandPort(commandPort).addressPlan(commandPort)
-        : scenario.addressPlan(commandPort);
+    return commandPort.given()
+        ? scenario.withCommandPort(port).addressPlan(port)
+        : scenario.addressPlan(port);
   }
 
   private int droneCount() {
@@ -360,12 +323,12 @@ final class Options {
         scenarioOptions
             .scenario()
             .map(scenario -> scenario.config().drones().size())
-            .or(() -> Optional.ofNullable(drones))
+            .or(drones::value)
             .orElse(0);
-    if (bind == null || portPerDrone) {
+    if (bind.value().isEmpty() || portPerDrone.value()) {
       return Math.max(1, wanted);
     }
-    int addresses = bind.addresses().size();
+    int addresses = bind.value().get().addresses().size();
     if (wanted != 0 && wanted != addresses) {
       throw new IllegalArgumentException(
           String.format(

@@ -1,7 +1,6 @@
 package tellosimulator;
 
 import java.util.List;
-import picocli.CommandLine.Option;
 import tellosimulator.math.Vec3;
 import tellosimulator.world.Poster;
 import tellosimulator.world.Room;
@@ -10,60 +9,69 @@ import tellosimulator.world.Walls;
 /** The options that say what the room is like, and where in it the drones start. */
 final class RoomOptions {
 
-  @Option(
-      names = "--room",
-      paramLabel = "WxDxH",
-      defaultValue = "500x500x300",
-      converter = OptionTypes.RoomSize.class,
-      description =
-          "Width, depth and height of the room in cm, each 100 to 20000. Default: 500x500x300.")
-  private Room room;
+  private final Choice<Room> room;
+  private final Choice<Walls> walls;
+  private final Choice<List<Poster>> posters;
+  private final Choice<OptionTypes.Point> start;
 
-  @Option(
-      names = "--walls",
-      paramLabel = "textured|plain",
-      defaultValue = "textured",
-      converter = OptionTypes.WallsName.class,
-      description =
-          "textured: walls and floor with patterns that cameras can see. plain: even colours."
-              + " Default: textured.")
-  private Walls walls;
+  RoomOptions(Choices choices) {
+    room =
+        choices
+            .option(
+                "--room",
+                "WxDxH",
+                "Width, depth and height of the room in cm, each 100 to 20000. Default: 500x500x300.")
+            .read(new OptionTypes.RoomSize(), "500x500x300");
+    walls =
+        choices
+            .option(
+                "--walls",
+                "textured|plain",
+                "textured: walls and floor with patterns that cameras can see. plain: even colours."
+                    + " Default: textured.")
+            .read(new OptionTypes.WallsName(), "textured");
+    posters =
+        choices
+            .option(
+                "--poster",
+                "WALL,ALONG,HEIGHT,WIDTH,FILE",
+                "Hang an image file (PNG, JPEG, GIF or BMP) on a wall: front, back, left, right, floor or"
+                    + " ceiling. ALONG is from the middle of the wall to the right, HEIGHT from the floor"
+                    + " to the middle of the image (on floor and ceiling: from the middle upwards), and"
+                    + " WIDTH that of the image, all in cm. Can be given several times.")
+            .readEach(new OptionTypes.PosterOnWall());
+    start =
+        choices
+            .option(
+                "--start",
+                "X,Y",
+                "Where the drone starts, in cm from the room's centre: X along its depth, Y to the left."
+                    + " Several drones stand in a row around it. Default: 0,0.")
+            .read(new OptionTypes.FloorPoint(), "0,0");
+  }
 
-  @Option(
-      names = "--poster",
-      paramLabel = "WALL,ALONG,HEIGHT,WIDTH,FILE",
-      converter = OptionTypes.PosterOnWall.class,
-      description =
-          "Hang an image file (PNG, JPEG, GIF or BMP) on a wall: front, back, left, right, floor or"
-              + " ceiling. ALONG is from the middle of the wall to the right, HEIGHT from the floor"
-              + " to the middle of the image (on floor and ceiling: from the middle upwards), and"
-              + " WIDTH that of the image, all in cm. Can be given several times.")
-  private List<Poster> posters = List.of();
-
-  @Option(
-      names = "--start",
-      paramLabel = "X,Y",
-      defaultValue = "0,0",
-      converter = OptionTypes.FloorPoint.class,
-      description =
-          "Where the drone starts, in cm from the room's centre: X along its depth, Y to the left."
-              + " Several drones stand in a row around it. Default: 0,0.")
-  private OptionTypes.Point start;
-
-  Room room() {
+  Choice<Room> size() {
     return room;
   }
 
-  Walls walls() {
+  Room room() {
+    return room.value();
+  }
+
+  Choice<Walls> walls() {
     return walls;
   }
 
   List<Poster> posters() {
-    return posters;
+    return posters.value();
+  }
+
+  Choice<OptionTypes.Point> startPoint() {
+    return start;
   }
 
   /** Around where the drones start, room frame [m]. */
   Vec3 start() {
-    return start.inMetres();
+    return start.value().inMetres();
   }
 }

@@ -9,7 +9,6 @@ import java.util.Objects;
 import java.util.Optional;
 import java.util.stream.Stream;
 import picocli.CommandLine.ITypeConverter;
-import picocli.CommandLine.Option;
 import picocli.CommandLine.TypeConversionException;
 import tellosimulator.scenario.Gallery;
 import tellosimulator.scenario.Scenario;
@@ -25,42 +24,42 @@ final class ScenarioOptions {
 
   static final String EXIT_WHEN_DONE = "--exit-when-done";
 
-  @Option(
-      names = "--scenario",
-      paramLabel = "FILE|NAME",
-      converter = ByFileOrName.class,
-      description =
-          "Room, drones and goals from a file, or from one of the scenarios that come with the"
-              + " program. Options that are given beside it count more than what it says, but"
-              + " --drones, --room and --start do not go with it.")
-  private OpenedScenario scenario;
+  private final Choice<Optional<OpenedScenario>> scenario;
+  private final Choice<Boolean> list;
+  private final Choice<Boolean> exitWhenDone;
 
-  @Option(
-      names = "--scenarios",
-      description = "List the scenarios that come with the program, and end.")
-  private boolean list;
-
-  @Option(
-      names = EXIT_WHEN_DONE,
-      description =
-          "End when the goals of the scenario are reached or missed, after a line that says so:"
-              + " exit code 0 if all were reached, 3 if not. Only with --headless.")
-  private boolean exitWhenDone;
+  ScenarioOptions(Choices choices) {
+    scenario =
+        choices
+            .option(
+                "--scenario",
+                "FILE|NAME",
+                "Room, drones and goals from a file, or from one of the scenarios that come with the"
+                    + " program. Options that are given beside it count more than what it says, but"
+                    + " --drones, --room and --start do not go with it.")
+            .readIfGiven(new ByFileOrName());
+    list = choices.flag("--scenarios", "List the scenarios that come with the program, and end.");
+    exitWhenDone =
+        choices.flag(
+            EXIT_WHEN_DONE,
+            "End when the goals of the scenario are reached or missed, after a line that says so:"
+                + " exit code 0 if all were reached, 3 if not. Only with --headless.");
+  }
 
   Optional<Scenario> scenario() {
     return opened().map(OpenedScenario::scenario);
   }
 
   Optional<OpenedScenario> opened() {
-    return Optional.ofNullable(scenario);
+    return scenario.value();
   }
 
   boolean list() {
-    return list;
+    return list.value();
   }
 
   boolean exitWhenDone() {
-    return exitWhenDone;
+    return exitWhenDone.value();
   }
 
   /** Says which scenarios there are. */

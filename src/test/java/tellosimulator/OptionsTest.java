@@ -10,7 +10,6 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
-import picocli.CommandLine;
 import picocli.CommandLine.ParameterException;
 import tellosimulator.math.Vec3;
 import tellosimulator.network.AddressPlan;
@@ -304,7 +303,7 @@ class OptionsTest {
   private static Options options(String line) {
     Options options = new Options();
     String[] words = line.isEmpty() ? new String[0] : line.split(" ", -1);
-    new CommandLine(options).parseArgs(words);
+    options.commandLine(() -> new String[0]).parseArgs(words);
     return options;
   }
 
