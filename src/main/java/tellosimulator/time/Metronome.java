@@ -3,8 +3,8 @@ package tellosimulator.time;
 import java.util.concurrent.locks.LockSupport;
 
 /**
- * Lets a thread work at a steady pace by the wall clock. A tick that is missed by a whole period is
- * left out and never made up for.
+ * Lets a thread work at a steady pace by the wall clock. Of ticks that are missed one after another
+ * only one is made up for, as after a short halt of the whole machine.
  *
  * <p>For one thread, but for {@link #wake} and {@link #nanos}, which are for any.
  */
@@ -33,7 +33,7 @@ public final class Metronome {
   public boolean awaitTick(long period) {
     own();
     long now = System.nanoTime();
-    due = due < now - period ? now : due;
+    due = Math.max(due, now - period);
     while (!woken) {
       long wait = due - System.nanoTime();
       if (wait <= 0) {
