@@ -72,7 +72,10 @@ public final class WarmUp implements AutoCloseable {
     this.encoders = encoders;
   }
 
-  /** Films a few pictures of the default room, for which no simulation has to be there yet. */
+  /**
+   * Films what a drone sees from the floor of the default room, as the first picture will be; no
+   * simulation has to be there yet.
+   */
   public void beginEarly() {
     Threads.start(
         NAME,
@@ -131,7 +134,7 @@ public final class WarmUp implements AutoCloseable {
         if (filming(snapshot)) {
           return; // in earnest, and who waits for it shall have the processor
         }
-        film.shoot(turned(snapshot, i * TURN), format);
+        film.shoot(i == 0 ? snapshot : turned(snapshot, i * TURN), format);
         film.encode(i * format.period(), i % 4 == 0);
       }
     } catch (RuntimeException e) {
@@ -161,7 +164,7 @@ public final class WarmUp implements AutoCloseable {
         SimTime.ZERO, new Clock(config.timeFactor(), false), config.arena(), List.of(drone));
   }
 
-  /** The same with the first drone turned, and in the air. */
+  /** The same with the first drone turned, and in the air, where it sees far. */
   private static SimSnapshot turned(SimSnapshot snapshot, double angle) {
     DroneSnapshot drone = snapshot.drones().get(0);
     Vec3 above = drone.start().position().withZ(1);
