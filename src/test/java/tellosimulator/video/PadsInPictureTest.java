@@ -114,14 +114,16 @@ class PadsInPictureTest {
   }
 
   private static int[] picture(MissionPad pad, Viewpoint viewpoint) {
-    Raster raster = new Raster(WIDTH, HEIGHT);
+    Raster raster = Raster.forScreen(WIDTH, HEIGHT);
     Pose elsewhere = new Pose(new Vec3(-2, -2, 1), Attitude.LEVEL);
     new SoftwareCamera(new Props(ColorSpace.RGB))
         .draw(
             new Stage().scene(Moments.flying(EMPTY.withPads(List.of(pad)), elsewhere), 1),
             viewpoint,
             raster);
-    return raster.pixels();
+    int[] argb = new int[WIDTH * HEIGHT];
+    raster.copyTo(argb);
+    return argb;
   }
 
   private static int difference(int[] one, int[] other) {

@@ -9,13 +9,11 @@ final class DecalBrush extends TextureBrush {
    */
   private static final float IN_FRONT = 1.0005f;
 
-  private static final int OPAQUE = 0xff000000;
-
   private int opacity;
   private float forward = 1;
 
-  DecalBrush(Slopes slopes) {
-    super(slopes);
+  DecalBrush(Slopes slopes, Strip strip) {
+    super(slopes, strip, true);
   }
 
   /**
@@ -30,39 +28,7 @@ final class DecalBrush extends TextureBrush {
   }
 
   @Override
-  void piece(int from, int to) {
-    int[] toPixels = pixels;
-    float[] toNearness = nearness;
-    long[] texels = level.texels();
-    int uMask = level.width() - 1;
-    int vMask = level.height() - 1;
-    int below = level.width() + 1;
-    float atNear = near * forward;
-    float addNear = nearStep * forward;
-    int share = opacity;
-    int atU = u;
-    int addU = uStep;
-    int atV = v;
-    int addV = vStep;
-    for (int i = from; i < to; i++) {
-      if (atNear >= toNearness[i]) {
-        int texel = ((atV >> 16) & vMask) * below + ((atU >> 16) & uMask);
-        int right = (atU >> 8) & 255;
-        int down = (atV >> 8) & 255;
-        int both = (right * down) >> 8;
-        long mixed =
-            texels[texel] * (256 - right - down + both)
-                + texels[texel + 1] * (right - both)
-                + texels[texel + below] * (down - both)
-                + texels[texel + below + 1] * both;
-        long over = Lanes.mean(Lanes.mean(mixed) * share);
-        int covered = (int) (over >>> 48);
-        long under = Lanes.mean(Lanes.of(toPixels[i]) * (256 - covered - (covered >> 7)));
-        toPixels[i] = OPAQUE | Lanes.packed(over + under);
-      }
-      atNear += addNear;
-      atU += addU;
-      atV += addV;
-    }
+  void paint(int row, float near, float step) {
+    raster.blend(row, strip, near * forward, step * forward, opacity);
   }
 }

@@ -7,6 +7,13 @@ package tellosimulator.video.camera;
  */
 final class Lanes {
 
+  /** Where the first channel is: so many bits above the lowest. */
+  static final int FIRST = 16;
+
+  static final int SECOND = 32;
+  static final int THIRD = 0;
+  static final int OPACITY = 48;
+
   /** The 8 bits of each channel that count. */
   static final long MASK = 0x00ff00ff00ff00ffL;
 
@@ -15,10 +22,6 @@ final class Lanes {
   static long of(int packed) {
     long low = packed & 0xffffffffL;
     return (low | (low << 24)) & MASK;
-  }
-
-  static int packed(long lanes) {
-    return (int) (lanes | (lanes >>> 24));
   }
 
   /** The mean of weighed lanes, whose weights add up to 256. */

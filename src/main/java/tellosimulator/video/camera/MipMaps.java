@@ -24,15 +24,26 @@ final class MipMaps {
    * @param masked whether the texture's opacity counts; colours are then multiplied with it
    */
   MipMaps(Texture texture, ColorSpace space, boolean masked) {
-    Level next = Level.of(texture, space, masked).squared(LARGEST);
-    List<Level> all = new ArrayList<>(List.of(next));
+    List<Texels> all = versions(Texels.of(texture, space, masked).squared(LARGEST));
+    levels = new Level[all.size()];
+    for (int i = 0; i < levels.length; i++) {
+      Texels fine = all.get(i);
+      Texels coarse = space.coarse() ? all.get(Math.min(i + 1, levels.length - 1)) : fine;
+      levels[i] = masked ? Level.masked(fine, coarse) : Level.opaque(fine, coarse);
+    }
+    uScale = all.stream().mapToDouble(level -> (double) ONE * level.width() / width()).toArray();
+    vScale = all.stream().mapToDouble(level -> (double) ONE * level.height() / height()).toArray();
+  }
+
+  /** A texture and ever smaller ones. */
+  private static List<Texels> versions(Texels largest) {
+    List<Texels> all = new ArrayList<>(List.of(largest));
+    Texels next = largest;
     while (next.width() > 1 || next.height() > 1) {
       next = next.halved();
       all.add(next);
     }
-    levels = all.toArray(Level[]::new);
-    uScale = all.stream().mapToDouble(level -> (double) ONE * level.width() / width()).toArray();
-    vScale = all.stream().mapToDouble(level -> (double) ONE * level.height() / height()).toArray();
+    return all;
   }
 
   /** The width of the largest version in pixels. */
@@ -67,10 +78,5 @@ final class MipMaps {
   /** From pixels of the largest version to those of another, down, times {@link #ONE}. */
   double vScale(int number) {
     return vScale[number];
-  }
-
-  /** The colour at a place of the largest version, {@link Lanes}. */
-  long color(float u, float v) {
-    return levels[0].at(u, v);
   }
 }

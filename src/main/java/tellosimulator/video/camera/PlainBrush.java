@@ -1,30 +1,32 @@
 package tellosimulator.video.camera;
 
+import java.util.Arrays;
+
 /** Paints one colour, in changing light. */
 final class PlainBrush implements Brush {
 
   private final Slopes slopes;
-  private final long black;
-  private int[] pixels = new int[0];
-  private float[] nearness = new float[0];
-  private int width;
-  private long color;
+  private final Strip strip;
+  private Raster raster = Raster.forScreen(0, 0);
+  private int color;
 
-  PlainBrush(Slopes slopes, ColorSpace space) {
+  PlainBrush(Slopes slopes, Strip strip) {
     this.slopes = slopes;
-    black = Lanes.of(space.black());
+    this.strip = strip;
   }
 
   /** From now on paints on this. */
-  void on(Raster raster) {
-    pixels = raster.pixels();
-    nearness = raster.nearness();
-    width = raster.width();
+  void on(Raster newRaster) {
+    raster = newRaster;
   }
 
-  /** From now on paints this colour. */
-  void color(long lanes) {
-    color = lanes;
+  /**
+   * From now on paints this colour.
+   *
+   * @param packed of the raster's colour space
+   */
+  void color(int packed) {
+    color = packed;
   }
 
   @Override
@@ -32,40 +34,31 @@ final class PlainBrush implements Brush {
     double x = from + 0.5;
     double y = row + 0.5;
     double near = slopes.nearAcross * x + slopes.nearDown * y + slopes.near;
-    double light = slopes.lightAcross * x + slopes.lightDown * y + slopes.light;
-    double nearStep = slopes.nearAcross;
-    double lightStep = slopes.lightAcross;
-    int start = row * width;
-    if (slopes.even) {
-      fill(start + from, start + to, near);
+    strip.from = from;
+    strip.count = to - from;
+    Arrays.fill(strip.first, 0, strip.count, color >> 16 & 255);
+    Arrays.fill(strip.second, 0, strip.count, color >> 8 & 255);
+    Arrays.fill(strip.third, 0, strip.count, color & 255);
+    light(slopes.lightAcross * x + slopes.lightDown * y + slopes.light, near);
+    strip.shade(raster.space());
+    raster.draw(row, strip, (float) near, (float) slopes.nearAcross);
+  }
+
+  private void light(double lightFirst, double nearFirst) {
+    if (slopes.even) { // without a division for each pixel
+      Arrays.fill(strip.light, 0, strip.count, bright(slopes.evenLight));
       return;
     }
-    for (int i = start + from; i < start + to; i++) {
-      if ((float) near > nearness[i]) {
-        nearness[i] = (float) near;
-        pixels[i] = shaded(light / near);
-      }
-      near += nearStep;
-      light += lightStep;
-    }
-  }
-
-  /** The same in even light, without a division for each pixel. */
-  private void fill(int from, int to, double nearFirst) {
-    int one = shaded(slopes.evenLight);
+    double light = lightFirst;
     double near = nearFirst;
-    double nearStep = slopes.nearAcross;
-    for (int i = from; i < to; i++) {
-      if ((float) near > nearness[i]) {
-        nearness[i] = (float) near;
-        pixels[i] = one;
-      }
-      near += nearStep;
+    for (int i = 0; i < strip.count; i++) {
+      strip.light[i] = bright(light / near);
+      light += slopes.lightAcross;
+      near += slopes.nearAcross;
     }
   }
 
-  private int shaded(double light) {
-    int bright = Math.max(0, Math.min(256, (int) (256 * light + 0.5)));
-    return Lanes.packed(Lanes.mean(color * bright + black * (256 - bright)));
+  private static int bright(double light) {
+    return Math.max(0, Math.min(256, (int) (256 * light + 0.5)));
   }
 }

@@ -11,6 +11,8 @@ import tellosimulator.scenery.Texture;
  */
 public final class Props {
 
+  private static final int OPAQUE = 0xff000000;
+
   private final ColorSpace space;
   private final WeakCache<Mesh, Shape> shapes = new WeakCache<>(Shape::new);
   private final WeakCache<Texture, MipMaps> opaque;
@@ -33,6 +35,20 @@ public final class Props {
   MipMaps texture(Part part) {
     return (part.finish() == Finish.DECAL || part.finish() == Finish.SHEER ? masked : opaque)
         .get(part.texture());
+  }
+
+  /**
+   * The opaque colour at a place of a part's texture, which repeats, as a packed pixel of the
+   * colour space.
+   *
+   * @param u from the left edge, in widths of the texture
+   * @param v from the upper edge, in its heights
+   */
+  int color(Part part, float u, float v) {
+    Texture texture = part.texture();
+    int x = Math.floorMod((int) Math.floor(u * texture.width()), texture.width());
+    int y = Math.floorMod((int) Math.floor(v * texture.height()), texture.height());
+    return space.of(texture.argb(x, y) | OPAQUE);
   }
 
   /** How many textures are kept. */

@@ -20,24 +20,20 @@ public final class SoftwareCamera {
   private final Outline outline = new Outline();
   private final Slopes slopes = new Slopes();
   private final PolygonFiller filler = new PolygonFiller();
-  private final PlainBrush plain;
-  private final PaintedBrush painted;
-  private final LitBrush lit;
-  private final DecalBrush decal;
+  private final Strip strip = new Strip();
+  private final PlainBrush plain = new PlainBrush(slopes, strip);
+  private final SurfaceBrush surface = new SurfaceBrush(slopes, strip);
+  private final DecalBrush decal = new DecalBrush(slopes, strip);
   private final int[] triangle = new int[3];
 
   public SoftwareCamera(Props props) {
     this.props = props;
-    plain = new PlainBrush(slopes, props.space());
-    painted = new PaintedBrush(slopes);
-    lit = new LitBrush(slopes, props.space());
-    decal = new DecalBrush(slopes);
   }
 
   /**
    * Draws what is seen from a place. What is not covered becomes black.
    *
-   * @param raster of the size of the viewpoint's lens
+   * @param raster of the size of the viewpoint's lens, and of the colour space of the props
    */
   public void draw(Scene scene, Viewpoint viewpoint, Raster raster) {
     Lens lens = viewpoint.lens();
@@ -45,7 +41,7 @@ public final class SoftwareCamera {
       throw new IllegalArgumentException(
           "raster is " + raster.width() + " by " + raster.height() + ", but the lens has " + lens);
     }
-    raster.clear(props.space().black());
+    raster.clear();
     begin(viewpoint, raster);
     List<Placed> parts = scene.parts();
     // The room comes first and is behind all else: drawn last, it need not be painted there.
@@ -64,9 +60,9 @@ public final class SoftwareCamera {
   private void begin(Viewpoint viewpoint, Raster raster) {
     projection.aim(viewpoint);
     filler.size(raster.width(), raster.height());
+    strip.room(raster.width());
     plain.on(raster);
-    painted.on(raster);
-    lit.on(raster);
+    surface.on(raster);
     decal.on(raster);
   }
 
@@ -84,30 +80,29 @@ public final class SoftwareCamera {
   }
 
   private void drawTriangles(Shape shape, Part part) {
-    Finish finish = part.finish();
-    boolean lighted = finish.lamps().isPresent();
-    TextureBrush brush = brush(finish);
+    boolean lighted = part.finish().lamps().isPresent();
+    TextureBrush brush = translucent(part.finish()) ? decal : surface;
     MipMaps texture = null;
     for (int i = 0; i < shape.triangles(); i++) {
       if (!outlined(shape, i)) {
         continue;
-      }
-      if (texture == null) { // not before, as it takes long to make one
-        texture = props.texture(part);
-        brush.texture(texture, lighted);
       }
       if (lighted) {
         slopes.light(lighting.lights(), shape.normalOf, 3 * i);
       } else {
         slopes.fullLight();
       }
-      if (shape.plain[i] && brush != decal) {
-        plain.color(texture.color(shape.places[6 * i], shape.places[6 * i + 1]));
+      if (shape.plain[i] && brush == surface) {
+        plain.color(props.color(part, shape.places[6 * i], shape.places[6 * i + 1]));
         filler.fill(outline, plain);
-      } else {
-        slopes.texture(shape.places, 6 * i, texture);
-        filler.fill(outline, brush);
+        continue;
       }
+      if (texture == null) { // not before, as it takes long to make one
+        texture = props.texture(part);
+        brush.texture(texture, lighted);
+      }
+      slopes.texture(shape.places, 6 * i, texture);
+      filler.fill(outline, brush);
     }
   }
 
@@ -133,13 +128,5 @@ public final class SoftwareCamera {
 
   private static boolean translucent(Finish finish) {
     return finish == Finish.DECAL || finish == Finish.SHEER;
-  }
-
-  private TextureBrush brush(Finish finish) {
-    return switch (finish) {
-      case PAINTED -> painted;
-      case LIT, MATT -> lit;
-      case DECAL, SHEER -> decal;
-    };
   }
 }

@@ -1,5 +1,6 @@
 package tellosimulator.video.camera;
 
+import java.util.Arrays;
 import java.util.Optional;
 import tellosimulator.math.Pose;
 import tellosimulator.scenery.Scene;
@@ -16,6 +17,9 @@ public final class SoftwareFrameSource implements FrameSource {
     /** What the cameras on a drone see: all but the drone itself. */
     Scene scene(SimSnapshot snapshot, int drone);
   }
+
+  /** No colour. */
+  private static final byte NEUTRAL = (byte) 128;
 
   private final SoftwareCamera camera;
   private final DroneOptics optics;
@@ -41,9 +45,8 @@ public final class SoftwareFrameSource implements FrameSource {
     if (shot.downward()) {
       filmBelow(scene, drone, picture);
     } else {
-      Raster target = raster(picture.width(), picture.height());
-      camera.draw(scene, optics.ahead(drone, picture.width(), picture.height()), target);
-      Planes.write(target, picture);
+      Viewpoint ahead = optics.ahead(drone, picture.width(), picture.height());
+      camera.draw(scene, ahead, raster(picture, picture.height()));
     }
   }
 
@@ -55,14 +58,17 @@ public final class SoftwareFrameSource implements FrameSource {
   private void filmBelow(Scene scene, Pose drone, Picture picture) {
     int width = picture.width();
     int height = Math.min(picture.height(), width * 3 / 4 / 2 * 2);
-    Raster target = raster(width, height);
-    camera.draw(scene, optics.below(drone, width, height), target);
-    Planes.writeGrey(target, picture);
+    camera.draw(scene, optics.below(drone, width, height), raster(picture, height));
+    Arrays.fill(picture.y(), width * height, picture.y().length, (byte) 0);
+    for (byte[] color : new byte[][] {picture.u(), picture.v()}) {
+      Arrays.fill(color, 0, width * height / 4, NEUTRAL);
+      Arrays.fill(color, width * height / 4, color.length, (byte) 0);
+    }
   }
 
-  private Raster raster(int width, int height) {
-    if (raster.isEmpty() || raster.get().width() != width || raster.get().height() != height) {
-      raster = Optional.of(new Raster(width, height));
+  private Raster raster(Picture picture, int height) {
+    if (raster.isEmpty() || !raster.get().isOn(picture, height)) {
+      raster = Optional.of(Raster.on(picture, height));
     }
     return raster.get();
   }

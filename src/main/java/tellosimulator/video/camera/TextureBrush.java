@@ -1,19 +1,15 @@
 package tellosimulator.video.camera;
 
 /**
- * Paints a texture. It does so in pieces: only at their ends it divides by the distance, in between
- * everything changes evenly.
- *
- * <p>What a piece starts with and how it changes are fields, not parameters, as there are tens of
- * thousands of pieces in a picture; whoever paints one copies them into variables first, which a
- * processor keeps in registers.
+ * Paints a texture. It follows a row in pieces: only at their ends it divides by the distance, in
+ * between everything changes evenly. What lies in the same version of the texture is then looked up
+ * and painted at once.
  */
 abstract class TextureBrush implements Brush {
 
-  /** Brightness 1. */
-  static final int FULL_LIGHT = 256 << 16;
-
-  /** How long a piece is at most. Decided: as long as one version of the texture will do. */
+  /**
+   * How long a piece is at most [pixels]. Decided: as long as one version of the texture will do.
+   */
   private static final int LONGEST = 64;
 
   /** How long a piece is at least. Decided: shorter ones take too long. */
@@ -25,46 +21,39 @@ abstract class TextureBrush implements Brush {
   /** 1 divided by a number of steps; no step at all changes nothing. */
   private static final double[] SHARE = shares();
 
-  /** Half a pixel of the texture: its colours are those of its pixels' middles. */
-  private static final int HALF = MipMaps.ONE / 2;
+  /** No version of a texture. */
+  private static final int NONE = -1;
 
-  final Slopes slopes;
+  /** Brightness 1, with 16 binary places. */
+  private static final int FULL_LIGHT = 256 << 16;
 
-  int[] pixels = new int[0];
-  float[] nearness = new float[0];
-  float near;
-  float nearStep;
+  /** What the pixels get. */
+  final Strip strip;
 
-  /**
-   * In pixels of {@link #level}, times {@link MipMaps#ONE}; what an int cannot hold repeats anyway.
-   */
-  int u;
+  /** What is painted on. */
+  Raster raster = Raster.forScreen(0, 0);
 
-  int uStep;
-  int v;
-  int vStep;
-
-  /** From 0 to {@link #FULL_LIGHT}. */
-  int light;
-
-  int lightStep;
-
-  /** The version of the texture to paint with. */
-  Level level;
-
+  private final Slopes slopes;
+  private final Places places = new Places();
+  private final Places colorPlaces = new Places();
+  private final boolean masked;
   private MipMaps texture;
   private boolean lit;
-  private int width;
 
-  TextureBrush(Slopes slopes) {
+  /**
+   * @param masked whether the opacity of textures counts
+   */
+  TextureBrush(Slopes slopes, Strip strip, boolean masked) {
     this.slopes = slopes;
+    this.strip = strip;
+    this.masked = masked;
   }
 
   /** From now on paints on this. */
-  void on(Raster raster) {
-    pixels = raster.pixels();
-    nearness = raster.nearness();
-    width = raster.width();
+  void on(Raster newRaster) {
+    raster = newRaster;
+    places.room(raster.width());
+    colorPlaces.room(raster.width());
   }
 
   /** From now on paints this. */
@@ -73,53 +62,99 @@ abstract class TextureBrush implements Brush {
     lit = newLit;
   }
 
-  /** Paints a piece. */
-  abstract void piece(int from, int to);
+  /** Whether light changes what is painted. */
+  final boolean lit() {
+    return lit;
+  }
+
+  /**
+   * Paints the strip.
+   *
+   * @param near 1 divided by the distance of the first pixel along the camera's axis [1/m]
+   * @param step by how much that grows with each pixel
+   */
+  abstract void paint(int row, float near, float step);
 
   @Override
   public void row(int row, int from, int to) {
     Slopes s = slopes;
     double x = from + 0.5;
     double y = row + 0.5;
-    double near0 = s.nearAcross * x + s.nearDown * y + s.near;
-    double distance = 1 / near0;
-    double u0 = (s.uAcross * x + s.uDown * y + s.u) * distance;
-    double v0 = (s.vAcross * x + s.vDown * y + s.v) * distance;
-    double light0 = lit ? light(x, y, distance) : 1;
-    int start = row * width;
+    double near = s.nearAcross * x + s.nearDown * y + s.near;
+    double distance = 1 / near;
+    double u = (s.uAcross * x + s.uDown * y + s.u) * distance;
+    double v = (s.vAcross * x + s.vDown * y + s.v) * distance;
+    double light = lit ? light(x, y, distance) : 1;
+    int length = length(near, near + s.nearAcross * (to - 1 - from));
+    int version = version(u, v, distance);
+    int first = from;
     int at = from;
-    int piece = length(near0, near0 + s.nearAcross * (to - 1 - from));
     while (at < to) {
-      int end = Math.min(to, (at | (piece - 1)) + 1);
+      int end = Math.min(to, (at | (length - 1)) + 1);
       // The last piece ends with its last pixel, as there may be no triangle beyond.
       int steps = end == to ? end - at - 1 : end - at;
-      int number = version(u0, v0, distance);
-      level = texture.level(number);
-      double x1 = at + steps + 0.5;
-      double near1 = s.nearAcross * x1 + s.nearDown * y + s.near;
-      distance = 1 / near1;
-      double u1 = (s.uAcross * x1 + s.uDown * y + s.u) * distance;
-      double v1 = (s.vAcross * x1 + s.vDown * y + s.v) * distance;
       double share = SHARE[steps];
-      near = (float) near0;
-      nearStep = (float) ((near1 - near0) * share);
-      double uScale = texture.uScale(number);
-      double vScale = texture.vScale(number);
-      u = (int) (long) (u0 * uScale) - HALF;
-      v = (int) (long) (v0 * vScale) - HALF;
-      uStep = (int) ((u1 - u0) * uScale * share);
-      vStep = (int) ((v1 - v0) * vScale * share);
+      x = at + steps + 0.5;
+      distance = 1 / (s.nearAcross * x + s.nearDown * y + s.near);
+      double nextU = (s.uAcross * x + s.uDown * y + s.u) * distance;
+      double nextV = (s.vAcross * x + s.vDown * y + s.v) * distance;
+      double uScale = texture.uScale(version);
+      double vScale = texture.vScale(version);
+      places.from(u * uScale, v * vScale);
+      places.fill(
+          at - first, end - first, (nextU - u) * uScale * share, (nextV - v) * vScale * share);
+      u = nextU;
+      v = nextV;
       if (lit) {
-        double light1 = light(x1, y, distance);
-        light = (int) (light0 * FULL_LIGHT);
-        lightStep = (int) ((light1 - light0) * FULL_LIGHT * share);
-        light0 = light1;
+        double nextLight = light(x, y, distance);
+        brighten(at - first, end - first, light, (nextLight - light) * share);
+        light = nextLight;
       }
-      piece(start + at, start + end);
-      near0 = near1;
-      u0 = u1;
-      v0 = v1;
       at = end;
+      int next = at < to ? version(u, v, distance) : NONE;
+      if (next != version) {
+        lookUp(row, first, at, texture.level(version));
+        paint(row, (float) (near + s.nearAcross * (first - from)), (float) s.nearAcross);
+        first = at;
+        version = next;
+      }
+    }
+  }
+
+  private void brighten(int from, int to, double first, double step) {
+    int[] light = strip.light;
+    int bright = (int) (first * FULL_LIGHT);
+    int add = (int) (step * FULL_LIGHT);
+    for (int i = from; i < to; i++) {
+      light[i] = bright >> 16;
+      bright += add;
+    }
+  }
+
+  /** Fills the strip. */
+  private void lookUp(int row, int from, int to, Level level) {
+    strip.from = from;
+    strip.count = to - from;
+    places.count = to - from;
+    places.find(level.first());
+    level.first().read(places, strip.first);
+    if (masked) {
+      level.opacity().read(places, strip.opacity);
+    }
+    if (!raster.space().coarse()) {
+      lookUpColors(places, level);
+    } else if (row % 2 == 0) {
+      colorPlaces.halve(places, strip.odd());
+      colorPlaces.find(level.second());
+      lookUpColors(colorPlaces, level);
+    }
+  }
+
+  private void lookUpColors(Places where, Level level) {
+    level.second().read(where, strip.second);
+    level.third().read(where, strip.third);
+    if (masked) {
+      level.colorOpacity().read(where, strip.colorOpacity);
     }
   }
 

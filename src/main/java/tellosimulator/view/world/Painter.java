@@ -77,7 +77,7 @@ final class Painter implements AutoCloseable {
   private volatile boolean closed;
   private boolean failing;
   private Optional<Sight> last = Optional.empty();
-  private Raster raster = new Raster(0, 0);
+  private Raster raster = Raster.forScreen(0, 0);
   private int[] argb = new int[0];
 
   Painter(Stage stage) {
@@ -145,7 +145,7 @@ final class Painter implements AutoCloseable {
     }
     Lens lens = view.viewpoint().lens();
     if (raster.width() != lens.width() || raster.height() != lens.height()) {
-      raster = new Raster(lens.width(), lens.height());
+      raster = Raster.forScreen(lens.width(), lens.height());
       argb = new int[lens.width() * lens.height()];
     }
     camera.draw(sight.scene(), sight.viewpoint(), raster);

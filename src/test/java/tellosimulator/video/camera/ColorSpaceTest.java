@@ -23,8 +23,8 @@ class ColorSpaceTest {
   void coloursAreThoseOfTheStandard(String argb, int y, int u, int v) {
     int packed = ColorSpace.YUV.of(Integer.parseUnsignedInt(argb, 16));
 
-    assertThat((packed >> 8) & 255).as("Y").isCloseTo(y, within(0));
-    assertThat((packed >> 16) & 255).as("U").isCloseTo(u, within(0));
+    assertThat((packed >> 16) & 255).as("Y").isCloseTo(y, within(0));
+    assertThat((packed >> 8) & 255).as("U").isCloseTo(u, within(0));
     assertThat(packed & 255).as("V").isCloseTo(v, within(0));
     assertThat(packed >>> 24).as("opacity").isEqualTo(255);
   }

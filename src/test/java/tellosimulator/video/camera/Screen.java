@@ -1,5 +1,6 @@
 package tellosimulator.video.camera;
 
+import java.util.Arrays;
 import java.util.function.IntPredicate;
 import tellosimulator.math.Attitude;
 import tellosimulator.math.Pose;
@@ -15,9 +16,11 @@ final class Screen {
 
   private final SoftwareCamera camera = new SoftwareCamera(new Props(ColorSpace.RGB));
   private final Raster raster;
+  private final int[] argb;
 
   private Screen(int width, int height) {
-    raster = new Raster(width, height);
+    raster = Raster.forScreen(width, height);
+    argb = new int[width * height];
   }
 
   /** What an eye at the origin sees that looks along x. */
@@ -37,15 +40,16 @@ final class Screen {
   static Screen of(Viewpoint viewpoint, Scene scene) {
     Screen screen = new Screen(viewpoint.lens().width(), viewpoint.lens().height());
     screen.camera.draw(scene, viewpoint, screen.raster);
+    Arrays.setAll(screen.argb, screen.raster::argb);
     return screen;
   }
 
   int rgb(int x, int y) {
-    return raster.pixels()[y * raster.width() + x] & 0xffffff;
+    return argb[y * raster.width() + x] & 0xffffff;
   }
 
   int[] pixels() {
-    return raster.pixels();
+    return argb;
   }
 
   int count(int rgb) {
@@ -54,7 +58,7 @@ final class Screen {
 
   int count(IntPredicate ofRgb) {
     int count = 0;
-    for (int pixel : raster.pixels()) {
+    for (int pixel : argb) {
       count += ofRgb.test(pixel & 0xffffff) ? 1 : 0;
     }
     return count;

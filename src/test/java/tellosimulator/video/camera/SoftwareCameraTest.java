@@ -210,7 +210,7 @@ class SoftwareCameraTest {
     Viewpoint viewpoint = new Viewpoint(Sketches.ORIGIN, Screen.LENS, 0.1);
 
     assertThatIllegalArgumentException()
-        .isThrownBy(() -> camera.draw(Sketches.scene(), viewpoint, new Raster(100, 98)))
+        .isThrownBy(() -> camera.draw(Sketches.scene(), viewpoint, Raster.forScreen(100, 98)))
         .withMessageContaining("100 by 98");
   }
 

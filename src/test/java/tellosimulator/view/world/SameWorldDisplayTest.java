@@ -135,13 +135,14 @@ class SameWorldDisplayTest {
   /** What the software camera sees from the first drone. */
   private Image drawn() {
     SoftwareCamera camera = new SoftwareCamera(new Props(ColorSpace.RGB));
-    Raster raster = new Raster(WIDTH, HEIGHT);
+    Raster raster = Raster.forScreen(WIDTH, HEIGHT);
     Pose pose = fixture.snapshot().drones().get(0).state().motion().pose();
     camera.draw(
         new Stage().scene(fixture.snapshot(), 1),
         DroneOptics.DEFAULT.ahead(pose, WIDTH, HEIGHT),
         raster);
-    int[] pixels = raster.pixels().clone();
+    int[] pixels = new int[WIDTH * HEIGHT];
+    raster.copyTo(pixels);
     for (int i = 0; i < pixels.length; i++) {
       pixels[i] |= 0xff000000;
     }
