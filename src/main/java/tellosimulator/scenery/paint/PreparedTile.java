@@ -1,5 +1,6 @@
 package tellosimulator.scenery.paint;
 
+import java.io.EOFException;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.OutputStream;
@@ -7,8 +8,9 @@ import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.util.Optional;
 import java.util.function.Supplier;
+import java.util.zip.DataFormatException;
 import java.util.zip.DeflaterOutputStream;
-import java.util.zip.InflaterInputStream;
+import java.util.zip.Inflater;
 import tellosimulator.scenery.Texture;
 
 /**
@@ -37,11 +39,27 @@ public record PreparedTile(Class<?> owner, String name, int size) {
         return Optional.empty();
       }
       int[] pixels = new int[size * size];
-      byte[] bytes = new InflaterInputStream(resource).readNBytes(Integer.BYTES * pixels.length);
+      byte[] bytes = inflated(resource.readAllBytes(), Integer.BYTES * pixels.length);
       ByteBuffer.wrap(bytes).order(ByteOrder.LITTLE_ENDIAN).asIntBuffer().get(pixels);
       return Optional.of(pixels);
-    } catch (IOException e) {
+    } catch (IOException | DataFormatException e) {
       throw new IllegalStateException(file() + " in the program's jar cannot be read", e);
+    }
+  }
+
+  /** All at once, which takes half as long as by a stream. */
+  private static byte[] inflated(byte[] deflated, int length)
+      throws DataFormatException, EOFException {
+    Inflater inflater = new Inflater();
+    try {
+      inflater.setInput(deflated);
+      byte[] bytes = new byte[length];
+      if (inflater.inflate(bytes) < length) {
+        throw new EOFException("it ends too early");
+      }
+      return bytes;
+    } finally {
+      inflater.end();
     }
   }
 
