@@ -1,9 +1,7 @@
 package tellosimulator.scenery.paint;
 
 import java.util.ArrayList;
-import java.util.DoubleSummaryStatistics;
 import java.util.List;
-import java.util.function.ToDoubleFunction;
 import tellosimulator.scenery.Rgb;
 import tellosimulator.scenery.Texture;
 
@@ -15,12 +13,7 @@ import tellosimulator.scenery.Texture;
 public final class Sketch {
 
   /** A place: pixels from the left and from the top. */
-  public record Point(double x, double y) {
-
-    private double distanceTo(double px, double py) {
-      return Math.sqrt((px - x) * (px - x) + (py - y) * (py - y));
-    }
-  }
+  public record Point(double x, double y) {}
 
   /** A part of an ellipse; angles in radians, from the right downwards. */
   public record Arc(Point middle, Point radii, double from, double to) {
@@ -65,9 +58,7 @@ public final class Sketch {
    */
   public Sketch stroke(List<Point> way, double width) {
     for (int i = 1; i < way.size(); i++) { // piece by piece: each touches only a few pixels
-      Point from = way.get(i - 1);
-      Point to = way.get(i);
-      soak(List.of(from, to), width / 2, pixel -> width / 2 - distance(from, to, pixel));
+      stroke(way.get(i - 1), way.get(i), width / 2);
     }
     return this;
   }
@@ -76,10 +67,22 @@ public final class Sketch {
   public Sketch fill(List<Point> corners) {
     List<Point> outline = new ArrayList<>(corners);
     outline.add(corners.get(0));
-    soak(
-        outline,
-        0,
-        pixel -> inside(outline, pixel) ? distance(outline, pixel) : -distance(outline, pixel));
+    double left = Double.POSITIVE_INFINITY;
+    double right = Double.NEGATIVE_INFINITY;
+    double top = Double.POSITIVE_INFINITY;
+    double bottom = Double.NEGATIVE_INFINITY;
+    for (Point corner : corners) {
+      left = Math.min(left, corner.x);
+      right = Math.max(right, corner.x);
+      top = Math.min(top, corner.y);
+      bottom = Math.max(bottom, corner.y);
+    }
+    for (int y = first(top); y <= last(bottom); y++) {
+      for (int x = first(left); x <= last(right); x++) {
+        double edge = distance(outline, x + 0.5, y + 0.5);
+        soak(x, y, inside(outline, x + 0.5, y + 0.5) ? edge : -edge);
+      }
+    }
     return this;
   }
 
@@ -106,57 +109,62 @@ public final class Sketch {
     return stroke(List.of(middle, middle), 2 * radius);
   }
 
-  /**
-   * Gives ink to all pixels around some points.
-   *
-   * @param reach how far around them [pixels]
-   * @param within how far a pixel lies within the edge [pixels]
-   */
-  private void soak(List<Point> around, double reach, ToDoubleFunction<Point> within) {
-    DoubleSummaryStatistics across = around.stream().mapToDouble(Point::x).summaryStatistics();
-    DoubleSummaryStatistics down = around.stream().mapToDouble(Point::y).summaryStatistics();
-    for (int y = first(down, reach); y <= last(down, reach); y++) {
-      for (int x = first(across, reach); x <= last(across, reach); x++) {
-        double edge = within.applyAsDouble(new Point(x + 0.5, y + 0.5));
-        double wet = Math.max(0, Math.min(1, edge + 0.5));
-        ink[y * size + x] = Math.max(ink[y * size + x], wet);
+  private void stroke(Point from, Point to, double radius) {
+    int bottom = last(Math.max(from.y, to.y) + radius);
+    int left = first(Math.min(from.x, to.x) - radius);
+    int right = last(Math.max(from.x, to.x) + radius);
+    for (int y = first(Math.min(from.y, to.y) - radius); y <= bottom; y++) {
+      for (int x = left; x <= right; x++) {
+        soak(x, y, radius - distance(from, to, x + 0.5, y + 0.5));
       }
     }
   }
 
-  private static int first(DoubleSummaryStatistics extent, double reach) {
-    return (int) Math.max(0, Math.floor(extent.getMin() - reach) - 1);
+  /**
+   * Gives a pixel ink.
+   *
+   * @param within how far its middle lies within the edge [pixels]
+   */
+  private void soak(int x, int y, double within) {
+    double wet = Math.max(0, Math.min(1, within + 0.5));
+    ink[y * size + x] = Math.max(ink[y * size + x], wet);
   }
 
-  private int last(DoubleSummaryStatistics extent, double reach) {
-    return (int) Math.min(size - 1, Math.ceil(extent.getMax() + reach) + 1);
+  /** The first pixel that an edge may touch. */
+  private static int first(double edge) {
+    return (int) Math.max(0, Math.floor(edge) - 1);
   }
 
-  private static double distance(List<Point> way, Point pixel) {
+  private int last(double edge) {
+    return (int) Math.min(size - 1, Math.ceil(edge) + 1);
+  }
+
+  private static double distance(List<Point> way, double x, double y) {
     double nearest = Double.POSITIVE_INFINITY;
     for (int i = 1; i < way.size(); i++) {
-      nearest = Math.min(nearest, distance(way.get(i - 1), way.get(i), pixel));
+      nearest = Math.min(nearest, distance(way.get(i - 1), way.get(i), x, y));
     }
     return nearest;
   }
 
-  private static double distance(Point from, Point to, Point pixel) {
+  private static double distance(Point from, Point to, double x, double y) {
     double dx = to.x - from.x;
     double dy = to.y - from.y;
     double squared = dx * dx + dy * dy;
-    double along = squared == 0 ? 0 : ((pixel.x - from.x) * dx + (pixel.y - from.y) * dy) / squared;
+    double along = squared == 0 ? 0 : ((x - from.x) * dx + (y - from.y) * dy) / squared;
     double within = Math.max(0, Math.min(1, along));
-    return pixel.distanceTo(from.x + dx * within, from.y + dy * within);
+    double asideX = x - (from.x + dx * within);
+    double asideY = y - (from.y + dy * within);
+    return Math.sqrt(asideX * asideX + asideY * asideY);
   }
 
   /** Whether a ray to the right crosses the outline an odd number of times. */
-  private static boolean inside(List<Point> outline, Point pixel) {
+  private static boolean inside(List<Point> outline, double x, double y) {
     boolean inside = false;
     for (int i = 1; i < outline.size(); i++) {
       Point a = outline.get(i - 1);
       Point b = outline.get(i);
-      if (a.y > pixel.y != b.y > pixel.y
-          && pixel.x < a.x + (pixel.y - a.y) / (b.y - a.y) * (b.x - a.x)) {
+      if (a.y > y != b.y > y && x < a.x + (y - a.y) / (b.y - a.y) * (b.x - a.x)) {
         inside = !inside;
       }
     }
