@@ -9,6 +9,9 @@ import tellosimulator.video.picture.Picture;
  *
  * <p>It knows which part of each row has been drawn on: beside it nothing can hide what is drawn,
  * which most of a picture need not ask then.
+ *
+ * <p>Each loop over pixels is a method of its own: so the compiler has least to do, which counts
+ * while the first picture is drawn.
  */
 public final class Raster {
 
@@ -132,9 +135,7 @@ public final class Raster {
     }
     int at = row * width + from;
     int skip = from - strip.from;
-    for (int i = 0; i < to - from; i++) {
-      nearness[at + i] = near + step * steps[skip + i];
-    }
+    approach(at, skip, to - from, near, step);
     copy(strip.first, skip, first, at, to - from);
     if (!space.coarse()) {
       copy(strip.second, skip, second, at, to - from);
@@ -145,6 +146,12 @@ public final class Raster {
       int skipped = column - (strip.from + 1) / 2;
       copy(strip.second, skipped, second, colorRow(row) + column, colors);
       copy(strip.third, skipped, third, colorRow(row) + column, colors);
+    }
+  }
+
+  private void approach(int at, int skip, int count, float near, float step) {
+    for (int i = 0; i < count; i++) {
+      nearness[at + i] = near + step * steps[skip + i];
     }
   }
 
@@ -188,37 +195,39 @@ public final class Raster {
    * @param share of its opacity that counts, 0 to 256
    */
   void blend(int row, Strip strip, float near, float step, int share) {
-    int start = row * width;
-    for (int i = 0; i < strip.count; i++) {
-      int at = start + strip.from + i;
-      if (near + step * steps[i] >= nearness[at]) {
-        int covered = (strip.opacity[i] * share) >> 8;
-        first[at] = mixed(first[at], (strip.first[i] * share) >> 8, covered);
-        if (!space.coarse()) {
-          second[at] = mixed(second[at], (strip.second[i] * share) >> 8, covered);
-          third[at] = mixed(third[at], (strip.third[i] * share) >> 8, covered);
-        }
-      }
-    }
-    if (space.coarse() && row % 2 == 0) {
-      blendColors(row, strip, near, step, share);
-    }
-  }
-
-  private void blendColors(int row, Strip strip, float near, float step, int share) {
-    int start = row * width + strip.from + strip.odd();
-    int color = colorRow(row) + (strip.from + 1) / 2;
-    for (int i = 0; i < strip.evenCount(); i++) {
-      if (near + step * steps[2 * i + strip.odd()] >= nearness[start + 2 * i]) {
-        int covered = (strip.colorOpacity[i] * share) >> 8;
-        second[color + i] = mixed(second[color + i], (strip.second[i] * share) >> 8, covered);
-        third[color + i] = mixed(third[color + i], (strip.third[i] * share) >> 8, covered);
-      }
+    int at = row * width + strip.from;
+    int[] shares = strip.shares;
+    share(at, strip.count, near, step, share, shares);
+    blend(strip.first, strip.opacity, shares, first, at, strip.count);
+    if (!space.coarse()) {
+      blend(strip.second, strip.colorOpacity, shares, second, at, strip.count);
+      blend(strip.third, strip.colorOpacity, shares, third, at, strip.count);
+    } else if (row % 2 == 0) {
+      int count = strip.evenCount();
+      int color = colorRow(row) + (strip.from + 1) / 2;
+      strip.halveShares();
+      blend(strip.second, strip.colorOpacity, shares, second, color, count);
+      blend(strip.third, strip.colorOpacity, shares, third, color, count);
     }
   }
 
-  private static byte mixed(byte under, int over, int covered) {
-    return (byte) (over + (((under & 255) * (256 - covered - (covered >> 7))) >> 8));
+  /** How much counts of what is to be blended: nothing of what is hidden. */
+  private void share(int at, int count, float near, float step, int share, int[] shares) {
+    for (int i = 0; i < count; i++) {
+      shares[i] = near + step * steps[i] >= nearness[at + i] ? share : 0;
+    }
+  }
+
+  private static void blend(
+      int[] values, int[] opacity, int[] shares, byte[] plane, int at, int count) {
+    for (int i = 0; i < count; i++) {
+      int share = shares[i];
+      if (share > 0) {
+        int covered = (opacity[i] * share) >> 8;
+        int under = ((plane[at + i] & 255) * (256 - covered - (covered >> 7))) >> 8;
+        plane[at + i] = (byte) (under + ((values[i] * share) >> 8));
+      }
+    }
   }
 
   private int colorRow(int row) {

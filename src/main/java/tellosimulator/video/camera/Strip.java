@@ -26,6 +26,9 @@ final class Strip {
   /** The same for the second and third channel. */
   int[] colorOpacity = new int[0];
 
+  /** How much of each pixel's opacity counts, 0 to 256; nothing where it is hidden. */
+  int[] shares = new int[0];
+
   /** Brightness of each pixel, 0 to 256; only lighted ones have it. */
   int[] light = new int[0];
 
@@ -37,6 +40,7 @@ final class Strip {
       third = new int[most];
       opacity = new int[most];
       colorOpacity = new int[most];
+      shares = new int[most];
       light = new int[most];
     }
   }
@@ -49,6 +53,15 @@ final class Strip {
   /** How many pixels are in even columns. */
   int evenCount() {
     return (count - odd() + 1) / 2;
+  }
+
+  /** Leaves the shares of even columns. */
+  void halveShares() {
+    int odd = odd();
+    int size = evenCount();
+    for (int i = 0; i < size; i++) {
+      shares[i] = shares[2 * i + odd];
+    }
   }
 
   /** Mixes all channels with black, as far as there is no light. */
