@@ -11,7 +11,6 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Optional;
 import org.snakeyaml.engine.v2.api.LoadSettings;
-import org.snakeyaml.engine.v2.composer.Composer;
 import org.snakeyaml.engine.v2.exceptions.MarkedYamlEngineException;
 import org.snakeyaml.engine.v2.exceptions.ReaderException;
 import org.snakeyaml.engine.v2.exceptions.YamlEngineException;
@@ -19,7 +18,6 @@ import org.snakeyaml.engine.v2.nodes.Node;
 import org.snakeyaml.engine.v2.parser.Parser;
 import org.snakeyaml.engine.v2.parser.ParserImpl;
 import org.snakeyaml.engine.v2.scanner.StreamReader;
-import org.snakeyaml.engine.v2.schema.FailsafeSchema;
 import tellosimulator.scenario.Mistake.Place;
 import tellosimulator.words.Phrase;
 
@@ -36,13 +34,7 @@ final class Source {
 
   Source(String file, Mistakes mistakes) {
     this.mistakes = mistakes;
-    this.settings =
-        LoadSettings.builder()
-            .setLabel(file)
-            .setAllowDuplicateKeys(true) // told with their places by who reads them
-            .setCodePointLimit(LARGEST)
-            .setSchema(new FailsafeSchema()) // what a text means is up to who reads it
-            .build();
+    this.settings = LoadSettings.builder().setLabel(file).setCodePointLimit(LARGEST).build();
   }
 
   /** The bytes of a file; empty if it cannot be read or is too large. */
@@ -88,12 +80,12 @@ final class Source {
   Optional<Node> root(String text) {
     try {
       Parser parser = new ParserImpl(settings, new StreamReader(settings, text));
-      Optional<Node> root = new Composer(settings, new BoundedParser(parser)).getSingleNode();
+      Optional<Node> root = new TreeReader(parser).root();
       if (root.isEmpty()) {
         mistakes.add(new Place(1, 1), Phrase.of("expected a scenario, found nothing"));
       }
       return root;
-    } catch (BoundedParser.TooMuchException e) {
+    } catch (TreeReader.TooMuchException e) {
       mistakes.add(e.place(), e.phrase());
     } catch (MarkedYamlEngineException e) {
       Place place =

@@ -357,6 +357,8 @@ class ScenarioFileTest {
           name: 5                             | 1:7: expected a line of text of at most 200 letters, found "5"
           name: "a: b                         | 2:1: this is not YAML: found unexpected end of stream
           name: a: b                          | 1:8: this is not YAML: mapping values are not allowed here
+          room: *hall                         | 1:7: this is not YAML: found undefined alias hall
+          ? [a, b]                            | this is not YAML: Non scalar key is detected but it is not configured to be allowed.
           """)
   void aMistakeIsOneSentenceWithItsPlace(String text, String sentence) {
     assertThat(mistakes(text + "\n")).containsExactly(sentence);
@@ -429,6 +431,28 @@ class ScenarioFileTest {
   @ValueSource(strings = {"", "\n\n", "# only a comment\n"})
   void anEmptyFileIsASentence(String text) {
     assertThat(mistakes(text)).containsExactly("1:1: expected a scenario, found nothing");
+  }
+
+  @Test
+  void aSecondDocumentIsASentence() {
+    assertThat(mistakes("name: a\n---\nname: b\n"))
+        .containsExactly("2:1: this is not YAML: but found another document");
+  }
+
+  @Test
+  void anAliasIsReadAsWhatItStandsFor() throws Exception {
+    List<Obstacle> obstacles =
+        read("""
+                obstacles:
+                  - box: &a {at: [0, 90], size: &s [50, 40, 30]}
+                  - box: *a
+                  - box: {at: [0, -90], size: *s}
+                """)
+            .config()
+            .arena()
+            .obstacles();
+    assertThat(obstacles).extracting(Obstacle::shape).containsOnly(new Shape.Box(0.5, 0.4, 0.3));
+    assertThat(obstacles).extracting(Obstacle::name).containsExactly("box 1", "box 2", "box 3");
   }
 
   @Test
