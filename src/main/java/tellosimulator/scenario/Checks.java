@@ -1,6 +1,5 @@
 package tellosimulator.scenario;
 
-import java.net.InetAddress;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.HashSet;
@@ -129,11 +128,10 @@ final class Checks {
       if (!room.contains(start, DroneSpec.HULL)) {
         mistakes.add(node, Phrase.of("drone %d does not fit into the room there", number));
       }
-      obstacles
-          .around(start, DroneSpec.HULL)
-          .ifPresent(
-              obstacle ->
-                  mistakes.add(node, Phrase.of("drone %d is in %s", number, obstacle.phrase())));
+      Optional<Obstacle> around = obstacles.around(start, DroneSpec.HULL);
+      if (around.isPresent()) {
+        mistakes.add(node, Phrase.of("drone %d is in %s", number, around.get().phrase()));
+      }
       for (int j = 0; j < i; j++) {
         if (drones.get(j).value().sound()
             && start.distanceTo(start(drones, j)) < 2 * DroneSpec.HULL.radius()) {
@@ -157,7 +155,9 @@ final class Checks {
       int number = i + 1;
       Station station = drones.get(i).value().station();
       String host =
-          station.address().map(InetAddress::getHostAddress).orElseGet(() -> "127.0.0." + number);
+          station.address().isPresent()
+              ? station.address().get().getHostAddress()
+              : "127.0.0." + number;
       Integer other = taken.putIfAbsent(host + ":" + station.port().orElse(0), number);
       if (other != null) {
         mistakes.add(

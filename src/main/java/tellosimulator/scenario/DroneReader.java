@@ -1,10 +1,9 @@
 package tellosimulator.scenario;
 
-import java.util.Arrays;
+import java.util.HashMap;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalInt;
-import java.util.stream.Collectors;
 import org.snakeyaml.engine.v2.nodes.Node;
 import tellosimulator.math.Attitude;
 import tellosimulator.math.Pose;
@@ -27,11 +26,24 @@ final class DroneReader implements Value<DroneReader.Entry> {
    */
   record Entry(DroneSetup setup, Station station, boolean sound) {}
 
-  static final Map<String, Profile> PROFILES =
-      Arrays.stream(Profile.values()).collect(Collectors.toMap(Profile::option, each -> each));
+  static final Map<String, Profile> PROFILES = profiles();
+  static final Map<String, Behaviour> BEHAVIOURS = behaviours();
 
-  static final Map<String, Behaviour> BEHAVIOURS =
-      Arrays.stream(Behaviour.values()).collect(Collectors.toMap(Behaviour::option, each -> each));
+  private static Map<String, Profile> profiles() {
+    Map<String, Profile> profiles = new HashMap<>();
+    for (Profile profile : Profile.values()) {
+      profiles.put(profile.option(), profile);
+    }
+    return Map.copyOf(profiles);
+  }
+
+  private static Map<String, Behaviour> behaviours() {
+    Map<String, Behaviour> behaviours = new HashMap<>();
+    for (Behaviour behaviour : Behaviour.values()) {
+      behaviours.put(behaviour.option(), behaviour);
+    }
+    return Map.copyOf(behaviours);
+  }
 
   /** It is there in any case, so that drones keep their numbers. */
   @Override

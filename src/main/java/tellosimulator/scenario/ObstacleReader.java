@@ -82,29 +82,29 @@ final class ObstacleReader implements Value<ObstacleReader.Entry> {
   @Override
   public Optional<Entry> read(Node node, Mistakes mistakes) {
     Section section = Section.of(Kind.OBSTACLE, node, mistakes);
-    return section
-        .onlyKey()
-        .flatMap(
-            kind -> section.read(kind, reader(kind)).map(obstacle -> new Entry(kind, obstacle)));
+    Optional<String> kind = section.onlyKey();
+    if (kind.isEmpty()) {
+      return Optional.empty();
+    }
+    Optional<Obstacle> obstacle = obstacle(kind.get(), section.at(kind.get()), mistakes);
+    return obstacle.isPresent()
+        ? Optional.of(new Entry(kind.get(), obstacle.get()))
+        : Optional.empty();
   }
 
-  private Value<Obstacle> reader(String kind) {
+  private Optional<Obstacle> obstacle(String kind, Node node, Mistakes mistakes) {
     return switch (kind) {
-      case "box" -> this::box;
-      case "cylinder" -> this::cylinder;
-      case "wall" -> this::wall;
-      default -> this::gate;
+      case "box" -> box(node, mistakes);
+      case "cylinder" -> cylinder(node, mistakes);
+      case "wall" -> wall(node, mistakes);
+      default -> gate(node, mistakes);
     };
   }
 
   private Optional<Obstacle> box(Node node, Mistakes mistakes) {
     Section section = Section.of(Kind.BOX, node, mistakes);
-    Shape shape =
-        section
-            .need("size", SIZE)
-            .<Shape>map(size -> new Shape.Box(size.get(0), size.get(1), size.get(2)))
-            .orElse(UNKNOWN);
-    return standing(section, shape);
+    List<Double> size = section.need("size", SIZE, List.of(1.0, 1.0, 1.0));
+    return standing(section, new Shape.Box(size.get(0), size.get(1), size.get(2)));
   }
 
   private Optional<Obstacle> cylinder(Node node, Mistakes mistakes) {

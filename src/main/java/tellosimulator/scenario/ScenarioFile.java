@@ -7,6 +7,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import java.util.Optional;
+import org.snakeyaml.engine.v2.nodes.Node;
 
 /** A scenario as a YAML file. For any thread. */
 public final class ScenarioFile {
@@ -33,13 +34,12 @@ public final class ScenarioFile {
   private static Scenario read(String name, byte[] bytes, Path folder) throws ScenarioException {
     Mistakes mistakes = new Mistakes(name);
     Source source = new Source(name, mistakes);
-    Optional<Scenario> scenario =
-        source
-            .text(bytes)
-            .flatMap(source::root)
-            .map(root -> new ScenarioReader(root, folder, mistakes).read());
+    Optional<String> text = source.text(bytes);
+    Optional<Node> root = text.isPresent() ? source.root(text.get()) : Optional.empty();
     mistakes.check();
-    return scenario.orElseThrow();
+    Scenario scenario = new ScenarioReader(root.orElseThrow(), folder, mistakes).read();
+    mistakes.check();
+    return scenario;
   }
 
   /**

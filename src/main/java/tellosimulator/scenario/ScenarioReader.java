@@ -1,6 +1,7 @@
 package tellosimulator.scenario;
 
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -74,7 +75,7 @@ final class ScenarioReader {
         scenario.read("name", Values.text(), ""),
         scenario.read("teaches", Values.text(), ""),
         config,
-        values(drones).stream().map(DroneReader.Entry::station).toList(),
+        stations(drones),
         challenge(values(goals)));
   }
 
@@ -97,7 +98,10 @@ final class ScenarioReader {
   }
 
   private SimConfig config(Arena arena, List<Located<DroneReader.Entry>> drones) {
-    List<DroneSetup> setups = values(drones).stream().map(DroneReader.Entry::setup).toList();
+    List<DroneSetup> setups = new ArrayList<>();
+    for (Located<DroneReader.Entry> drone : drones) {
+      setups.add(drone.value().setup());
+    }
     TimeFactor factor =
         scenario.read("time-factor", ScenarioReader::timeFactor, TimeFactor.REAL_TIME);
     Value<Long> seed =
@@ -105,6 +109,14 @@ final class ScenarioReader {
             Phrase.of("a whole number of at most 18 digits"), Long.MIN_VALUE, Long.MAX_VALUE);
     return new SimConfig(
         arena, setups, factor, scenario.read("seed", seed, SimConfig.DEFAULT.seed()));
+  }
+
+  private static List<Station> stations(List<Located<DroneReader.Entry>> drones) {
+    List<Station> stations = new ArrayList<>();
+    for (Located<DroneReader.Entry> drone : drones) {
+      stations.add(drone.value().station());
+    }
+    return stations;
   }
 
   private static Optional<TimeFactor> timeFactor(Node node, Mistakes mistakes) {
@@ -136,6 +148,10 @@ final class ScenarioReader {
   }
 
   private static <T> List<T> values(List<Located<T>> located) {
-    return located.stream().map(Located::value).toList();
+    List<T> values = new ArrayList<>(located.size());
+    for (Located<T> each : located) {
+      values.add(each.value());
+    }
+    return values;
   }
 }

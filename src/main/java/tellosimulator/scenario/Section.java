@@ -35,7 +35,9 @@ final class Section {
   static Section of(Kind kind, Node node, Mistakes mistakes) {
     Section section = new Section(kind, node, mistakes);
     if (node instanceof MappingNode mapping) {
-      mapping.getValue().forEach(section::take);
+      for (NodeTuple tuple : mapping.getValue()) {
+        section.take(tuple);
+      }
     } else {
       mistakes.add(node, Phrase.of("expected %s, found %s", kind.phrase(), Values.found(node)));
     }
@@ -146,7 +148,10 @@ final class Section {
     check(key);
     List<Located<T>> list = new ArrayList<>();
     for (Node element : elements(key, most)) {
-      item.read(element, mistakes).ifPresent(value -> list.add(new Located<>(value, element)));
+      Optional<T> value = item.read(element, mistakes);
+      if (value.isPresent()) {
+        list.add(new Located<>(value.get(), element));
+      }
     }
     return list;
   }

@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
+import java.util.function.Function;
 import java.util.regex.Pattern;
 import org.snakeyaml.engine.v2.nodes.MappingNode;
 import org.snakeyaml.engine.v2.nodes.Node;
@@ -15,14 +16,14 @@ import org.snakeyaml.engine.v2.nodes.SequenceNode;
 import org.snakeyaml.engine.v2.nodes.Tag;
 import org.snakeyaml.engine.v2.resolver.JsonScalarResolver;
 import org.snakeyaml.engine.v2.resolver.ScalarResolver;
-import tellosimulator.math.Frames;
+import tellosimulator.scenario.Measure.Unit;
 import tellosimulator.words.Phrase;
 
-/** How single values are read, and what is said if they cannot be. */
+/**
+ * How single values are read, and what is said if they cannot be. What is read of each obstacle is
+ * in records rather than lambdas, because a program that has just started makes these more slowly.
+ */
 final class Values {
-
-  /** Of what numbers are written; without those of NaN, of infinity and of Java's own suffixes. */
-  private static final String NUMBER_LETTERS = "0123456789.+-eE";
 
   /** What YAML's usual schema takes a text for. */
   private static final ScalarResolver MEANING = new JsonScalarResolver();
@@ -33,9 +34,6 @@ final class Values {
       Pattern.compile("((25[0-5]|2[0-4][0-9]|1?[0-9]?[0-9])(\\.(?!$)|$)){4}");
 
   private static final Pattern COLOUR = Pattern.compile("#[0-9a-fA-F]{6}");
-
-  /** Longest number [characters]. Decided: all digits that a double has, twice. */
-  private static final int LONGEST_NUMBER = 40;
 
   /** Longest text [characters]. Decided: a line or two. */
   private static final int LONGEST_TEXT = 200;
@@ -50,55 +48,24 @@ final class Values {
 
   /** A number that may have decimals. */
   static Value<Double> number(Phrase expected, double least, double most) {
-    return (node, mistakes) -> {
-      double value = number(node);
-      Optional<Double> number =
-          value >= least && value <= most ? Optional.of(value) : Optional.empty();
-      return orMistake(number, expected, node, mistakes);
-    };
-  }
-
-  /** The number that a node is, or NaN. */
-  private static double number(Node node) {
-    String word = node instanceof ScalarNode scalar && scalar.isPlain() ? scalar.getValue() : "";
-    if (word.length() > LONGEST_NUMBER || !allOf(NUMBER_LETTERS, word)) {
-      return Double.NaN;
-    }
-    try {
-      return rounded(Double.parseDouble(word));
-    } catch (NumberFormatException e) {
-      return Double.NaN;
-    }
-  }
-
-  /** Whether there are only some letters in a word. A loop, because big files have many numbers. */
-  private static boolean allOf(String letters, String word) {
-    for (int i = 0; i < word.length(); i++) {
-      if (letters.indexOf(word.charAt(i)) < 0) {
-        return false;
-      }
-    }
-    return true;
+    return new Measure(Unit.ONE, expected, least, most);
   }
 
   /** A length in centimetres, as metres. */
   static Value<Double> length(double leastCm, double mostCm) {
     Phrase expected = Phrase.of("a length in cm from %s to %s", plain(leastCm), plain(mostCm));
-    return map(number(expected, leastCm, mostCm), Frames::metres);
+    return new Measure(Unit.CENTIMETRE, expected, leastCm, mostCm);
   }
 
   /** A speed in centimetres a second, as metres a second. */
   static Value<Double> speed(double mostCm) {
-    return map(
-        number(Phrase.of("a speed in cm/s from 0 to %s", plain(mostCm)), 0, mostCm),
-        Frames::metres);
+    Phrase expected = Phrase.of("a speed in cm/s from 0 to %s", plain(mostCm));
+    return new Measure(Unit.CENTIMETRE, expected, 0, mostCm);
   }
 
   /** Degrees counter-clockwise, as radians within ±π. */
   static Value<Double> angle() {
-    return map(
-        number(Phrase.of("an angle in degrees from -360 to 360"), -360, 360),
-        degrees -> StrictMath.toRadians(within180(degrees)));
+    return new Measure(Unit.DEGREE, Phrase.of("an angle in degrees from -360 to 360"), -360, 360);
   }
 
   /** A whole number. */
@@ -124,14 +91,21 @@ final class Values {
 
   /** A line of text that is not empty. */
   static Value<String> text() {
-    return (node, mistakes) -> {
-      Optional<String> text =
-          node instanceof ScalarNode scalar && isText(scalar)
-              ? Optional.of(scalar.getValue().strip()).filter(Values::oneLine)
-              : Optional.empty();
-      return orMistake(
-          text, Phrase.of("a line of text of at most %d letters", LONGEST_TEXT), node, mistakes);
-    };
+    return Values::line;
+  }
+
+  private static Optional<String> line(Node node, Mistakes mistakes) {
+    if (node instanceof ScalarNode scalar && isText(scalar)) {
+      String text = scalar.getValue().strip();
+      if (oneLine(text)) {
+        return Optional.of(text);
+      }
+    }
+    return orMistake(
+        Optional.empty(),
+        Phrase.of("a line of text of at most %d letters", LONGEST_TEXT),
+        node,
+        mistakes);
   }
 
   /** Whether it is in quotation marks, or would not be a number or the like to other programs. */
@@ -140,21 +114,32 @@ final class Values {
   }
 
   private static boolean oneLine(String text) {
-    return !text.isEmpty()
-        && text.length() <= LONGEST_TEXT
-        && text.chars().noneMatch(Character::isISOControl);
+    if (text.isEmpty() || text.length() > LONGEST_TEXT) {
+      return false;
+    }
+    for (int i = 0; i < text.length(); i++) {
+      if (Character.isISOControl(text.charAt(i))) {
+        return false;
+      }
+    }
+    return true;
   }
 
   /** One of some words. */
   static <T> Value<T> word(Map<String, T> words) {
-    Map<String, T> sorted = new TreeMap<>(words);
-    return (node, mistakes) -> {
+    return new Word<>(words);
+  }
+
+  private record Word<T>(Map<String, T> words) implements Value<T> {
+
+    @Override
+    public Optional<T> read(Node node, Mistakes mistakes) {
       Optional<String> written = scalar(node);
       Optional<T> meant = written.map(words::get);
       if (meant.isPresent()) {
         return meant;
       }
-      String known = String.join(", ", sorted.keySet());
+      String known = String.join(", ", new TreeMap<>(words).keySet());
       Optional<String> guess = written.flatMap(word -> Spelling.meant(word, words.keySet()));
       mistakes.add(
           node,
@@ -163,7 +148,7 @@ final class Values {
                   "expected one of %s, found %s, did you mean %s?", known, found(node), guess.get())
               : Phrase.of("expected one of %s, found %s", known, found(node)));
       return Optional.empty();
-    };
+    }
   }
 
   static Value<Boolean> yesOrNo() {
@@ -207,21 +192,39 @@ final class Values {
     int size = names.split(",", -1).length;
     Phrase expected =
         Phrase.of("%s in cm, each from %s to %s", "[" + names + "]", plain(leastCm), plain(mostCm));
-    Value<Double> length = length(leastCm, mostCm);
-    return (node, mistakes) -> {
+    return new Lengths(size, expected, length(leastCm, mostCm));
+  }
+
+  private record Lengths(int size, Phrase expected, Value<Double> length)
+      implements Value<List<Double>> {
+
+    @Override
+    public Optional<List<Double>> read(Node node, Mistakes mistakes) {
       if (!(node instanceof SequenceNode sequence) || sequence.getValue().size() != size) {
         return orMistake(Optional.empty(), expected, node, mistakes);
       }
       List<Double> lengths = new ArrayList<>();
       for (Node item : sequence.getValue()) {
-        length.read(item, mistakes).ifPresent(lengths::add);
+        Optional<Double> read = length.read(item, mistakes);
+        if (read.isPresent()) {
+          lengths.add(read.get());
+        }
       }
       return lengths.size() == size ? Optional.of(List.copyOf(lengths)) : Optional.empty();
-    };
+    }
   }
 
-  static <S, T> Value<T> map(Value<S> value, java.util.function.Function<S, T> change) {
-    return (node, mistakes) -> value.read(node, mistakes).map(change);
+  /** What a value becomes. */
+  static <S, T> Value<T> map(Value<S> value, Function<S, T> change) {
+    return new Changed<>(value, change);
+  }
+
+  private record Changed<S, T>(Value<S> value, Function<S, T> change) implements Value<T> {
+
+    @Override
+    public Optional<T> read(Node node, Mistakes mistakes) {
+      return value.read(node, mistakes).map(change);
+    }
   }
 
   /** What is in a node, for people: {@code "abc"}. */
@@ -260,11 +263,6 @@ final class Values {
     return new java.math.BigDecimal(Double.toString(rounded(value)))
         .stripTrailingZeros()
         .toPlainString();
-  }
-
-  private static double within180(double degrees) {
-    double turned = degrees > 180 ? degrees - 360 : degrees;
-    return turned <= -180 ? turned + 360 : turned;
   }
 
   /** What is written without quotation marks. */
