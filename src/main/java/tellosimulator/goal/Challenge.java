@@ -23,12 +23,10 @@ public record Challenge(
 
   public Challenge {
     goals = List.copyOf(goals);
-    timeLimit.ifPresent(
-        limit -> {
-          if (!(limit > 0 && limit <= LONGEST)) {
-            throw new IllegalArgumentException(
-                "timeLimit is " + limit + " s, but must be above 0 and at most " + LONGEST);
-          }
-        });
+    double limit = timeLimit.orElse(LONGEST);
+    if (!(limit > 0 && limit <= LONGEST)) {
+      throw new IllegalArgumentException(
+          "timeLimit is " + limit + " s, but must be above 0 and at most " + LONGEST);
+    }
   }
 }

@@ -1,5 +1,6 @@
 package tellosimulator.sim;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.function.UnaryOperator;
 import tellosimulator.math.Pose;
@@ -49,9 +50,11 @@ public record SimConfig(Arena arena, List<DroneSetup> drones, TimeFactor timeFac
 
   /** Drones of the default product, full, with the default ports. */
   public static List<DroneSetup> alike(List<Pose> starts) {
-    return starts.stream()
-        .map(start -> DroneSetup.at(start, Product.DEFAULT, Outlets.DEFAULT))
-        .toList();
+    List<DroneSetup> alike = new ArrayList<>();
+    for (Pose start : starts) {
+      alike.add(DroneSetup.at(start, Product.DEFAULT, Outlets.DEFAULT));
+    }
+    return List.copyOf(alike);
   }
 
   /** Where the drones stand, in the order of their numbers. */

@@ -1,6 +1,8 @@
 package tellosimulator.world;
 
+import java.util.HashSet;
 import java.util.List;
+import java.util.Set;
 
 /**
  * A room with all that is in it, but for the drones. Immutable.
@@ -19,8 +21,12 @@ public record Arena(
   public Arena {
     obstacles = List.copyOf(obstacles);
     pads = List.copyOf(pads);
-    if (pads.stream().map(MissionPad::id).distinct().count() != pads.size()) {
-      throw new IllegalArgumentException("pads are " + pads + ", but each may be there only once");
+    Set<Integer> ids = new HashSet<>();
+    for (MissionPad pad : pads) {
+      if (!ids.add(pad.id())) {
+        throw new IllegalArgumentException(
+            "pads are " + pads + ", but each may be there only once");
+      }
     }
   }
 

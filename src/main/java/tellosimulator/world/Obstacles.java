@@ -2,9 +2,10 @@ package tellosimulator.world;
 
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
-import java.util.function.IntConsumer;
 import tellosimulator.math.Vec3;
 import tellosimulator.world.Solid.Bounds;
 
@@ -46,21 +47,18 @@ public final class Obstacles {
     this.empty = parts.isEmpty();
     this.cells = new Part[columns * rows][];
     Arrays.fill(cells, NOTHING);
-    List<List<Part>> lists = new ArrayList<>();
-    for (int i = 0; i < cells.length; i++) {
-      lists.add(new ArrayList<>());
-    }
+    Map<Integer, List<Part>> lists = new HashMap<>();
     List<Part> everywhere = new ArrayList<>();
     for (Part part : parts) {
       if (cellCount(part.bounds) > MANY_CELLS) {
         everywhere.add(part);
       } else {
-        forCells(part.bounds, index -> lists.get(index).add(part));
+        addToCells(part, lists);
       }
     }
     this.wide = everywhere.toArray(NOTHING);
-    for (int i = 0; i < cells.length; i++) {
-      cells[i] = lists.get(i).toArray(NOTHING);
+    for (Map.Entry<Integer, List<Part>> list : lists.entrySet()) {
+      cells[list.getKey()] = list.getValue().toArray(NOTHING);
     }
   }
 
@@ -97,10 +95,12 @@ public final class Obstacles {
   /** Whether a hull is in any of them, and in which. */
   public Optional<Obstacle> around(Vec3 position, Hull hull) {
     Vec3 grown = new Vec3(hull.radius(), hull.radius(), hull.height());
-    return near(Bounds.around(position, grown)).stream()
-        .filter(part -> part.solid.exit(position, position, hull).isPresent())
-        .map(Part::obstacle)
-        .findFirst();
+    for (Part part : near(Bounds.around(position, grown))) {
+      if (part.solid.exit(position, position, hull).isPresent()) {
+        return Optional.of(part.obstacle);
+      }
+    }
+    return Optional.empty();
   }
 
   /**
@@ -154,10 +154,20 @@ public final class Obstacles {
         * (row(bounds.most().y()) - row(bounds.least().y()) + 1);
   }
 
-  private void forCells(Bounds bounds, IntConsumer consumer) {
-    for (int column = column(bounds.least().x()); column <= column(bounds.most().x()); column++) {
-      for (int row = row(bounds.least().y()); row <= row(bounds.most().y()); row++) {
-        consumer.accept(column * rows + row);
+  private void addToCells(Part part, Map<Integer, List<Part>> lists) {
+    Bounds bounds = part.bounds;
+    int lastColumn = column(bounds.most().x());
+    int firstRow = row(bounds.least().y());
+    int lastRow = row(bounds.most().y());
+    for (int column = column(bounds.least().x()); column <= lastColumn; column++) {
+      for (int row = firstRow; row <= lastRow; row++) {
+        int index = column * rows + row;
+        List<Part> list = lists.get(index);
+        if (list == null) {
+          list = new ArrayList<>();
+          lists.put(index, list);
+        }
+        list.add(part);
       }
     }
   }
