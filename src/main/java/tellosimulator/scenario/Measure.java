@@ -23,6 +23,9 @@ record Measure(Unit unit, Phrase expected, double least, double most) implements
   /** Longest number [characters]. Decided: all digits that a double has, twice. */
   private static final int LONGEST = 40;
 
+  /** Most digits of a number that is read as an {@code int}. */
+  private static final int MOST_DIGITS = 9;
+
   /** What a number means. */
   enum Unit {
     /** Itself. */
@@ -46,14 +49,33 @@ record Measure(Unit unit, Phrase expected, double least, double most) implements
   /** The number that a node is, or NaN. */
   private static double number(Node node) {
     String word = node instanceof ScalarNode scalar && scalar.isPlain() ? scalar.getValue() : "";
-    if (word.length() > LONGEST || !allOf(LETTERS, word)) {
-      return Double.NaN;
+    double whole = whole(word);
+    if (!Double.isNaN(whole) || word.length() > LONGEST || !allOf(LETTERS, word)) {
+      return whole;
     }
     try {
       return Values.rounded(Double.parseDouble(word));
     } catch (NumberFormatException e) {
       return Double.NaN;
     }
+  }
+
+  /** The short whole number that a word is, as most are, or NaN. */
+  private static double whole(String word) {
+    boolean negative = word.startsWith("-");
+    int digits = negative ? word.length() - 1 : word.length();
+    if (digits < 1 || digits > MOST_DIGITS) {
+      return Double.NaN;
+    }
+    int number = 0;
+    for (int i = word.length() - digits; i < word.length(); i++) {
+      int digit = word.charAt(i) - '0';
+      if (digit < 0 || digit > 9) {
+        return Double.NaN;
+      }
+      number = 10 * number + digit;
+    }
+    return negative ? -number : number;
   }
 
   /** Whether there are only some letters in a word. */
