@@ -6,13 +6,15 @@ final class PlanePrediction {
   private PlanePrediction() {}
 
   /**
-   * Fills a square.
+   * Fills a square, or some of its rows.
    *
+   * @param first the first row to fill
+   * @param step from one row to fill to the next
    * @param at where the square begins in the plane
    * @param size 16 for luma, 8 for colour
    * @param offset where the square begins in what is filled
    */
-  static void predict(Plane from, int at, int size, byte[] to, int offset) {
+  static void predict(Plane from, int at, int size, int first, int step, byte[] to, int offset) {
     int factor = size == 16 ? 5 : 34;
     int half = size / 2;
     int above = at - from.stride;
@@ -23,14 +25,13 @@ final class PlanePrediction {
     int corners =
         (from.bytes[above + size - 1] & 0xFF)
             + (from.bytes[at - 1 + (size - 1) * from.stride] & 0xFF);
-    int row = 16 * corners + 16 - (half - 1) * (rightwards + downwards);
-    for (int y = 0; y < size; y++) {
-      int value = row;
+    int corner = 16 * corners + 16 - (half - 1) * (rightwards + downwards);
+    for (int y = first; y < size; y += step) {
+      int value = corner + y * downwards;
       for (int x = 0; x < size; x++) {
         to[offset + Samples.STRIDE * y + x] = (byte) Math.max(0, Math.min(255, value >> 5));
         value += rightwards;
       }
-      row += downwards;
     }
   }
 

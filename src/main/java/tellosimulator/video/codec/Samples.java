@@ -80,6 +80,16 @@ final class Samples {
     return Words.sum(sum);
   }
 
+  /** The same of some rows. */
+  int lumaDifference(Samples other, int first, int step) {
+    long sum = 0;
+    for (int i = first * STRIDE; i < BLUE; i += step * STRIDE) {
+      sum += Words.differences(Words.get(bytes, i), Words.get(other.bytes, i));
+      sum += Words.differences(Words.get(bytes, i + 8), Words.get(other.bytes, i + 8));
+    }
+    return Words.sum(sum);
+  }
+
   /** The sum of absolute differences of both colours. */
   int colourDifference(Samples other) {
     long sum = 0;
