@@ -54,7 +54,8 @@ class SceneSnapshotSourceDisplayTest {
   @BeforeEach
   void hangMarkers() throws IOException {
     Poster red = new Poster(Surface.FRONT_WALL, -0.5, 1.1, 0.15, plain("red", 0xff0000));
-    Poster blue = new Poster(Surface.FRONT_WALL, 0.5, 0.7, 0.15, plain("blue", 0x0000ff));
+    // Not as dark as the drone: a pixel at its edge may have its neighbour's colour.
+    Poster blue = new Poster(Surface.FRONT_WALL, 0.5, 0.7, 0.15, plain("blue", 0x3c48ff));
     fixture.decorate(decor -> decor.withWalls(Walls.PLAIN).withPosters(List.of(red, blue)));
   }
 
