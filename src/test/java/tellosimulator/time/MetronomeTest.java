@@ -25,18 +25,21 @@ class MetronomeTest {
   }
 
   @Test
-  void ofMissedTicksOneIsMadeUpFor() {
+  void ofMissedTicksThreeAreMadeUpFor() {
     long period = 100_000_000;
     metronome.restart();
     metronome.awaitTick(period);
-    metronome.pauseUntil(metronome.nanos() + 3 * period);
+    metronome.pauseUntil(metronome.nanos() + 6 * period);
     long late = metronome.nanos();
-    metronome.awaitTick(period);
-    metronome.awaitTick(period);
+    for (int i = 0; i < 4; i++) {
+      metronome.awaitTick(period);
+    }
 
-    assertThat(metronome.due()).as("both came at once").isLessThan(late + 2 * period);
+    assertThat(metronome.due()).as("all came at once").isLessThan(late + 2 * period);
     metronome.awaitTick(period);
-    assertThat(metronome.nanos()).as("the third took its time").isGreaterThan(late + period);
+    assertThat(metronome.nanos())
+        .as("the next took its time")
+        .isGreaterThanOrEqualTo(late + period);
   }
 
   @Test
