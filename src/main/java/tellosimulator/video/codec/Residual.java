@@ -23,9 +23,6 @@ final class Residual {
   /** First levels that are sent apart: of luma (intra 16 by 16 only), of blue, of red. */
   final int[] first = new int[16 + 4 + 4];
 
-  /** How many of the first levels of luma are not 0. */
-  int lumaFirsts;
-
   /** A bit for each quarter of luma that has levels; upper left, upper right, lower left, ... */
   int lumaPattern;
 
@@ -34,7 +31,6 @@ final class Residual {
 
   void clear() {
     Arrays.fill(counts, 0);
-    lumaFirsts = 0;
     lumaPattern = 0;
     colourPattern = 0;
   }

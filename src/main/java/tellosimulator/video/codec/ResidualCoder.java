@@ -148,7 +148,7 @@ final class ResidualCoder {
     for (int i = 0; i < 16; i++) {
       residual.first[i] = (corners[Quantizer.place(i)] + 1) >> 1;
     }
-    residual.lumaFirsts = quantizer.first(residual.first, 0, 16);
+    quantizer.first(residual.first, 0, 16);
     for (int i = 0; i < 16; i++) {
       corners[Quantizer.place(i)] = residual.first[i];
     }
