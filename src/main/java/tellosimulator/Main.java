@@ -16,6 +16,7 @@ import tellosimulator.goal.Progress.Status;
 import tellosimulator.headless.HeadlessSimulator;
 import tellosimulator.network.PortTakenException;
 import tellosimulator.scenario.ScenarioException;
+import tellosimulator.video.Films;
 import tellosimulator.video.SoftwareCameras;
 import tellosimulator.video.WarmUp;
 import tellosimulator.video.camera.DroneOptics;
@@ -34,7 +35,8 @@ public final class Main {
 
   private final Options options = new Options();
   private final SoftwareCameras cameras = new SoftwareCameras(DroneOptics.DEFAULT);
-  private final WarmUp warmUp = new WarmUp(cameras, H264Encoder::new);
+  private final Films defaultFilms = new Films(cameras, H264Encoder::new);
+  private final WarmUp warmUp = new WarmUp(defaultFilms);
   private final PrintStream out;
   private final PrintStream err;
 
@@ -134,15 +136,20 @@ public final class Main {
     }
   }
 
+  /** Those that have begun, if they have these optics. */
+  private Films films(DroneOptics optics) {
+    return optics.equals(DroneOptics.DEFAULT)
+        ? defaultFilms
+        : new Films(cameras.withOptics(optics), H264Encoder::new);
+  }
+
   private int simulateHeadless() throws IOException, InterruptedException {
+    Films films = films(options.optics());
     try (HeadlessSimulator simulator =
         new HeadlessSimulator(
-            options.scenario(),
-            options.addressPlan(),
-            options.replyPort(),
-            cameras.withOptics(options.optics()))) {
+            options.scenario(), options.addressPlan(), options.replyPort(), films)) {
       Runtime.getRuntime().addShutdownHook(new Thread(simulator::close, "shutdown"));
-      warmUp.awaitEarly();
+      WarmUp.finishEarly(films, simulator.snapshot());
       simulator.sayReady(out);
       warmUp.begin(simulator::snapshot);
       Charset charset = Charset.defaultCharset();

@@ -16,9 +16,8 @@ import tellosimulator.network.PortTakenException;
 import tellosimulator.scenario.Scenario;
 import tellosimulator.sim.SimSnapshot;
 import tellosimulator.time.Threads;
-import tellosimulator.video.SoftwareCameras;
+import tellosimulator.video.Films;
 import tellosimulator.video.VideoStreams;
-import tellosimulator.video.codec.H264Encoder;
 
 /** The program without a window: drones that are on, a console, and a line when it is ready. */
 public final class HeadlessSimulator implements AutoCloseable {
@@ -33,18 +32,17 @@ public final class HeadlessSimulator implements AutoCloseable {
    * Opens the sockets and starts the simulation; all drones are on.
    *
    * @param replyPort port to which all replies go; empty for the port each command came from
-   * @param cameras makes one for each drone
+   * @param films makes the video of each drone
    * @throws PortTakenException if an address or port cannot be had
    */
-  public HeadlessSimulator(
-      Scenario scenario, AddressPlan plan, OptionalInt replyPort, SoftwareCameras cameras)
+  public HeadlessSimulator(Scenario scenario, AddressPlan plan, OptionalInt replyPort, Films films)
       throws PortTakenException {
     EventLog log = new EventLog();
     GoalWatch goals = new GoalWatch(scenario.challenge(), log::event);
     ending = new Ending(goals);
     simulation =
         new OnlineSimulation(scenario.config(), plan, replyPort, List.of(log, goals, ending));
-    video = VideoStreams.of(simulation, cameras, H264Encoder::new);
+    video = VideoStreams.of(simulation, films);
     try {
       simulation.switchAllOn();
     } catch (PortTakenException e) {

@@ -25,11 +25,15 @@ final class Film {
   private final FrameSource source;
   private final Encoders encoders;
   private Optional<Reel> reel = Optional.empty();
+  private Optional<Opening> opening = Optional.empty();
   private boolean keyOwed;
   private long keyNanos;
 
   /** What hangs on the size of the pictures. */
   private record Reel(VideoFormat format, Picture picture, VideoEncoder encoder) {}
+
+  /** A first picture that was made before anybody asked for it. */
+  private record Opening(Object sight, EncodedPicture encoded) {}
 
   /**
    * @param drone its number, from 1
@@ -41,11 +45,29 @@ final class Film {
     this.encoders = encoders;
   }
 
+  /**
+   * Makes the first picture before anybody asks for it. Who then does gets it at once, if there
+   * still is the same to see. Does nothing if that is so already.
+   */
+  void prepare(SimSnapshot snapshot, VideoFormat format) {
+    shoot(snapshot, format);
+    if (opening.isEmpty()) {
+      Object sight = source.sight(snapshot, new Shot(drone, format.downward()));
+      opening = Optional.of(new Opening(sight, encode(0, true)));
+    }
+  }
+
   /** Takes the next picture; it is valid until the next call. */
   Picture shoot(SimSnapshot snapshot, VideoFormat format) {
     adopt(format);
     Picture picture = reel.orElseThrow().picture;
-    source.film(snapshot, new Shot(drone, format.downward()), picture);
+    Shot shot = new Shot(drone, format.downward());
+    if (opening.isPresent() && !opening.get().sight.equals(source.sight(snapshot, shot))) {
+      beginAnew();
+    }
+    if (opening.isEmpty()) {
+      source.film(snapshot, shot, picture);
+    }
     return picture;
   }
 
@@ -57,10 +79,9 @@ final class Film {
    * @param fromHere whether decoding shall be able to begin with this picture
    */
   EncodedPicture encode(long nanos, boolean fromHere) {
-    Reel current = reel.orElseThrow();
-    long nextKey = keyNanos + KEY_PERIOD - current.format.period() / 2;
     EncodedPicture encoded =
-        current.encoder.encode(current.picture, fromHere || keyOwed || nanos >= nextKey);
+        opening.map(Opening::encoded).orElseGet(() -> encodeNow(nanos, fromHere));
+    opening = Optional.empty();
     if (encoded.key()) {
       keyOwed = false;
       keyNanos = nanos;
@@ -68,11 +89,24 @@ final class Film {
     return encoded;
   }
 
+  private EncodedPicture encodeNow(long nanos, boolean fromHere) {
+    Reel current = reel.orElseThrow();
+    long nextKey = keyNanos + KEY_PERIOD - current.format.period() / 2;
+    return current.encoder.encode(current.picture, fromHere || keyOwed || nanos >= nextKey);
+  }
+
+  /** What was encoded so far looks different, or nobody has it. */
+  private void beginAnew() {
+    opening = Optional.empty();
+    keyOwed = true;
+  }
+
   private void adopt(VideoFormat format) {
     Optional<Reel> before = reel;
     if (before.isPresent() && before.get().format.equals(format)) {
       return;
     }
+    beginAnew();
     if (before.isPresent() && before.get().format.sameSizeAs(format)) {
       reel = Optional.of(new Reel(format, before.get().picture, before.get().encoder));
     } else {
@@ -81,6 +115,5 @@ final class Film {
       reel = Optional.of(new Reel(format, picture, encoder));
     }
     reel.orElseThrow().encoder.setRate(format.framesPerSecond(), format.bitsPerSecond());
-    keyOwed = true; // what comes may look different
   }
 }

@@ -43,7 +43,7 @@ public final class VideoStream implements AutoCloseable {
 
   private final int drone;
   private final Supplier<SimSnapshot> snapshots;
-  private final Film film;
+  private final Films films;
   private final Metronome metronome = new Metronome();
   private final VideoConnection connection = new VideoConnection(metronome);
   private final VideoMeter meter = new VideoMeter();
@@ -52,6 +52,7 @@ public final class VideoStream implements AutoCloseable {
   private volatile boolean closed;
   private boolean failing;
   private Wish last = Wish.NOTHING;
+  private Optional<Film> begun = Optional.empty();
 
   /**
    * Who wants pictures.
@@ -67,10 +68,10 @@ public final class VideoStream implements AutoCloseable {
   }
 
   /** Starts to rest at once. */
-  VideoStream(int drone, Supplier<SimSnapshot> snapshots, Film film) {
+  VideoStream(int drone, Supplier<SimSnapshot> snapshots, Films films) {
     this.drone = drone;
     this.snapshots = snapshots;
-    this.film = film;
+    this.films = films;
     this.thread = Threads.start("video-" + drone, this::run);
   }
 
@@ -129,24 +130,32 @@ public final class VideoStream implements AutoCloseable {
   }
 
   private void picture(SimSnapshot snapshot, Wish wish, VideoFormat format) {
-    long begun = metronome.nanos();
+    Film film = film();
+    long start = metronome.nanos();
     Picture picture = film.shoot(snapshot, format);
     long filmed = metronome.nanos();
     Optional<EncodedPicture> encoded = Optional.empty();
     if (wish.encoded) {
-      encoded = Optional.of(film.encode(begun, !wish.equals(last)));
+      encoded = Optional.of(film.encode(start, !wish.equals(last)));
     }
     long done = metronome.nanos();
     last = wish;
     int bytes = encoded.map(EncodedPicture::size).orElse(0);
     VideoFigures figures =
-        meter.count(new VideoMeter.Sample(begun, bytes, filmed - begun, done - filmed));
+        meter.count(new VideoMeter.Sample(start, bytes, filmed - start, done - filmed));
     if (wish.sent) { // before anybody looks at it, who may take his time
       List<byte[]> packets = Packets.of(encoded.orElseThrow());
       connection.send(packets, wish.link, spread(packets.size()));
     }
-    FilmedPicture filmedPicture = new FilmedPicture(picture, encoded, figures, begun);
+    FilmedPicture filmedPicture = new FilmedPicture(picture, encoded, figures, start);
     watchers.forEach(watcher -> tell(watcher, filmedPicture));
+  }
+
+  private Film film() {
+    if (begun.isEmpty()) {
+      begun = Optional.of(films.film(drone));
+    }
+    return begun.get();
   }
 
   private void tell(VideoWatcher watcher, FilmedPicture filmed) {

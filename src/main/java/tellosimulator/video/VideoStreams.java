@@ -7,8 +7,6 @@ import tellosimulator.network.OnlineSimulation;
 import tellosimulator.sim.SimEvent;
 import tellosimulator.sim.SimListener;
 import tellosimulator.sim.SimSnapshot;
-import tellosimulator.video.camera.FrameSource;
-import tellosimulator.video.codec.Encoders;
 
 /** The video of all drones of a simulation, each on a thread of its own. For any thread. */
 public final class VideoStreams implements SimListener, AutoCloseable {
@@ -20,26 +18,22 @@ public final class VideoStreams implements SimListener, AutoCloseable {
    * to the simulation for it, or a drone that is told to film does so only when somebody looks.
    *
    * @param snapshots the newest one
-   * @param sources makes a source of pictures for each drone
+   * @param films makes one for each drone when it films first
    */
-  public VideoStreams(
-      Supplier<SimSnapshot> snapshots, Supplier<FrameSource> sources, Encoders encoders) {
+  public VideoStreams(Supplier<SimSnapshot> snapshots, Films films) {
     streams =
         IntStream.rangeClosed(1, snapshots.get().drones().size())
-            .mapToObj(
-                drone ->
-                    new VideoStream(drone, snapshots, new Film(drone, sources.get(), encoders)))
+            .mapToObj(drone -> new VideoStream(drone, snapshots, films))
             .toList();
   }
 
   /**
    * Films the drones of a simulation whenever somebody wants their pictures.
    *
-   * @param sources makes a source of pictures for each drone
+   * @param films makes one for each drone when it films first
    */
-  public static VideoStreams of(
-      OnlineSimulation simulation, Supplier<FrameSource> sources, Encoders encoders) {
-    VideoStreams streams = new VideoStreams(simulation::snapshot, sources, encoders);
+  public static VideoStreams of(OnlineSimulation simulation, Films films) {
+    VideoStreams streams = new VideoStreams(simulation::snapshot, films);
     simulation.listen(streams);
     return streams;
   }

@@ -22,26 +22,19 @@ import tellosimulator.sim.SimSnapshot.Clock;
 import tellosimulator.sim.SimSnapshot.DroneSnapshot;
 import tellosimulator.time.SimTime;
 import tellosimulator.time.Threads;
-import tellosimulator.video.camera.FrameSource;
-import tellosimulator.video.codec.Encoders;
 
 /**
- * Films and encodes pictures for nobody, on a thread of its own, so that the Java machine has
- * compiled what it takes, and what there is to see is painted, when an operator asks for the first
- * picture. Changes nothing. For any thread.
+ * Films and encodes pictures before anybody asks for them, on a thread of its own, so that the Java
+ * machine has compiled what it takes, and what there is to see is painted, when an operator does.
+ * For any thread.
  */
 public final class WarmUp implements AutoCloseable {
 
   private static final String NAME = "video-warm-up";
+  private static final VideoFormat FORMAT = VideoFormat.of(VideoSettings.DEFAULT);
 
   /** How many pictures. Measured: after these a picture takes hardly longer than after many. */
   private static final int PICTURES = 60;
-
-  /**
-   * How many pictures before there is a simulation. Measured: one paints the room and loads all
-   * code; more of them only keep the program from starting where there are two processors.
-   */
-  private static final int EARLY_PICTURES = 1;
 
   /**
    * How far the camera turns from picture to picture [rad]. Decided: as a drone at 60 degrees/s.
@@ -54,45 +47,34 @@ public final class WarmUp implements AutoCloseable {
    */
   private static final int REST_MS = 400;
 
-  /** Longest time for which the start of the program waits for the early pictures [ms]. Decided. */
-  private static final int PATIENCE_MS = 300;
-
-  private final Supplier<FrameSource> sources;
-  private final Encoders encoders;
-  private final CountDownLatch early = new CountDownLatch(1);
+  private final Films films;
   private final CountDownLatch closed = new CountDownLatch(1);
 
   /**
    * Does nothing yet.
    *
-   * @param sources of which it takes one for each of its threads
+   * @param films of which it makes one for each of its threads
    */
-  public WarmUp(Supplier<FrameSource> sources, Encoders encoders) {
-    this.sources = sources;
-    this.encoders = encoders;
+  public WarmUp(Films films) {
+    this.films = films;
   }
 
   /**
-   * Films what a drone sees from the floor of the default room, as the first picture will be; no
-   * simulation has to be there yet.
+   * Makes the first picture of a drone on the floor of the default room, while the program still
+   * starts; no simulation has to be there yet. It also paints that room and loads all code.
    */
   public void beginEarly() {
-    Threads.start(
-        NAME,
-        () -> {
-          film(WarmUp::beforeTheStart, EARLY_PICTURES);
-          early.countDown();
-        });
+    Threads.start(NAME, () -> guarded(() -> films.prepare(beforeTheStart())));
   }
 
   /**
-   * Waits until the pictures of {@link #beginEarly} are there, but no longer than a moment; only
-   * after that is a program ready to film.
+   * Waits for the picture of {@link #beginEarly}, and makes it anew if the first drone of a
+   * simulation sees something else; only after that is a program ready to film.
+   *
+   * @param itsFilms of this simulation
    */
-  public void awaitEarly() throws InterruptedException {
-    if (!early.await(PATIENCE_MS, TimeUnit.MILLISECONDS)) {
-      log().debug("The first pictures are not yet there");
-    }
+  public static void finishEarly(Films itsFilms, SimSnapshot snapshot) {
+    guarded(() -> itsFilms.prepare(snapshot));
   }
 
   /**
@@ -105,7 +87,7 @@ public final class WarmUp implements AutoCloseable {
         NAME,
         () -> {
           if (!closedWithin(REST_MS)) {
-            film(snapshots, PICTURES);
+            guarded(() -> film(films.fresh(1), snapshots));
           }
         });
   }
@@ -125,18 +107,20 @@ public final class WarmUp implements AutoCloseable {
     closed.countDown();
   }
 
-  private void film(Supplier<SimSnapshot> snapshots, int pictures) {
-    try {
-      Film film = new Film(1, sources.get(), encoders);
-      VideoFormat format = VideoFormat.of(VideoSettings.DEFAULT);
-      for (int i = 0; i < pictures && closed.getCount() > 0; i++) {
-        SimSnapshot snapshot = snapshots.get();
-        if (filming(snapshot)) {
-          return; // in earnest, and who waits for it shall have the processor
-        }
-        film.shoot(i == 0 ? snapshot : turned(snapshot, i * TURN), format);
-        film.encode(i * format.period(), i % 4 == 0);
+  private void film(Film film, Supplier<SimSnapshot> snapshots) {
+    for (int i = 0; i < PICTURES && closed.getCount() > 0; i++) {
+      SimSnapshot snapshot = snapshots.get();
+      if (filming(snapshot)) {
+        return; // in earnest, and who waits for it shall have the processor
       }
+      film.shoot(i == 0 ? snapshot : turned(snapshot, i * TURN), FORMAT);
+      film.encode(i * FORMAT.period(), i % 4 == 0);
+    }
+  }
+
+  private static void guarded(Runnable filming) {
+    try {
+      filming.run();
     } catch (RuntimeException e) {
       log().error("The first pictures could not be made; please report this: {}", e.toString(), e);
     }

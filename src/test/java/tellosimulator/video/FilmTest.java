@@ -9,6 +9,7 @@ import tellosimulator.model.VideoSettings;
 import tellosimulator.sim.SimConfig;
 import tellosimulator.sim.SimSnapshot;
 import tellosimulator.sim.Simulation;
+import tellosimulator.video.camera.FrameSource;
 import tellosimulator.video.camera.Shot;
 import tellosimulator.video.codec.EncodedPicture;
 import tellosimulator.video.codec.VideoEncoder;
@@ -23,15 +24,29 @@ class FilmTest {
   private final SimSnapshot snapshot =
       new Simulation(SimConfig.DEFAULT, drone -> (peer, text) -> {}, report -> {}, List.of())
           .snapshot();
-  private Shot taken;
+  private final List<Shot> taken = new ArrayList<>();
+  private Object sight = "a room";
   private final Film film =
       new Film(
           1,
-          (moment, shot, picture) -> taken = shot,
+          new Camera(),
           (width, height) -> {
             asked.add("encoder " + width + "x" + height);
             return new Recorder();
           });
+
+  /** A camera that writes down what it takes, and sees what a test says. */
+  private final class Camera implements FrameSource {
+    @Override
+    public void film(SimSnapshot moment, Shot shot, Picture picture) {
+      taken.add(shot);
+    }
+
+    @Override
+    public Object sight(SimSnapshot moment, Shot shot) {
+      return sight;
+    }
+  }
 
   /** An encoder that writes down what it is asked for. */
   private final class Recorder implements VideoEncoder {
@@ -120,11 +135,62 @@ class FilmTest {
   @Test
   void theCameraThatLooksDownFilmsWhenItIsAskedFor() {
     Picture ahead = film.shoot(snapshot, VideoFormat.of(VideoSettings.DEFAULT));
-    assertThat(taken).isEqualTo(new Shot(1, false));
+    assertThat(taken).containsExactly(new Shot(1, false));
     assertThat(ahead.width()).isEqualTo(960);
 
     Picture below = film.shoot(snapshot, VideoFormat.of(VideoSettings.DEFAULT.withDownward(true)));
-    assertThat(taken).isEqualTo(new Shot(1, true));
+    assertThat(taken).containsExactly(new Shot(1, false), new Shot(1, true));
     assertThat(List.of(below.width(), below.height())).containsExactly(320, 720);
+  }
+
+  @Test
+  void aPreparedPictureIsTheFirstOneWhileThereIsTheSameToSee() {
+    VideoFormat format = VideoFormat.of(VideoSettings.DEFAULT.withFramesPerSecond(5));
+    film.prepare(snapshot, format);
+    film.shoot(snapshot, format);
+    assertThat(film.encode(10 * FIFTH, true).key()).isTrue();
+
+    assertThat(taken).hasSize(1);
+    assertThat(asked).endsWith("key");
+    assertThat(asked).containsOnlyOnce("key");
+  }
+
+  @Test
+  void aPreparedPictureIsShownOnce() {
+    VideoFormat format = VideoFormat.of(VideoSettings.DEFAULT.withFramesPerSecond(5));
+    film.prepare(snapshot, format);
+    for (int i = 10; i < 16; i++) {
+      film.shoot(snapshot, format);
+      film.encode(i * FIFTH, i == 10);
+    }
+
+    assertThat(taken).hasSize(6);
+    assertThat(asked.subList(2, asked.size()))
+        .containsExactly("key", "next", "next", "next", "next", "key");
+  }
+
+  @Test
+  void whereThereIsSomethingElseToSeeAPreparedPictureIsForgotten() {
+    VideoFormat format = VideoFormat.of(VideoSettings.DEFAULT);
+    film.prepare(snapshot, format);
+    sight = "another room";
+    film.shoot(snapshot, format);
+    sight = "a room";
+    film.shoot(snapshot, format);
+    film.encode(0, false);
+
+    assertThat(taken).hasSize(3);
+    assertThat(asked.subList(2, asked.size())).containsExactly("key", "key");
+  }
+
+  @Test
+  void aPreparedPictureIsOfNoUseForAnotherFormat() {
+    film.prepare(snapshot, VideoFormat.of(VideoSettings.DEFAULT));
+    film.shoot(snapshot, VideoFormat.of(VideoSettings.DEFAULT.withMegabits(4)));
+    film.encode(0, true);
+
+    assertThat(taken).hasSize(2);
+    assertThat(asked)
+        .containsExactly("encoder 960x720", "30/s 2500000", "key", "30/s 4000000", "key");
   }
 }

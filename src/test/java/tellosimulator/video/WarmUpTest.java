@@ -8,13 +8,17 @@ import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
+import tellosimulator.math.Vec3;
 import tellosimulator.model.DroneState;
 import tellosimulator.model.VideoSettings;
+import tellosimulator.sim.Control;
 import tellosimulator.sim.SimConfig;
 import tellosimulator.sim.SimSnapshot;
 import tellosimulator.sim.SimSnapshot.DroneSnapshot;
 import tellosimulator.sim.Simulation;
+import tellosimulator.video.camera.DroneOptics;
 import tellosimulator.video.camera.FrameSource;
+import tellosimulator.video.camera.Shot;
 import tellosimulator.video.codec.EncodedPicture;
 import tellosimulator.video.codec.VideoEncoder;
 import tellosimulator.video.picture.Picture;
@@ -23,10 +27,12 @@ import tellosimulator.world.Room;
 @Timeout(value = 20, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
 class WarmUpTest {
 
+  private static final VideoFormat FORMAT = VideoFormat.of(VideoSettings.DEFAULT);
+
   private final BlockingQueue<SimSnapshot> filmed = new LinkedBlockingQueue<>();
-  private final SimSnapshot snapshot =
-      new Simulation(SimConfig.DEFAULT, drone -> (peer, text) -> {}, report -> {}, List.of())
-          .snapshot();
+  private final Simulation simulation =
+      new Simulation(SimConfig.DEFAULT, drone -> (peer, text) -> {}, report -> {}, List.of());
+  private final SimSnapshot snapshot = simulation.snapshot();
 
   /** An encoder that does nothing. */
   private static final class Idle implements VideoEncoder {
@@ -39,9 +45,31 @@ class WarmUpTest {
     }
   }
 
+  /** A camera that writes down what it films, and sees what the software camera does. */
+  private final class Camera implements FrameSource {
+    private final FrameSource eye;
+
+    Camera(FrameSource eye) {
+      this.eye = eye;
+    }
+
+    @Override
+    public void film(SimSnapshot moment, Shot shot, Picture picture) {
+      filmed.add(moment);
+    }
+
+    @Override
+    public Object sight(SimSnapshot moment, Shot shot) {
+      return eye.sight(moment, shot);
+    }
+  }
+
+  private final SoftwareCameras cameras = new SoftwareCameras(DroneOptics.DEFAULT);
+  private final Films films =
+      new Films(() -> new Camera(cameras.get()), (width, height) -> new Idle());
+
   private WarmUp warmUp() {
-    FrameSource source = (moment, shot, picture) -> filmed.add(moment);
-    return new WarmUp(() -> source, (width, height) -> new Idle());
+    return new WarmUp(films);
   }
 
   @Test
@@ -55,12 +83,27 @@ class WarmUpTest {
   }
 
   @Test
-  void whoWaitsForTheEarlyPictureGetsIt() throws InterruptedException {
-    WarmUp warmUp = warmUp();
-    warmUp.beginEarly();
-    warmUp.awaitEarly();
+  void theEarlyPictureIsTheFirstOfADroneThatHasNotMoved() throws InterruptedException {
+    warmUp().beginEarly();
+    filmed.take();
+    WarmUp.finishEarly(films, snapshot);
+    simulation.step();
+    films.film(1).shoot(simulation.snapshot(), FORMAT);
 
-    assertThat(filmed).hasSize(1);
+    assertThat(filmed).isEmpty();
+  }
+
+  @Test
+  void aDroneThatStandsElsewhereHasAnotherFirstPicture() throws InterruptedException {
+    warmUp().beginEarly();
+    filmed.take();
+    simulation.control(new Control.SetStart(1, new Vec3(0.01, 0, 0), 0));
+    simulation.drain();
+    SimSnapshot elsewhere = simulation.snapshot();
+    WarmUp.finishEarly(films, elsewhere);
+    films.film(1).shoot(elsewhere, FORMAT);
+
+    assertThat(filmed).containsExactly(elsewhere);
   }
 
   @Test

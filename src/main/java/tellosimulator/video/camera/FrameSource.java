@@ -13,4 +13,12 @@ public interface FrameSource {
    * @param picture gets the picture; its size is that of the picture
    */
   void film(SimSnapshot snapshot, Shot shot, Picture picture);
+
+  /**
+   * What there is to see, as a value: where two of them are equal, so are the pictures. A source
+   * that cannot tell gives one that equals no other.
+   */
+  default Object sight(SimSnapshot snapshot, Shot shot) {
+    return new Object();
+  }
 }

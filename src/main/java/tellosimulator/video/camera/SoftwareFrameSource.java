@@ -18,6 +18,9 @@ public final class SoftwareFrameSource implements FrameSource {
     Scene scene(SimSnapshot snapshot, int drone);
   }
 
+  /** All that a picture depends on. */
+  record Sight(Scene scene, Pose drone, boolean downward) {}
+
   /** No colour. */
   private static final byte NEUTRAL = (byte) 128;
 
@@ -40,14 +43,19 @@ public final class SoftwareFrameSource implements FrameSource {
 
   @Override
   public void film(SimSnapshot snapshot, Shot shot, Picture picture) {
-    Pose drone = pose(snapshot, shot.drone());
-    Scene scene = setting.scene(snapshot, shot.drone());
+    Sight sight = sight(snapshot, shot);
     if (shot.downward()) {
-      filmBelow(scene, drone, picture);
+      filmBelow(sight.scene, sight.drone, picture);
     } else {
-      Viewpoint ahead = optics.ahead(drone, picture.width(), picture.height());
-      camera.draw(scene, ahead, raster(picture, picture.height()));
+      Viewpoint ahead = optics.ahead(sight.drone, picture.width(), picture.height());
+      camera.draw(sight.scene, ahead, raster(picture, picture.height()));
     }
+  }
+
+  @Override
+  public Sight sight(SimSnapshot snapshot, Shot shot) {
+    Pose drone = pose(snapshot, shot.drone());
+    return new Sight(setting.scene(snapshot, shot.drone()), drone, shot.downward());
   }
 
   /**

@@ -8,6 +8,7 @@ import tellosimulator.model.FlightPhase;
 import tellosimulator.network.OnlineSimulation;
 import tellosimulator.scenery.Stage;
 import tellosimulator.sim.SimSnapshot;
+import tellosimulator.video.Films;
 import tellosimulator.video.SoftwareCameras;
 import tellosimulator.video.VideoStream;
 import tellosimulator.video.VideoStreams;
@@ -41,8 +42,9 @@ public final class WindowVideo implements AutoCloseable {
     cameras = new SoftwareCameras(optics);
     streams =
         new VideoStreams(
-            snapshots, () -> new SceneSnapshotSource(desk, cameras.get()), H264Encoder::new);
-    warmUp = new WarmUp(cameras, H264Encoder::new);
+            snapshots,
+            new Films(() -> new SceneSnapshotSource(desk, cameras.get()), H264Encoder::new));
+    warmUp = new WarmUp(new Films(cameras, H264Encoder::new));
     keepers =
         snapshots.get().drones().stream()
             .map(drone -> keeper(drone.state().drone(), album))
