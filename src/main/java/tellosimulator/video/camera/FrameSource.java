@@ -15,8 +15,8 @@ public interface FrameSource {
   void film(SimSnapshot snapshot, Shot shot, Picture picture);
 
   /**
-   * What there is to see, as a value: where two of them are equal, so are the pictures. A source
-   * that cannot tell gives one that equals no other.
+   * What there is to see, as a value: where two of them are equal, so are the pictures of one size
+   * that this source takes. A source that cannot tell gives one that equals no other.
    */
   default Object sight(SimSnapshot snapshot, Shot shot) {
     return new Object();

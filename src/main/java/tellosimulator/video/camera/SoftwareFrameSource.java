@@ -18,7 +18,7 @@ public final class SoftwareFrameSource implements FrameSource {
     Scene scene(SimSnapshot snapshot, int drone);
   }
 
-  /** All that a picture depends on. */
+  /** All that a picture depends on, besides its size and the optics. */
   record Sight(Scene scene, Pose drone, boolean downward) {}
 
   /** No colour. */
