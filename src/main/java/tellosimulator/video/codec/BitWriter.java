@@ -7,12 +7,13 @@ import java.util.Arrays;
 
 /**
  * Bits one after another, the highest of each byte first. JCodec's own writer goes through a buffer
- * bit by bit; this one writes four bytes at once.
+ * bit by bit; this one writes eight bytes at once, of which the next call overwrites those that are
+ * not complete.
  */
 final class BitWriter {
 
-  private static final VarHandle INTS =
-      MethodHandles.byteArrayViewVarHandle(int[].class, ByteOrder.BIG_ENDIAN);
+  private static final VarHandle LONGS =
+      MethodHandles.byteArrayViewVarHandle(long[].class, ByteOrder.BIG_ENDIAN);
 
   /** Decided: more than any picture needs that is not noise. */
   private static final int FIRST_CAPACITY = 1 << 17;
@@ -30,7 +31,7 @@ final class BitWriter {
 
   /** Makes room for that many bytes, so that writing them need not ask. */
   void reserve(int more) {
-    if (size + more > bytes.length) {
+    if (size + more + Long.BYTES > bytes.length) {
       bytes = Arrays.copyOf(bytes, 2 * bytes.length + more);
     }
   }
@@ -41,13 +42,12 @@ final class BitWriter {
    * @param length up to 32
    */
   void put(int value, int length) {
-    pending = (pending << length) | (value & 0xFFFF_FFFFL);
     pendingBits += length;
-    if (pendingBits >= 32) {
-      pendingBits -= 32;
-      INTS.set(bytes, size, (int) (pending >>> pendingBits));
-      size += 4;
-    }
+    pending |= (value & 0xFFFF_FFFFL) << -pendingBits;
+    LONGS.set(bytes, size, pending);
+    pending <<= pendingBits & ~7;
+    size += pendingBits >> 3;
+    pendingBits &= 7;
   }
 
   /** An Exp-Golomb code: short for small values; not negative. */
@@ -78,10 +78,6 @@ final class BitWriter {
   void finish() {
     put(1, 1);
     put(0, -pendingBits & 7);
-    while (pendingBits > 0) {
-      pendingBits -= 8;
-      bytes[size++] = (byte) (pending >>> pendingBits);
-    }
   }
 
   /** How many bits were written. */

@@ -48,9 +48,6 @@ public final class H264Encoder implements VideoEncoder {
     writer = new MacroblockWriter(source.columns, source.rows);
     coder = new PictureCoder(source, writer);
     rate = new RateControl(source.columns * source.rows, source.rows);
-    for (int qp = 0; qp < qualities.length; qp++) {
-      qualities[qp] = Quality.of(qp);
-    }
   }
 
   @Override
@@ -89,12 +86,19 @@ public final class H264Encoder implements VideoEncoder {
     return coder.coded();
   }
 
+  private Quality quality(int qp) {
+    if (qualities[qp] == null) {
+      qualities[qp] = Quality.of(qp);
+    }
+    return qualities[qp];
+  }
+
   private void slice(boolean key) {
     int qp = rate.begin(key);
     writer.begin(key, number, keyNumber, qp);
     coder.next();
     for (int row = 0; row < source.rows; row++) {
-      coder.row(row, key, qualities[qp]);
+      coder.row(row, key, quality(qp));
       qp = rate.row(row + 1, writer.bits());
     }
     coder.coded().extend();

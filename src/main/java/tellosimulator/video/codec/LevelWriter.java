@@ -1,5 +1,6 @@
 package tellosimulator.video.codec;
 
+import java.util.stream.IntStream;
 import org.jcodec.codecs.h264.H264Const;
 import org.jcodec.common.io.VLC;
 
@@ -28,6 +29,9 @@ final class LevelWriter {
   private static final int[][] RUNS = codes(H264Const.run);
 
   private static final int LENGTH_SHIFT = 16;
+
+  private static final int[] ZIGZAG = IntStream.range(0, 16).map(Quantizer::place).toArray();
+  private static final int[] STRAIGHT = IntStream.range(0, 16).toArray();
 
   private final BitWriter bits;
   private final int[] values = new int[16];
@@ -69,45 +73,69 @@ final class LevelWriter {
     put(TOKENS[context], 0);
   }
 
+  /** Writes first levels, which are in the order in which they are written. */
+  void firsts(int[] levels, int offset, int length, int context) {
+    int mask = 0;
+    for (int i = 0; i < length; i++) {
+      mask |= (-Math.abs(levels[offset + i]) >>> 31) << i;
+    }
+    if (mask == 0) {
+      none(context);
+      return;
+    }
+    collect(levels, offset, mask, STRAIGHT);
+    write(mask, length, context);
+  }
+
   /**
    * Writes a block.
    *
    * @param levels its levels, from offset on
-   * @param length how many
+   * @param mask which of them are not 0, a bit each in zigzag order; there is one
+   * @param length how many of them are written: 16, or 15 without the first
    * @param context the mean number of levels in the blocks beside
    */
-  void block(int[] levels, int offset, int length, int context) {
-    int total = collect(levels, offset, length);
+  void block(int[] levels, int offset, int mask, int length, int context) {
+    collect(levels, offset, mask, ZIGZAG);
+    write(mask >>> (16 - length), length, context);
+  }
+
+  /**
+   * Gathers what is not 0, last one first.
+   *
+   * @param order where the level is that each bit of the mask stands for
+   */
+  private void collect(int[] levels, int offset, int mask, int[] order) {
+    int total = 0;
+    for (int left = mask; left != 0; total++) {
+      int place = 31 - Integer.numberOfLeadingZeros(left);
+      values[total] = levels[offset + order[place]];
+      places[total] = place;
+      left ^= 1 << place;
+    }
+  }
+
+  /**
+   * Writes what was gathered.
+   *
+   * @param mask where it is among as many as the length says
+   */
+  private void write(int mask, int length, int context) {
+    int total = Integer.bitCount(mask);
     int ones = 0;
+    int signs = 0;
     while (ones < total && ones < 3 && Math.abs(values[ones]) == 1) {
+      signs = 2 * signs + (values[ones] >>> 31);
       ones++;
     }
-    put(TOKENS[context], token(total, ones));
-    if (total == 0) {
-      return;
-    }
-    for (int i = 0; i < ones; i++) {
-      bits.put(values[i] >>> 31, 1);
-    }
+    int token = TOKENS[context][token(total, ones)];
+    bits.put((code(token) << ones) | signs, length(token) + ones);
     levels(total, ones);
-    int zeros = places[0] + 1 - total;
+    int zeros = 32 - Integer.numberOfLeadingZeros(mask) - total;
     if (total < length) {
       put((length == 4 ? ZEROS_OF_FOUR : ZEROS)[total - 1], zeros);
     }
     runs(total, zeros);
-  }
-
-  /** Gathers what is not 0, last one first. */
-  private int collect(int[] levels, int offset, int length) {
-    int total = 0;
-    for (int i = length - 1; i >= 0; i--) {
-      int level = levels[offset + i];
-      if (level != 0) {
-        values[total] = level;
-        places[total++] = i;
-      }
-    }
-    return total;
   }
 
   /** A token's number in JCodec's tables: by levels, then by ones. */
@@ -160,7 +188,14 @@ final class LevelWriter {
   }
 
   private void put(int[] table, int index) {
-    int code = table[index];
-    bits.put(code & ((1 << LENGTH_SHIFT) - 1), code >> LENGTH_SHIFT);
+    bits.put(code(table[index]), length(table[index]));
+  }
+
+  private static int code(int entry) {
+    return entry & ((1 << LENGTH_SHIFT) - 1);
+  }
+
+  private static int length(int entry) {
+    return entry >> LENGTH_SHIFT;
   }
 }

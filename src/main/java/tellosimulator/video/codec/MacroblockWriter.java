@@ -108,7 +108,7 @@ final class MacroblockWriter {
     quality(macroblock.quality.qp());
     count(macroblock);
     int context = luma.context(4 * macroblock.column, 4 * macroblock.row);
-    levels.block(residual.first, 0, 16, context);
+    levels.firsts(residual.first, 0, 16, context);
     luma(macroblock, 1);
     colour(macroblock);
   }
@@ -130,17 +130,19 @@ final class MacroblockWriter {
   }
 
   private void count(Macroblock macroblock) {
-    int[] counts = macroblock.residual.counts;
+    int[] masks = macroblock.residual.masks;
     for (int block = 0; block < Samples.COLOUR; block++) {
       luma.set(
-          4 * macroblock.column + (block & 3), 4 * macroblock.row + (block >> 2), counts[block]);
+          4 * macroblock.column + (block & 3),
+          4 * macroblock.row + (block >> 2),
+          Integer.bitCount(masks[block]));
     }
     for (int i = 0; i < 4; i++) {
       int column = 2 * macroblock.column + (i & 1);
       int row = 2 * macroblock.row + (i >> 1);
       int block = Samples.COLOUR + (i >> 1) * 4 + (i & 1);
-      blue.set(column, row, counts[block]);
-      red.set(column, row, counts[block + 2]);
+      blue.set(column, row, Integer.bitCount(masks[block]));
+      red.set(column, row, Integer.bitCount(masks[block + 2]));
     }
   }
 
@@ -161,8 +163,8 @@ final class MacroblockWriter {
   private void colour(Macroblock macroblock) {
     Residual residual = macroblock.residual;
     if (residual.colourPattern > 0) {
-      levels.block(residual.first, Residual.BLUE, 4, LevelWriter.COLOUR_FIRST);
-      levels.block(residual.first, Residual.RED, 4, LevelWriter.COLOUR_FIRST);
+      levels.firsts(residual.first, Residual.BLUE, 4, LevelWriter.COLOUR_FIRST);
+      levels.firsts(residual.first, Residual.RED, 4, LevelWriter.COLOUR_FIRST);
     }
     if (residual.colourPattern == 2) {
       colour(macroblock, blue, Samples.COLOUR);
@@ -179,10 +181,11 @@ final class MacroblockWriter {
   }
 
   private void block(Residual residual, int block, int first, int context) {
-    if (residual.counts[block] == 0) {
+    int mask = residual.masks[block];
+    if (mask == 0) {
       levels.none(context);
     } else {
-      levels.block(residual.levels, 16 * block + first, 16 - first, context);
+      levels.block(residual.levels, 16 * block, mask, 16 - first, context);
     }
   }
 }

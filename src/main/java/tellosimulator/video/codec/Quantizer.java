@@ -4,7 +4,7 @@ import org.jcodec.codecs.h264.H264Const;
 
 /**
  * How finely coefficients are told at one quality (QP, 0 to 51: six more are half as fine).
- * Immutable tables; coefficients are in zigzag order.
+ * Immutable tables; a block's coefficients are a column after another.
  */
 final class Quantizer {
 
@@ -23,7 +23,11 @@ final class Quantizer {
     {7282, 2893, 4559}
   };
 
-  private static final int[] ZIGZAG = {0, 1, 4, 8, 5, 2, 3, 6, 9, 12, 13, 10, 7, 11, 14, 15};
+  /** Where levels are that are sent one after another: column by column. */
+  private static final int[] ZIGZAG = {0, 4, 1, 2, 5, 8, 12, 9, 6, 3, 7, 10, 13, 14, 11, 15};
+
+  /** The bit of each level in a mask, by place. */
+  private static final int[] MARKS = marks();
 
   private static final int[] COLOUR_QP = H264Const.QP_SCALE_CR.clone();
 
@@ -32,8 +36,12 @@ final class Quantizer {
 
   private static final long HALVES = Words.lanes(HALF);
 
-  private final int[] factors = new int[16];
-  private final int[] scales = new int[16];
+  /**
+   * By place, for each block again: the machine does eight at once in loops over several blocks.
+   */
+  private final int[] factors = new int[16 * Samples.BLOCKS];
+
+  private final int[] scales = new int[16 * Samples.BLOCKS];
 
   /** By column: how large a coefficient may be that has no level, plus half of a lane. */
   private final long[] limits = new long[4];
@@ -55,10 +63,12 @@ final class Quantizer {
     for (int i = 0; i < 16; i++) {
       int place = ZIGZAG[i];
       int kind = ((place >> 2) & 1) + (place & 1) == 1 ? 2 : place & 1;
-      factors[i] = FACTORS[qp % 6][kind];
-      scales[i] = SCALES[qp % 6][kind] << (qp / 6);
-      long limit = ((1L << shift) - rounding - 1) / factors[i];
-      limits[place & 3] += (HALF + limit) << (16 * (place >> 2));
+      for (int at = place; at < factors.length; at += 16) {
+        factors[at] = FACTORS[qp % 6][kind];
+        scales[at] = SCALES[qp % 6][kind] << (qp / 6);
+      }
+      long limit = ((1L << shift) - rounding - 1) / factors[place];
+      limits[place >> 2] += (HALF + limit) << (16 * (place & 3));
     }
   }
 
@@ -76,35 +86,74 @@ final class Quantizer {
    * Turns the coefficients of a block into levels, and into what decoders make of these.
    *
    * @param words all blocks after {@link Transform#forward}
-   * @param levels gets 16 levels, in zigzag order, if any is not 0
-   * @param coefficients gets what decoders make of them, row by row, if any is not 0
-   * @return how many levels are not 0
+   * @param coefficients gets 16 a block: what decoders make of its levels, if any is not 0
    */
-  int block(long[] words, int block, int[] levels, int[] coefficients) {
-    int word = Transform.WORDS * block;
-    if (nothing(words, word)) {
-      return 0;
+  void block(long[] words, int block, Residual residual, int[] coefficients) {
+    if (nothing(words, Transform.WORDS * block)) {
+      residual.masks[block] = 0;
+    } else {
+      blocks(words, block, block + 1, residual, coefficients);
     }
-    for (int x = 0; x < 4; x++) {
-      long biased = words[word + x] + HALVES;
-      int to = 16 * block + x;
-      coefficients[to] = (int) (biased & 0xFFFF) - HALF;
-      coefficients[to + 4] = (int) ((biased >>> 16) & 0xFFFF) - HALF;
-      coefficients[to + 8] = (int) ((biased >>> 32) & 0xFFFF) - HALF;
-      coefficients[to + 12] = (int) (biased >>> 48) - HALF;
+  }
+
+  /**
+   * The same for several blocks at once, whether anything is in them or not.
+   *
+   * @param to one beyond the last
+   */
+  void blocks(long[] words, int from, int to, Residual residual, int[] coefficients) {
+    unpack(words, Transform.WORDS * from, Transform.WORDS * to, coefficients);
+    quantize(coefficients, 16 * from, 16 * to, residual.levels);
+    for (int block = from; block < to; block++) {
+      residual.masks[block] = mask(residual.levels, 16 * block);
     }
-    int count = 0;
-    for (int i = 0; i < 16; i++) {
-      int place = 16 * block + ZIGZAG[i];
-      int coefficient = coefficients[place];
+    scale(residual.levels, 16 * from, 16 * to, coefficients);
+  }
+
+  private static void unpack(long[] words, int from, int to, int[] coefficients) {
+    for (int i = from; i < to; i++) {
+      long biased = words[i] + HALVES;
+      coefficients[4 * i] = (int) (biased & 0xFFFF) - HALF;
+      coefficients[4 * i + 1] = (int) ((biased >>> 16) & 0xFFFF) - HALF;
+      coefficients[4 * i + 2] = (int) ((biased >>> 32) & 0xFFFF) - HALF;
+      coefficients[4 * i + 3] = (int) (biased >>> 48) - HALF;
+    }
+  }
+
+  private void quantize(int[] coefficients, int from, int to, int[] levels) {
+    int[] by = factors;
+    int add = rounding;
+    int right = shift;
+    for (int i = from; i < to; i++) {
+      int coefficient = coefficients[i];
       int sign = coefficient >> 31;
-      int level = (((coefficient ^ sign) - sign) * factors[i] + rounding) >> shift;
-      count += -level >>> 31;
-      level = (level ^ sign) - sign;
-      levels[16 * block + i] = level;
-      coefficients[place] = level * scales[i];
+      int level = (((coefficient ^ sign) - sign) * by[i] + add) >> right;
+      levels[i] = (level ^ sign) - sign;
     }
-    return count;
+  }
+
+  private void scale(int[] levels, int from, int to, int[] coefficients) {
+    int[] by = scales;
+    for (int i = from; i < to; i++) {
+      coefficients[i] = levels[i] * by[i];
+    }
+  }
+
+  private static int mask(int[] levels, int first) {
+    int mask = 0;
+    for (int i = 0; i < 16; i++) {
+      int level = levels[first + i];
+      mask |= ((level | -level) >> 31) & MARKS[i];
+    }
+    return mask;
+  }
+
+  private static int[] marks() {
+    int[] marks = new int[16];
+    for (int i = 0; i < 16; i++) {
+      marks[ZIGZAG[i]] = 1 << i;
+    }
+    return marks;
   }
 
   /** Whether all coefficients are too small for a level. */

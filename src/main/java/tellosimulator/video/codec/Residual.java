@@ -4,7 +4,7 @@ import java.util.Arrays;
 
 /**
  * The levels that a macroblock sends: what its prediction lacks. Blocks are counted as in {@link
- * Samples}; levels are in zigzag order.
+ * Samples}; each block's levels are a column after another.
  */
 final class Residual {
 
@@ -17,8 +17,8 @@ final class Residual {
   /** 16 levels a block. */
   final int[] levels = new int[Samples.BLOCKS * 16];
 
-  /** How many of a block's levels are not 0. */
-  final int[] counts = new int[Samples.BLOCKS];
+  /** Which of a block's levels are not 0: a bit each, the lowest first in zigzag order. */
+  final int[] masks = new int[Samples.BLOCKS];
 
   /** First levels that are sent apart: of luma (intra 16 by 16 only), of blue, of red. */
   final int[] first = new int[16 + 4 + 4];
@@ -30,7 +30,7 @@ final class Residual {
   int colourPattern;
 
   void clear() {
-    Arrays.fill(counts, 0);
+    Arrays.fill(masks, 0);
     lumaPattern = 0;
     colourPattern = 0;
   }

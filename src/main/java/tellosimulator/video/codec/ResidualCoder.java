@@ -82,8 +82,8 @@ final class ResidualCoder {
     for (int i = 0; i < 4; i++) {
       int block = first + (i >> 1) * 4 + (i & 1);
       if (worth < WORTHWHILE) {
-        residual.counts[block] = 0;
-      } else if (residual.counts[block] > 0) {
+        residual.masks[block] = 0;
+      } else if (residual.masks[block] != 0) {
         Transform.addInverse(coefficients, 16 * block, prediction, Samples.at(block));
       }
     }
@@ -92,26 +92,21 @@ final class ResidualCoder {
 
   /** Finds a block's levels; how much they are worth. */
   private int quantize(Quantizer quantizer, int block, int first) {
-    residual.counts[block] = quantizer.block(words, block, residual.levels, coefficients);
+    quantizer.block(words, block, residual, coefficients);
     return worth(block, first);
   }
 
   /** How much a block's levels are worth; much if one is above 1. */
   private int worth(int block, int first) {
     int worth = 0;
-    int zeros = 0;
-    int left = residual.counts[block];
-    for (int i = 16 * block + first; left > 0; i++) {
-      int level = residual.levels[i];
-      if (level == 0) {
-        zeros++;
-      } else if (level == 1 || level == -1) {
-        worth += WORTH[zeros];
-        zeros = 0;
-        left--;
-      } else {
+    int next = first;
+    for (int left = residual.masks[block]; left != 0; left &= left - 1) {
+      int i = Integer.numberOfTrailingZeros(left);
+      if (Math.abs(residual.levels[16 * block + Quantizer.place(i)]) > 1) {
         return LARGE;
       }
+      worth += WORTH[i - next];
+      next = i + 1;
     }
     return worth;
   }
@@ -123,21 +118,22 @@ final class ResidualCoder {
    */
   void intra(Samples prediction, Quality quality) {
     residual.clear();
-    int counted = 0;
+    int any = 0;
     for (int block = 0; block < Samples.COLOUR; block++) {
       if ((block & 1) == 0) {
         transform.forward(prediction, block, words);
       }
-      corners[block] = Transform.first(words, block);
+      corners[Samples.turned(block)] = Transform.first(words, block);
       Transform.dropFirst(words, block);
-      residual.counts[block] =
-          quality.intraLuma().block(words, block, residual.levels, coefficients);
-      counted += residual.counts[block];
     }
-    residual.lumaPattern = counted > 0 ? 15 : 0;
+    quality.intraLuma().blocks(words, 0, Samples.COLOUR, residual, coefficients);
+    for (int block = 0; block < Samples.COLOUR; block++) {
+      any |= residual.masks[block];
+    }
+    residual.lumaPattern = any != 0 ? 15 : 0;
     lumaFirsts(quality.intraLuma());
     for (int block = 0; block < Samples.COLOUR; block++) {
-      add(prediction, block, corners[block]);
+      add(prediction, block, corners[Samples.turned(block)]);
     }
     source.differences(prediction, sums);
     colour(prediction, quality.intraColour(), 1);
@@ -190,7 +186,7 @@ final class ResidualCoder {
     for (int i = 0; i < 4; i++) {
       int at = block + (i >> 1) * 4 + (i & 1);
       if (worth < WORTHWHILE_COLOUR) {
-        residual.counts[at] = 0;
+        residual.masks[at] = 0;
       }
       add(prediction, at, quantizer.colourFirst(corners[i]));
     }
@@ -200,7 +196,7 @@ final class ResidualCoder {
   /** Adds what decoders make of a block's levels and of its first coefficient. */
   private void add(Samples prediction, int block, int first) {
     int at = Samples.at(block);
-    if (residual.counts[block] > 0) {
+    if (residual.masks[block] != 0) {
       coefficients[16 * block] = first;
       Transform.addInverse(coefficients, 16 * block, prediction, at);
     } else if (first != 0) {

@@ -39,6 +39,11 @@ final class Samples {
     return (block >> 2) * 4 * STRIDE + (block & 3) * 4;
   }
 
+  /** The number of a block of luma, column by column. */
+  static int turned(int block) {
+    return (block & 3) * 4 + (block >> 2);
+  }
+
   /** Takes over the pixels of a macroblock. */
   void load(Frame frame, int column, int row) {
     int from = frame.luma.at(16 * column, 16 * row);

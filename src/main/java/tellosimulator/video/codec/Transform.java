@@ -111,27 +111,27 @@ final class Transform {
   /**
    * Adds what coefficients stand for to the prediction.
    *
-   * @param from 16 coefficients row by row from offset on; they are changed
+   * @param from 16 coefficients column by column from offset on; they are changed
    * @param at where the block begins in the prediction
    */
   static void addInverse(int[] from, int offset, Samples prediction, int at) {
-    for (int row = offset; row < offset + 16; row += 4) {
-      int even = from[row] + from[row + 2];
-      int evenGap = from[row] - from[row + 2];
-      int oddGap = (from[row + 1] >> 1) - from[row + 3];
-      int odd = from[row + 1] + (from[row + 3] >> 1);
+    for (int row = offset; row < offset + 4; row++) {
+      int even = from[row] + from[row + 8];
+      int evenGap = from[row] - from[row + 8];
+      int oddGap = (from[row + 4] >> 1) - from[row + 12];
+      int odd = from[row + 4] + (from[row + 12] >> 1);
       from[row] = even + odd;
-      from[row + 1] = evenGap + oddGap;
-      from[row + 2] = evenGap - oddGap;
-      from[row + 3] = even - odd;
+      from[row + 4] = evenGap + oddGap;
+      from[row + 8] = evenGap - oddGap;
+      from[row + 12] = even - odd;
     }
     byte[] pixels = prediction.bytes;
     for (int x = 0; x < 4; x++) {
-      int column = offset + x;
-      int even = from[column] + from[column + 8] + 32;
-      int evenGap = from[column] - from[column + 8] + 32;
-      int oddGap = (from[column + 4] >> 1) - from[column + 12];
-      int odd = from[column + 4] + (from[column + 12] >> 1);
+      int column = offset + 4 * x;
+      int even = from[column] + from[column + 2] + 32;
+      int evenGap = from[column] - from[column + 2] + 32;
+      int oddGap = (from[column + 1] >> 1) - from[column + 3];
+      int odd = from[column + 1] + (from[column + 3] >> 1);
       int to = at + x;
       pixels[to] = clip((pixels[to] & 0xFF) + ((even + odd) >> 6));
       to += STRIDE;
