@@ -35,7 +35,7 @@ class BitWriterTest {
   void bitsOfAnyLengthFollowEachOther() {
     Random random = new Random(3);
     StringBuilder expected = new StringBuilder();
-    for (int i = 0; i < 10_000; i++) {
+    for (int i = 0; i < 100_000; i++) {
       int length = random.nextInt(33);
       int value = length == 0 ? 0 : random.nextInt() >>> (32 - length);
       bits.reserve(4);
