@@ -10,8 +10,8 @@ import tellosimulator.video.codec.VideoEncoder;
 import tellosimulator.video.picture.Picture;
 
 /**
- * Takes the pictures of one drone and encodes them, in whatever format is asked for. For one
- * thread; it reads no clock.
+ * Takes the pictures of one drone and encodes them, in whatever format is asked for. For one thread
+ * at a time; it reads no clock.
  */
 final class Film {
 
@@ -57,13 +57,14 @@ final class Film {
     }
   }
 
-  /** Takes the next picture; it is valid until the next call. */
+  /** Takes the next picture, if it is not there in advance; it is valid until the next call. */
   Picture shoot(SimSnapshot snapshot, VideoFormat format) {
     adopt(format);
     Picture picture = reel.orElseThrow().picture;
     Shot shot = new Shot(drone, format.downward());
     if (opening.isPresent() && !opening.get().sight.equals(source.sight(snapshot, shot))) {
       beginAnew();
+      setRate(reel.orElseThrow()); // nobody gets the picture that the encoder has counted
     }
     if (opening.isEmpty()) {
       source.film(snapshot, shot, picture);
@@ -114,6 +115,10 @@ final class Film {
       VideoEncoder encoder = encoders.encoder(format.width(), format.height());
       reel = Optional.of(new Reel(format, picture, encoder));
     }
-    reel.orElseThrow().encoder.setRate(format.framesPerSecond(), format.bitsPerSecond());
+    setRate(reel.orElseThrow());
+  }
+
+  private static void setRate(Reel reel) {
+    reel.encoder.setRate(reel.format.framesPerSecond(), reel.format.bitsPerSecond());
   }
 }

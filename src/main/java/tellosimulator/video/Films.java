@@ -42,6 +42,13 @@ public final class Films {
     }
   }
 
+  /** The same, unless there is one already, which then is of something newer. */
+  synchronized void prepareEarly(SimSnapshot snapshot) {
+    if (prepared.isEmpty()) {
+      prepare(snapshot);
+    }
+  }
+
   /**
    * The film of a drone, which asks once. That of the first drone may have its first picture
    * already; while that is being made, it waits.

@@ -64,12 +64,12 @@ public final class WarmUp implements AutoCloseable {
    * starts; no simulation has to be there yet. It also paints that room and loads all code.
    */
   public void beginEarly() {
-    Threads.start(NAME, () -> guarded(() -> films.prepare(beforeTheStart())));
+    Threads.start(NAME, () -> guarded(() -> films.prepareEarly(beforeTheStart())));
   }
 
   /**
-   * Waits for the picture of {@link #beginEarly}, and makes it anew if the first drone of a
-   * simulation sees something else; only after that is a program ready to film.
+   * Makes the first picture of a simulation's first drone, unless {@link #beginEarly} has made or
+   * is making it with the same films; only after that is a program ready to film.
    *
    * @param itsFilms of this simulation
    */

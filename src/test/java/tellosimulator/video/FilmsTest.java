@@ -23,9 +23,10 @@ class FilmsTest {
           .snapshot();
   private final List<Camera> cameras = new ArrayList<>();
   private Optional<RuntimeException> fault = Optional.empty();
+  private Object seen = "a room";
   private final Films films = new Films(this::camera, H264Encoder::new);
 
-  /** One that always sees the same. */
+  /** One that sees what a test says. */
   private final class Camera implements FrameSource {
     private int pictures;
 
@@ -40,7 +41,7 @@ class FilmsTest {
 
     @Override
     public Object sight(SimSnapshot moment, Shot shot) {
-      return "a room";
+      return seen;
     }
   }
 
@@ -62,6 +63,16 @@ class FilmsTest {
   void preparingTwiceTakesOnePictureWhereNothingHasChanged() {
     films.prepare(snapshot);
     films.prepare(snapshot);
+
+    assertThat(cameras).hasSize(1);
+    assertThat(cameras.get(0).pictures).isEqualTo(1);
+  }
+
+  @Test
+  void anEarlyPictureComesTooLateWhereThereIsOne() {
+    films.prepare(snapshot);
+    seen = "an empty room";
+    films.prepareEarly(snapshot);
 
     assertThat(cameras).hasSize(1);
     assertThat(cameras.get(0).pictures).isEqualTo(1);

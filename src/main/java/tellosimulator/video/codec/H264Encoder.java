@@ -8,8 +8,8 @@ import tellosimulator.video.picture.Picture;
  *
  * <p>JCodec's own encoder searches motion by comparing pixel by pixel, never skips a macroblock and
  * makes arrays all the time. This one takes JCodec's parameter sets and code tables, and does the
- * rest on arrays that it keeps, eight pixels at once. After the first pictures it allocates
- * nothing.
+ * rest on arrays that it keeps, eight pixels at once. After the first pictures it allocates nothing
+ * but tables when a quality is first used.
  */
 public final class H264Encoder implements VideoEncoder {
 

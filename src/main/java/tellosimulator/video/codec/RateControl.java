@@ -113,10 +113,15 @@ final class RateControl {
     setRate(30, 2_500_000);
   }
 
+  /**
+   * From now on; what was sent before no longer counts, and the next picture may be as large as
+   * ever.
+   */
   void setRate(int framesPerSecond, int bitsPerSecond) {
     picturesPerSecond = framesPerSecond;
     bitsPerPicture = (double) bitsPerSecond / framesPerSecond;
     fromKeyToKey = framesPerSecond;
+    sinceKey = 0;
     balance = 0;
     keyExcess = 0;
     free = true;

@@ -97,6 +97,15 @@ class RateControlTest {
   }
 
   @Test
+  void afterAPictureThatNobodyGetsTheNextKeyPictureIsAsFine() {
+    int first = rate.begin(true);
+    picture(true, KEY);
+    rate.setRate(30, 2_500_000);
+
+    assertThat(rate.begin(true)).isLessThanOrEqualTo(first + 1);
+  }
+
+  @Test
   void bitsThatNobodyNeedsAreNotUsed() {
     flight(2, 30);
     for (int i = 0; i < 30; i++) {
