@@ -36,7 +36,7 @@ final class Choices {
   /** Reads the command line into the choices, and explains them. */
   CommandLine commandLine(IVersionProvider version) {
     spec.mixinStandardHelpOptions(true).versionProvider(version);
-    return new CommandLine(spec);
+    return new CommandLine(spec).setExpandAtFiles(false); // @ may begin the name of a file
   }
 
   /** An option without a value. */

@@ -15,6 +15,7 @@ import picocli.CommandLine.ITypeConverter;
 import picocli.CommandLine.TypeConversionException;
 import tellosimulator.math.Frames;
 import tellosimulator.math.Vec3;
+import tellosimulator.network.AddressPlan;
 import tellosimulator.profile.Behaviour;
 import tellosimulator.profile.Profile;
 import tellosimulator.time.TimeFactor;
@@ -117,6 +118,7 @@ final class OptionTypes {
 
   static final class Addresses implements ITypeConverter<AddressList> {
     private static final Pattern FORM = Pattern.compile("[0-9]{1,3}(\\.[0-9]{1,3}){3}");
+    private static final String EXPECTED = "an address of this machine such as 127.0.0.2";
 
     @Override
     public AddressList convert(String words) throws UnknownHostException {
@@ -135,9 +137,13 @@ final class OptionTypes {
     private static InetAddress address(String word) throws UnknownHostException {
       if (!FORM.matcher(word).matches()
           || Arrays.stream(word.split("\\.", -1)).anyMatch(part -> Integer.parseInt(part) > 255)) {
-        throw mistake("an address such as 127.0.0.2", word);
+        throw mistake(EXPECTED, word);
       }
-      return InetAddress.getByName(word);
+      InetAddress address = InetAddress.getByName(word);
+      if (!AddressPlan.isOfOneHost(address)) {
+        throw mistake(EXPECTED, word);
+      }
+      return address;
     }
   }
 

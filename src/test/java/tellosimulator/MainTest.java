@@ -63,6 +63,9 @@ class MainTest {
           """
           --fly             | There is no option --fly. Try --help.
           fly               | There is no option fly. Try --help.
+          @pom.xml          | There is no option @pom.xml. Try --help.
+          --bind 224.0.0.1  | Invalid value for option '--bind': expected an address of this machine such as 127.0.0.2, found 224.0.0.1. Try --help.
+          --scenario docs   | docs: expected a file, found a folder
           --drones          | Missing required parameter for option '--drones' (N). Try --help.
           --drones 0        | Invalid value for option '--drones': expected a number from 1 to 250, found 0. Try --help.
           --profile=        | Invalid value for option '--profile': expected one of edu, tello, tt, found nothing. Try --help.

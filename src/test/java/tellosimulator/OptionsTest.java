@@ -237,10 +237,12 @@ class OptionsTest {
           --drones       | 0         | expected a number from 1 to 250, found 0
           --drones       | 251       | expected a number from 1 to 250, found 251
           --drones       | three     | expected a number from 1 to 250, found three
-          --bind         | 127.0.0   | expected an address such as 127.0.0.2, found 127.0.0
-          --bind         | 1.2.3.256 | expected an address such as 127.0.0.2, found 1.2.3.256
-          --bind         | localhost | expected an address such as 127.0.0.2, found localhost
-          --bind         | 1.2.3.4,  | expected an address such as 127.0.0.2, found nothing
+          --bind         | 127.0.0   | expected an address of this machine such as 127.0.0.2, found 127.0.0
+          --bind         | 1.2.3.256 | expected an address of this machine such as 127.0.0.2, found 1.2.3.256
+          --bind         | localhost | expected an address of this machine such as 127.0.0.2, found localhost
+          --bind         | 224.0.0.1 | expected an address of this machine such as 127.0.0.2, found 224.0.0.1
+          --bind         | 255.255.255.255 | expected an address of this machine such as 127.0.0.2, found 255.255.255.255
+          --bind         | 1.2.3.4,  | expected an address of this machine such as 127.0.0.2, found nothing
           --bind         | 1.2.3.4,1.2.3.4 | 1.2.3.4 is there twice, but each drone needs an address of its own
           --profile      | EDU       | expected one of edu, tello, tt, found EDU
           --behaviour    | real      | expected one of report, measured, found real

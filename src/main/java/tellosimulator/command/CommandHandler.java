@@ -54,8 +54,7 @@ public final class CommandHandler {
     }
     session.heard(peer, now);
     target.linkAlive();
-    Optional<Responder> original =
-        header.isEmpty() ? Optional.empty() : retransmission.original(peer, header, text);
+    Optional<Responder> original = retransmission.original(peer, header, text);
     if (original.isPresent()) {
       original.get().alsoAnswer(header);
     } else {

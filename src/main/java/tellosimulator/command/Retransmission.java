@@ -9,7 +9,12 @@ import java.util.Optional;
  * command. An index is executed once; each copy is answered under its own header. Measured:
  * Multi-Tello-Formation (raw bytes) and RoboMaster SDK (ASCII digits).
  *
- * <p>Remembers the latest index of each peer. For the simulation thread.
+ * <p>Remembers the last 64 indices of each peer, so that a copy that arrives late is not flown
+ * again. An index under which another text comes is a new command, because indices wrap around. A
+ * program that starts anew begins with the same indices and often with the same texts; a {@code
+ * command} tells that it has: one without a header, with which the vendor's programs look for
+ * drones, or one whose own header comes again although other indices came since. Copies differ in
+ * their repeat numbers. For the simulation thread.
  */
 final class Retransmission {
 
@@ -17,18 +22,17 @@ final class Retransmission {
   private static final int LENGTH = 7;
   private static final int INDEX_END = 4;
 
-  /** Peers whose latest index is remembered. Assumed: more than any class has. */
+  /** Peers whose indices are remembered. Assumed: more than any class has. */
   private static final int MOST_PEERS = 64;
 
-  private record Known(String index, String text, Responder responder) {}
+  /** Indices that are remembered of a peer. Decided: fewer than the 100 of the RoboMaster SDK. */
+  private static final int MOST_INDICES = 64;
 
-  private final Map<Peer, Known> latest =
-      new LinkedHashMap<>() {
-        @Override
-        protected boolean removeEldestEntry(Map.Entry<Peer, Known> eldest) {
-          return size() > MOST_PEERS;
-        }
-      };
+  /** A command that was carried out, with the header of the copy that came first. */
+  private record Known(String header, String text, Responder responder) {}
+
+  /** From the peer that was heard longest ago to the latest; indices from oldest to newest. */
+  private final Map<Peer, Map<String, Known>> recent = bounded(MOST_PEERS, true);
 
   /** The header that {@code text} begins with, or nothing. */
   static String header(String text) {
@@ -37,22 +41,54 @@ final class Retransmission {
     return present ? text.substring(0, LENGTH) : "";
   }
 
-  /** The command of which this is a copy, if it is one. */
+  /**
+   * The command of which this is a copy, if it is one.
+   *
+   * @param header empty for a text that came without
+   */
   Optional<Responder> original(Peer peer, String header, String text) {
-    return Optional.ofNullable(latest.get(peer))
-        .filter(known -> known.index().equals(index(header)) && known.text().equals(text))
-        .map(Known::responder);
+    Map<String, Known> indices = recent.getOrDefault(peer, Map.of());
+    Optional<Known> known =
+        Optional.ofNullable(indices.get(index(header))).filter(one -> one.text().equals(text));
+    if (text.equals(CommandSyntax.COMMAND.verb()) && startsAnew(header, known, indices)) {
+      recent.remove(peer);
+      return Optional.empty();
+    }
+    return known.map(Known::responder);
+  }
+
+  private static boolean startsAnew(
+      String header, Optional<Known> known, Map<String, Known> indices) {
+    return header.isEmpty()
+        || (known.filter(one -> one.header().equals(header)).isPresent()
+            && !known.equals(newest(indices)));
+  }
+
+  private static Optional<Known> newest(Map<String, Known> indices) {
+    return indices.values().stream().reduce((earlier, later) -> later);
   }
 
   void remember(String header, String text, Responder responder) {
-    latest.put(responder.peer(), new Known(index(header), text, responder));
+    Map<String, Known> indices =
+        recent.computeIfAbsent(responder.peer(), peer -> bounded(MOST_INDICES, false));
+    indices.remove(index(header)); // or it would keep its place among the older ones
+    indices.put(index(header), new Known(header, text, responder));
   }
 
   void forgetAll() {
-    latest.clear();
+    recent.clear();
   }
 
   private static String index(String header) {
-    return header.substring(MARK.length(), INDEX_END);
+    return header.isEmpty() ? "" : header.substring(MARK.length(), INDEX_END);
+  }
+
+  private static <K, V> Map<K, V> bounded(int most, boolean byUse) {
+    return new LinkedHashMap<>(16, 0.75f, byUse) {
+      @Override
+      protected boolean removeEldestEntry(Map.Entry<K, V> eldest) {
+        return size() > most;
+      }
+    };
   }
 }

@@ -25,6 +25,9 @@ public record AddressPlan(List<List<InetSocketAddress>> drones) {
 
   private static final int HIGHEST_PORT = 65535;
 
+  /** Groups and reserved addresses begin with this and higher bytes. Documented: RFC 1112. */
+  private static final int FIRST_GROUP = 224;
+
   /** One address a drone, all on the same port. */
   public static AddressPlan of(List<InetAddress> addresses, int port) {
     return new AddressPlan(
@@ -87,6 +90,13 @@ public record AddressPlan(List<List<InetSocketAddress>> drones) {
       port += firstPort == 0 ? 0 : 1;
     }
     return new AddressPlan(plan);
+  }
+
+  /**
+   * Whether it is not the address of a group (multicast), of everybody, or reserved for neither.
+   */
+  public static boolean isOfOneHost(InetAddress address) {
+    return (address.getAddress()[0] & 0xff) < FIRST_GROUP;
   }
 
   /** Every IPv4 address of this machine, loopback first. */

@@ -11,9 +11,11 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Optional;
 import org.snakeyaml.engine.v2.api.LoadSettings;
+import org.snakeyaml.engine.v2.common.SpecVersion;
 import org.snakeyaml.engine.v2.exceptions.MarkedYamlEngineException;
 import org.snakeyaml.engine.v2.exceptions.ReaderException;
 import org.snakeyaml.engine.v2.exceptions.YamlEngineException;
+import org.snakeyaml.engine.v2.exceptions.YamlVersionException;
 import org.snakeyaml.engine.v2.nodes.Node;
 import org.snakeyaml.engine.v2.parser.Parser;
 import org.snakeyaml.engine.v2.parser.ParserImpl;
@@ -27,14 +29,17 @@ final class Source {
   /** Largest file [bytes]. Decided: some ten thousand obstacles. */
   static final int LARGEST = 4 << 20;
 
+  /** Longest sentence of the library that is shown [characters]. Decided. */
+  private static final int LONGEST_SHOWN = 120;
+
   private static final char BYTE_ORDER_MARK = '\uFEFF';
 
+  private final String file;
   private final Mistakes mistakes;
-  private final LoadSettings settings;
 
   Source(String file, Mistakes mistakes) {
+    this.file = file;
     this.mistakes = mistakes;
-    this.settings = LoadSettings.builder().setLabel(file).setCodePointLimit(LARGEST).build();
   }
 
   /** The bytes of a file; empty if it cannot be read or is too large. */
@@ -45,6 +50,10 @@ final class Source {
     }
     if (!Files.exists(path)) {
       mistakes.add(Place.WHOLE, Phrase.of("there is no such file"));
+      return Optional.empty();
+    }
+    if (!Files.isRegularFile(path)) { // a pipe may wait for ever, and a device never ends
+      mistakes.add(Place.WHOLE, Phrase.of("expected a file, found a pipe or a device"));
       return Optional.empty();
     }
     try (InputStream input = Files.newInputStream(path)) {
@@ -78,6 +87,7 @@ final class Source {
 
   /** What the text holds; empty if it is not YAML or nothing. */
   Optional<Node> root(String text) {
+    LoadSettings settings = settings(text);
     try {
       Parser parser = new ParserImpl(settings, new StreamReader(settings, text));
       Optional<Node> root = new TreeReader(parser).root();
@@ -85,21 +95,39 @@ final class Source {
         mistakes.add(new Place(1, 1), Phrase.of("expected a scenario, found nothing"));
       }
       return root;
-    } catch (TreeReader.TooMuchException e) {
+    } catch (TreeReader.RefusedException e) {
       mistakes.add(e.place(), e.phrase());
     } catch (MarkedYamlEngineException e) {
       Place place =
           e.getProblemMark().or(e::getContextMark).map(Mistakes::place).orElse(Place.WHOLE);
-      mistakes.add(place, Phrase.of("this is not YAML: %s", String.valueOf(e.getProblem())));
+      mistakes.add(
+          place, Phrase.of("this is not YAML: %s", shortened(String.valueOf(e.getProblem()))));
+    } catch (YamlVersionException e) {
+      SpecVersion version = e.getSpecVersion();
+      mistakes.add(
+          Place.WHOLE,
+          Phrase.of("expected YAML 1.2, found %d.%d", version.getMajor(), version.getMinor()));
     } catch (ReaderException e) {
       int codePoints = Math.min(e.getPosition(), text.codePointCount(0, text.length()));
       Place place = end(text.substring(0, text.offsetByCodePoints(0, codePoints)));
       mistakes.add(
           place, Phrase.of("expected text, found the control character %d", e.getCodePoint()));
     } catch (YamlEngineException e) {
-      mistakes.add(Place.WHOLE, Phrase.of("this is not YAML: %s", firstLine(e.getMessage())));
+      mistakes.add(Place.WHOLE, Phrase.of("this is not YAML: %s", shortened(e.getMessage())));
     }
     return Optional.empty();
+  }
+
+  /**
+   * The whole text is one buffer. Of several, each word that reaches beyond one would be copied
+   * with each, and each mark keep one alive: a line of 4 MB took 20 s and 1.5 GB.
+   */
+  private LoadSettings settings(String text) {
+    return LoadSettings.builder()
+        .setLabel(file)
+        .setCodePointLimit(LARGEST)
+        .setBufferSize(text.length() + 2) // the reader leaves one free, and may hold one back
+        .build();
   }
 
   /** The place after a text. */
@@ -109,7 +137,9 @@ final class Source {
     return new Place(line, column);
   }
 
-  private static String firstLine(String message) {
-    return message.lines().findFirst().orElse("");
+  /** What the library says may repeat the file. */
+  private static String shortened(String message) {
+    String line = message.lines().findFirst().orElse("");
+    return line.length() <= LONGEST_SHOWN ? line : line.substring(0, LONGEST_SHOWN) + "…";
   }
 }

@@ -43,6 +43,11 @@ final class TreeReader {
   /** Most aliases of lists and mappings, which bounds the time to read them. Decided. */
   private static final int MOST_ALIASES = 50;
 
+  /**
+   * Longest key or value [characters], more than the longest text that means something. Decided.
+   */
+  private static final int LONGEST = 10_000;
+
   private final Parser parser;
   private final Map<Anchor, Node> anchors = new HashMap<>();
   private int depth;
@@ -53,17 +58,21 @@ final class TreeReader {
     this.parser = parser;
   }
 
-  /** There is more than is read. */
-  static final class TooMuchException extends RuntimeException {
+  /** There is more than is read, or something that no scenario has. */
+  static final class RefusedException extends RuntimeException {
 
     private static final long serialVersionUID = 1;
 
     private final transient Place place;
     private final transient Phrase phrase;
 
-    private TooMuchException(Event event, Phrase phrase) {
+    private RefusedException(Event event, Phrase phrase) {
+      this(event.getStartMark().map(Mistakes::place).orElse(Place.WHOLE), phrase);
+    }
+
+    private RefusedException(Place place, Phrase phrase) {
       super(phrase.english());
-      this.place = event.getStartMark().map(Mistakes::place).orElse(Place.WHOLE);
+      this.place = place;
       this.phrase = phrase;
     }
 
@@ -80,7 +89,7 @@ final class TreeReader {
    * The only document of the text; empty if it has none.
    *
    * @throws YamlEngineException if it is not YAML
-   * @throws TooMuchException if it is too large
+   * @throws RefusedException if it is too large, or has a key that is no text
    */
   Optional<Node> root() {
     next(); // the text starts
@@ -110,11 +119,11 @@ final class TreeReader {
       depth--;
     }
     if (depth > DEEPEST) {
-      throw new TooMuchException(
+      throw new RefusedException(
           event, Phrase.of("expected at most %d levels, found more", DEEPEST));
     }
     if (values > MOST_VALUES) {
-      throw new TooMuchException(
+      throw new RefusedException(
           event, Phrase.of("expected at most %d values, found more", MOST_VALUES));
     }
     return event;
@@ -135,6 +144,10 @@ final class TreeReader {
   }
 
   private Node scalar(ScalarEvent event) {
+    if (event.getValue().length() > LONGEST) {
+      throw new RefusedException(
+          event, Phrase.of("expected at most %d letters, found more", LONGEST));
+    }
     ScalarNode node =
         new ScalarNode(
             Tag.STR,
@@ -168,8 +181,8 @@ final class TreeReader {
     for (Event event = next(); event.getEventId() != ID.MappingEnd; event = next()) {
       Node key = node(event);
       if (!(key instanceof ScalarNode)) {
-        throw new YamlEngineException(
-            "Non scalar key is detected but it is not configured to be allowed.");
+        throw new RefusedException(
+            Mistakes.place(key), Phrase.of("expected a key, found %s", Values.found(key)));
       }
       tuples.add(new NodeTuple(key, node(next())));
     }
@@ -192,8 +205,8 @@ final class TreeReader {
     if (!(node instanceof ScalarNode)) {
       aliases++;
       if (aliases > MOST_ALIASES) {
-        throw new YamlEngineException(
-            "Number of aliases for non-scalar nodes exceeds the specified max=" + MOST_ALIASES);
+        throw new RefusedException(
+            alias, Phrase.of("expected at most %d aliases, found more", MOST_ALIASES));
       }
     }
     return node;

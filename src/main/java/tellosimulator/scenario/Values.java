@@ -16,6 +16,7 @@ import org.snakeyaml.engine.v2.nodes.SequenceNode;
 import org.snakeyaml.engine.v2.nodes.Tag;
 import org.snakeyaml.engine.v2.resolver.JsonScalarResolver;
 import org.snakeyaml.engine.v2.resolver.ScalarResolver;
+import tellosimulator.network.AddressPlan;
 import tellosimulator.scenario.Measure.Unit;
 import tellosimulator.words.Phrase;
 
@@ -173,8 +174,11 @@ final class Values {
   static Value<InetAddress> address() {
     return (node, mistakes) ->
         orMistake(
-            scalar(node).filter(word -> ADDRESS.matcher(word).matches()).map(Values::inet),
-            Phrase.of("an address such as 127.0.0.2"),
+            scalar(node)
+                .filter(word -> ADDRESS.matcher(word).matches())
+                .map(Values::inet)
+                .filter(AddressPlan::isOfOneHost),
+            Phrase.of("an address of this machine such as 127.0.0.2"),
             node,
             mistakes);
   }

@@ -143,6 +143,88 @@ class RetransmissionTest {
   }
 
   @Test
+  void aLateCopyOfAnOlderIndexIsAnsweredAsItWasAndNotFlownAgain() {
+    HandlerFixture drone = HandlerFixture.flying(EDU, REPORT);
+    String forward = "move Move[direction=FORWARD, distance=0.5]";
+    String back = "move Move[direction=BACK, distance=0.5]";
+
+    drone.handle("Re0101 forward 50");
+    drone.responder().reply(Reply.OK);
+    drone.handle("Re0201 back 50");
+    drone.responder().refuse(Reply.ERROR, HandlerFixture.phrase("for this test"));
+    drone.after(0);
+    drone.takeReplies();
+    drone.handle("Re0102 forward 50");
+    drone.handle("Re0202 back 50");
+    drone.handle("Re0103 forward 50");
+
+    assertThat(drone.carriedOut()).containsExactly(forward, back);
+    assertThat(drone.takeReplies()).containsExactly("Re0102 ok", "Re0202 error", "Re0103 ok");
+  }
+
+  @Test
+  void theLast64IndicesAreRemembered() {
+    HandlerFixture drone = HandlerFixture.flying(EDU, REPORT);
+    IntStream.rangeClosed(1, 65).forEach(i -> drone.handle(header(i, 1) + "up 50"));
+
+    drone.handle(header(2, 2) + "up 50");
+    assertThat(drone.carriedOut()).hasSize(65);
+
+    drone.handle(header(1, 2) + "up 50");
+    assertThat(drone.carriedOut()).hasSize(66);
+  }
+
+  @Test
+  void anIndexThatWrapsAroundIsTheNewestAgain() {
+    HandlerFixture drone = HandlerFixture.flying(EDU, REPORT);
+    drone.handle(header(1, 1) + "up 50");
+    IntStream.rangeClosed(2, 64).forEach(i -> drone.handle(header(i, 1) + "up 50"));
+    drone.handle(header(1, 1) + "down 50");
+    IntStream.rangeClosed(65, 70).forEach(i -> drone.handle(header(i, 1) + "up 50"));
+
+    drone.handle(header(1, 2) + "down 50");
+
+    assertThat(drone.carriedOut()).hasSize(71);
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"command", "Re0101 command"})
+  void aProgramThatStartsAnewFliesTheSameTextsAgain(String first) {
+    HandlerFixture drone = HandlerFixture.flying(EDU, REPORT);
+
+    for (int run = 0; run < 2; run++) {
+      drone.handle(first);
+      drone.handle("Re0201 takeoff");
+      drone.handle("Re0301 land");
+    }
+
+    assertThat(drone.carriedOut())
+        .containsExactly(
+            "enterSdkMode EnterSdkMode[]",
+            "takeoff Takeoff[]",
+            "land Land[]",
+            "enterSdkMode EnterSdkMode[]",
+            "takeoff Takeoff[]",
+            "land Land[]");
+  }
+
+  @Test
+  void aLateCopyOfCommandForgetsNothing() {
+    HandlerFixture drone = HandlerFixture.flying(EDU, REPORT);
+
+    drone.handle("Re0101 command");
+    drone.handle("Re0201 takeoff");
+    drone.handle("Re0102 command");
+    drone.handle("Re0202 takeoff");
+
+    assertThat(drone.carriedOut()).hasSize(2);
+  }
+
+  private static String header(int index, int repeat) {
+    return String.format(java.util.Locale.ROOT, "Re%02d%02d ", index, repeat);
+  }
+
+  @Test
   void twoPeersMayUseTheSameIndex() {
     HandlerFixture drone = HandlerFixture.flying(EDU, REPORT);
     Peer other = peer(1, 40_002);

@@ -20,6 +20,8 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.TestReporter;
 import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.condition.EnabledOnOs;
+import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -317,7 +319,8 @@ class ScenarioFileTest {
           drones: [{start: [0, 0]}, {start: [10, 0]}] | 1:27: drone 2 is in drone 1
           drones: [{start: [0, 0], battery: 101}] | 1:35: expected a percentage from 0 to 100, found "101"
           drones: [{start: [0, 0], colour: rainbow}] | 1:34: expected a colour such as "#d9772b", or one of black, blue, brown, green, grey, orange, purple, red, white, yellow, found "rainbow"
-          drones: [{start: [0, 0], address: 127.0.0.300}] | 1:35: expected an address such as 127.0.0.2, found "127.0.0.300"
+          drones: [{start: [0, 0], address: 127.0.0.300}] | 1:35: expected an address of this machine such as 127.0.0.2, found "127.0.0.300"
+          drones: [{start: [0, 0], address: 239.1.2.3}] | 1:35: expected an address of this machine such as 127.0.0.2, found "239.1.2.3"
           drones: [{start: [0, 0], command-port: 0}] | 1:40: expected a port from 1 to 65535, found "0"
           drones: [{start: [0, 0]}, {start: [0, 50], address: 127.0.0.1}] | 1:27: drone 2 takes commands where drone 1 does
           drones: [5]                         | 1:10: expected a drone, found "5"
@@ -358,7 +361,7 @@ class ScenarioFileTest {
           name: "a: b                         | 2:1: this is not YAML: found unexpected end of stream
           name: a: b                          | 1:8: this is not YAML: mapping values are not allowed here
           room: *hall                         | 1:7: this is not YAML: found undefined alias hall
-          ? [a, b]                            | this is not YAML: Non scalar key is detected but it is not configured to be allowed.
+          ? [a, b]                            | 1:3: expected a key, found a list of 2
           """)
   void aMistakeIsOneSentenceWithItsPlace(String text, String sentence) {
     assertThat(mistakes(text + "\n")).containsExactly(sentence);
@@ -502,7 +505,80 @@ class ScenarioFileTest {
                             + ("*" + (char) ('a' + i) + " ,").repeat(9)
                             + "]\n")
                 .reduce("", String::concat);
-    assertThat(mistakes(bomb)).singleElement().asString().contains("Number of aliases");
+    assertThat(mistakes(bomb))
+        .singleElement()
+        .asString()
+        .matches("\\d+:\\d+: expected at most 50 aliases, found more");
+    assertThat(mistakes("name: a\n? [b]\n: c\n"))
+        .containsExactly("2:3: expected a key, found a list of 1");
+    assertThat(mistakes("%YAML 9.9\n---\nname: a\n"))
+        .containsExactly("expected YAML 1.2, found 9.9");
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = ';',
+      textBlock =
+          """
+          name: a%nteaches: X         ; x    ; 2:10
+          name: a%nteaches: "X"       ; x    ; 2:10
+          name: a%nteaches: 'X'       ; x    ; 2:10
+          name: a%nteaches: "X"       ; '\\n' ; 2:10
+          name: a%nteaches: |%n X     ; x    ; 2:10
+          name: a%nteaches: >%n X     ; 'x ' ; 2:10
+          name: a%nteaches: X         ; 'x ' ; 2:10
+          name: a%nseed: X            ; 1    ; 2:7
+          name: a%nX: 1               ; x    ;
+          name: a%n? X                ; x    ; 2:3
+          name: a%n"X": 1             ; x    ;
+          name: a%n# X                ; x    ;
+          name: &X a                  ; x    ;
+          name: *X                    ; x    ;
+          name: !X a                  ; x    ;
+          name: a%n"X                 ; '  ' ;
+          name: aXb                   ; '  ' ;
+          %%YAML 1.X%n---%nname: a    ; 1    ;
+          %%X 1%n---%nname: a         ; x    ;
+          obstacles: [X]              ; {    ;
+          obstacles:%nX               ; '- ' ;
+          """)
+  @Timeout(60)
+  void whateverIsLongIsReadOrRefusedWithinASecondAndLittleMemory(
+      String form, String piece, String place) throws IOException {
+    String full = piece.repeat(4_000_000 / piece.length());
+    byte[] text = String.format(form).replace("X", full).getBytes(StandardCharsets.UTF_8);
+    Path file = file(text);
+    ThreadMXBean threads = ManagementFactory.getThreadMXBean();
+    long allocated = ((com.sun.management.ThreadMXBean) threads).getCurrentThreadAllocatedBytes();
+    long begun = threads.getCurrentThreadCpuTime();
+
+    String refused = "";
+    try {
+      ScenarioFile.read(file);
+    } catch (ScenarioException e) {
+      refused = e.getMessage().substring(file.toString().length() + 1);
+    }
+
+    long bytes =
+        ((com.sun.management.ThreadMXBean) threads).getCurrentThreadAllocatedBytes() - allocated;
+    assertThat((threads.getCurrentThreadCpuTime() - begun) * 1e-9).isLessThan(1);
+    assertThat(bytes).isLessThan(500_000_000);
+    assertThat(refused).hasSizeLessThan(500);
+    if (place != null) {
+      assertThat(refused).isEqualTo(place + ": expected at most 10000 letters, found more");
+    }
+  }
+
+  @Test
+  @EnabledOnOs({OS.LINUX, OS.MAC})
+  @Timeout(20)
+  void aPipeAndADeviceAreASentence() throws Exception {
+    Path pipe = folder.resolve("pipe.yaml");
+    assertThat(new ProcessBuilder("mkfifo", pipe.toString()).start().waitFor()).isZero();
+    for (Path file : List.of(pipe, Path.of("/dev/zero"))) {
+      assertThat(catchThrowableOfType(ScenarioException.class, () -> ScenarioFile.read(file)))
+          .hasMessage(file + ": expected a file, found a pipe or a device");
+    }
   }
 
   @Test

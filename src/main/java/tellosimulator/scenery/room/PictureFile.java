@@ -9,6 +9,7 @@ import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.Iterator;
 import java.util.Locale;
+import java.util.Set;
 import javax.imageio.ImageIO;
 import javax.imageio.ImageReadParam;
 import javax.imageio.ImageReader;
@@ -21,8 +22,14 @@ public final class PictureFile {
   /** Most pixels of an image. Decided: more than cameras of phones take, and still quickly read. */
   private static final long MOST_PIXELS = 1L << 26;
 
+  /** Longest edge [pixels], because readers hold whole rows. Decided: half of what JPEG allows. */
+  private static final int LONGEST_EDGE = 1 << 15;
+
   /** From this edge on pixels are left out already while reading. Decided: twice what is kept. */
   private static final int LARGE = 2 * Resampled.LARGEST;
+
+  /** Formats that are read, by their readers' names; Java knows others that nobody needs here. */
+  private static final Set<String> FORMATS = Set.of("png", "jpeg", "gif", "bmp");
 
   private PictureFile() {}
 
@@ -30,17 +37,17 @@ public final class PictureFile {
    * Reads an image; a large one is scaled down.
    *
    * @param file PNG, JPEG, GIF or BMP
-   * @throws IOException with a sentence for people, if there is no such file, or if it is no image
-   *     or a huge one
+   * @throws IOException with a sentence for people, if there is no such file, if it is no image or
+   *     a huge one, or if there is not enough memory for it
    */
   public static Picture read(String file) throws IOException {
     Path path = path(file);
     try (ImageInputStream input = ImageIO.createImageInputStream(path.toFile())) {
       Iterator<ImageReader> readers = ImageIO.getImageReaders(input);
-      if (!readers.hasNext()) {
+      ImageReader reader = readers.hasNext() ? readers.next() : null;
+      if (reader == null || !FORMATS.contains(reader.getFormatName().toLowerCase(Locale.ROOT))) {
         throw unreadable(file);
       }
-      ImageReader reader = readers.next();
       try {
         reader.setInput(input, true, true);
         return read(reader, file);
@@ -69,18 +76,25 @@ public final class PictureFile {
     try {
       int width = reader.getWidth(0);
       int height = reader.getHeight(0);
-      if ((long) width * height > MOST_PIXELS) {
+      if (Math.max(width, height) > LONGEST_EDGE || (long) width * height > MOST_PIXELS) {
         throw new HugeImageException(file, width, height);
       }
       ImageReadParam some = reader.getDefaultReadParam();
-      int step = Math.max(1, Math.min(width, height) / LARGE);
-      some.setSourceSubsampling(step, step, 0, 0);
+      some.setSourceSubsampling(step(width), step(height), 0, 0);
       return new Picture(Resampled.of(texture(reader.read(0, some))), (double) height / width);
     } catch (HugeImageException e) {
       throw e;
-    } catch (IOException | RuntimeException e) { // readers throw many kinds at broken files
+    } catch (IOException | RuntimeException | OutOfMemoryError e) { // readers throw many kinds
+      if (e instanceof OutOfMemoryError || e.getCause() instanceof OutOfMemoryError) {
+        throw new IOException("there is not enough memory for the image " + file, e);
+      }
       throw unreadable(file, e);
     }
+  }
+
+  /** Of how many pixels along an edge one is read. */
+  private static int step(int pixels) {
+    return Math.max(1, pixels / LARGE);
   }
 
   private static Texture texture(BufferedImage image) {
@@ -115,7 +129,7 @@ public final class PictureFile {
         "the file " + file + " is not an image that can be read (PNG, JPEG, GIF or BMP)");
   }
 
-  private static IOException unreadable(String file, Exception cause) {
+  private static IOException unreadable(String file, Throwable cause) {
     IOException exception = unreadable(file);
     exception.initCause(cause);
     return exception;
@@ -129,10 +143,12 @@ public final class PictureFile {
       super(
           String.format(
               Locale.ROOT,
-              "the image %s has %d by %d pixels, but an image may have %d million at the most",
+              "the image %s has %d by %d pixels, but an image may have %d along an edge and %d million"
+                  + " in all at the most",
               file,
               width,
               height,
+              LONGEST_EDGE,
               MOST_PIXELS / 1_000_000));
     }
   }

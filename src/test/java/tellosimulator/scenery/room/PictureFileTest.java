@@ -8,6 +8,7 @@ import java.awt.image.BufferedImage;
 import java.io.ByteArrayOutputStream;
 import java.io.DataOutputStream;
 import java.io.IOException;
+import java.lang.management.ManagementFactory;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -15,6 +16,7 @@ import java.util.Arrays;
 import java.util.zip.CRC32;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -143,13 +145,78 @@ class PictureFileTest {
 
   @Test
   void aHugeImageIsNotEvenRead() throws IOException {
-    Path huge = Files.write(folder.resolve("huge.png"), pngHeader(30_000, 20_000));
+    for (int[] size : new int[][] {{30_000, 20_000}, {67_000_000, 1}, {1, 67_000_000}}) {
+      Path huge = Files.write(folder.resolve("huge.png"), pngHeader(size[0], size[1]));
+
+      assertRefused(
+          huge.toString(),
+          "the image "
+              + huge
+              + " has "
+              + size[0]
+              + " by "
+              + size[1]
+              + " pixels, but an image may have 32768 along an edge and 67 million in all at the"
+              + " most");
+    }
+  }
+
+  @ParameterizedTest
+  @CsvSource({"32768, 2048, png", "2048, 32768, png", "32768, 1, png", "32768, 1024, gif"})
+  @Timeout(60)
+  void aLongImageTakesLittleMemory(int width, int height, String format) throws IOException {
+    String file = saved(new BufferedImage(width, height, BufferedImage.TYPE_BYTE_GRAY), format);
+    com.sun.management.ThreadMXBean threads =
+        (com.sun.management.ThreadMXBean) ManagementFactory.getThreadMXBean();
+    long before = threads.getCurrentThreadAllocatedBytes();
+
+    Picture picture = PictureFile.read(file);
+
+    // At most 4095 pixels of an edge are kept, of the other here 2048: 8 million, each of them once
+    // as it is read (1 byte) and once as 4 bytes; with the rows, half of what was taken before.
+    assertThat(threads.getCurrentThreadAllocatedBytes() - before).isLessThan(100_000_000);
+    assertThat(picture.texture().width()).isEqualTo(width >= 1024 ? 1024 : 256);
+  }
+
+  @Test
+  void otherFormatsAreNotRead() throws IOException {
+    String file = saved(new BufferedImage(9, 9, BufferedImage.TYPE_INT_RGB), "tiff");
 
     assertRefused(
-        huge.toString(),
-        "the image "
-            + huge
-            + " has 30000 by 20000 pixels, but an image may have 67 million at the most");
+        file, "the file " + file + " is not an image that can be read (PNG, JPEG, GIF or BMP)");
+  }
+
+  @Test
+  void tooLittleMemoryIsOneSentence() throws Exception {
+    String file = saved(new BufferedImage(4095, 4095, BufferedImage.TYPE_3BYTE_BGR), "png");
+    Process reader =
+        new ProcessBuilder(
+                Path.of(System.getProperty("java.home"), "bin", "java").toString(),
+                "-Xmx32m", // 4095 * 4095 pixels of 3 bytes are 50 MB
+                "-cp",
+                System.getProperty("java.class.path"),
+                Reader.class.getName(),
+                file)
+            .redirectErrorStream(true)
+            .start();
+
+    assertThat(reader.inputReader().readLine())
+        .isEqualTo("there is not enough memory for the image " + file);
+    assertThat(reader.waitFor()).isZero();
+  }
+
+  /** Reads a picture and says what is wrong with it. */
+  static final class Reader {
+
+    private Reader() {}
+
+    public static void main(String[] files) {
+      try {
+        PictureFile.read(files[0]);
+      } catch (IOException e) {
+        System.out.println(e.getMessage());
+      }
+    }
   }
 
   private static void assertRefused(String file, String sentence) {
