@@ -43,7 +43,7 @@ public final class DroneController implements CommandTarget {
     this.model = wiring.model();
     this.session = wiring.session();
     this.observer = wiring.observer();
-    this.flight = new Flight(model, wiring.behaviour(), observer);
+    this.flight = new Flight(wiring);
     this.courses = new Courses(wiring, flight);
     this.padMissions = new PadMissions(model, flight, courses);
     this.equipment = new Equipment(model, wiring.profile(), wiring.session(), observer);
@@ -191,9 +191,9 @@ public final class DroneController implements CommandTarget {
       model.setPhase(FlightPhase.GROUNDED);
     }
     if (flight.flying() && model.resting()) {
-      flight.motorsOff(FlightPhase.GROUNDED, true);
+      flight.motorsOff(FlightPhase.GROUNDED);
     } else if (flight.flying()) {
-      flight.motorsOff(FlightPhase.FALLING, true);
+      flight.motorsOff(FlightPhase.FALLING);
       observer.happened(new Fell(Phrase.of("`emergency` stopped its motors")));
     }
   }

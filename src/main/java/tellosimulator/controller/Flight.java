@@ -1,10 +1,12 @@
 package tellosimulator.controller;
 
 import java.util.Optional;
+import java.util.OptionalDouble;
 import tellosimulator.command.Reply;
 import tellosimulator.command.Responder;
 import tellosimulator.command.Sticks;
 import tellosimulator.controller.FlightEvent.Crashed;
+import tellosimulator.controller.FlightEvent.Dropped;
 import tellosimulator.controller.FlightEvent.Fell;
 import tellosimulator.controller.FlightEvent.Landed;
 import tellosimulator.controller.FlightEvent.LandingCancelled;
@@ -33,6 +35,9 @@ final class Flight {
   /** Below this speed there is nothing to brake from [m/s]. Decided: it counts as balanced out. */
   static final double STILL = 0.05;
 
+  /** How exactly a drone hovers at the height of which a fall is told [m]. Decided. */
+  private static final double ON_TARGET = 0.01;
+
   private static final double STEP = SimTime.STEP;
 
   private final DroneModel model;
@@ -48,16 +53,19 @@ final class Flight {
   private boolean landingForSilence;
   private boolean landingForBattery;
   private boolean stands;
-  private boolean softFall;
-  private double fallFrom;
+  private final double crashSpeed;
 
-  Flight(DroneModel model, Behaviour behaviour, FlightObserver observer) {
-    this.model = model;
-    this.behaviour = behaviour;
-    this.observer = observer;
+  /** Height at which the motors stopped in flight [m], while it falls. */
+  private OptionalDouble fallFrom = OptionalDouble.empty();
+
+  Flight(Wiring wiring) {
+    this.model = wiring.model();
+    this.behaviour = wiring.behaviour();
+    this.observer = wiring.observer();
+    this.crashSpeed = wiring.crashSpeed();
     this.rc = new RcSteering(behaviour);
     this.autopilot = new Autopilot(behaviour, rc);
-    this.contacts = new Contacts(observer);
+    this.contacts = new Contacts(observer, crashSpeed);
   }
 
   // --- what others ask ---
@@ -173,10 +181,9 @@ final class Flight {
   }
 
   /** Stops the motors, whatever the drone is doing; nobody is answered. */
-  void motorsOff(FlightPhase phase, boolean soft) {
+  void motorsOff(FlightPhase phase) {
     if (flying()) {
-      softFall = soft;
-      fallFrom = model.motion().position().z();
+      fallFrom = OptionalDouble.of(model.motion().position().z());
     }
     task = Task.NOBODY;
     landingForSilence = false;
@@ -189,7 +196,7 @@ final class Flight {
   /** Forgets everything, as reset and power-off do. */
   void reset() {
     boolean powered = model.phase() != FlightPhase.OFF;
-    motorsOff(powered ? FlightPhase.GROUNDED : FlightPhase.OFF, false);
+    motorsOff(powered ? FlightPhase.GROUNDED : FlightPhase.OFF);
     rc.centre();
     contacts.forget();
     lastContact = now;
@@ -200,6 +207,9 @@ final class Flight {
   /** Sets the targets of the step that ends at {@code time}. */
   void plan(SimTime time) {
     now = time;
+    if (model.resting()) {
+      fallFrom = OptionalDouble.empty();
+    }
     if (airborne()) {
       rc.follow(now, STEP);
     } else {
@@ -212,8 +222,11 @@ final class Flight {
   /** Something stopped the drone. */
   void touch(Collision collision) {
     contacts.add(collision, flying());
-    if (tooHard(collision)) {
-      crash(collision);
+    double fallen = fallen(collision);
+    if (tooHard(collision, fallen)) {
+      crash(collision, fallen);
+    } else if (fallen > 0) {
+      observer.happened(new Dropped(collision.touched(), collision.speed(), fallen));
     }
     if (!flying() && collision.onGround()) {
       comeToRest();
@@ -227,6 +240,7 @@ final class Flight {
       observer.happened(new TookOff());
     }
     if (flying()) {
+      contacts.part(model.motion().position());
       Vec3 normal = contacts.obstacle().map(Collision::normal).orElse(Vec3.ZERO);
       autopilot.observe(model.motion(), normal, model.pushed());
       switch (autopilot.outcome()) {
@@ -254,7 +268,7 @@ final class Flight {
     if (model.battery().empty()) {
       Phrase reason = Phrase.of("the battery is empty");
       interrupt(Reply.MOTOR_STOP, reason);
-      motorsOff(FlightPhase.FALLING, false);
+      motorsOff(FlightPhase.FALLING);
       observer.happened(new Fell(reason));
     } else if (model.battery().percent() <= Battery.LANDS_BY_ITSELF && !landing()) {
       Phrase reason = Phrase.of("the battery is at %d %%", model.battery().percent());
@@ -283,8 +297,9 @@ final class Flight {
   private void arrived() {
     Task finished = task;
     if (landing()) {
-      motorsOff(FlightPhase.GROUNDED, true);
+      motorsOff(FlightPhase.GROUNDED);
       comeToRest();
+      contacts.partFromAll();
       observer.happened(new Landed());
     } else {
       hover();
@@ -298,21 +313,27 @@ final class Flight {
     failed.failed(reply, reason);
   }
 
-  private boolean tooHard(Collision collision) {
-    if (model.phase() == FlightPhase.CRASHED) {
-      return false;
-    }
-    boolean falls = !flying() && collision.onGround();
-    return falls
-        ? !softFall && fallFrom - collision.position().z() > DroneSpec.HARMLESS_FALL
-        : collision.speed() > DroneSpec.CRASH_SPEED;
+  /** How deep it has fallen onto what carries it now [m]; 0 if it did not fall. */
+  private double fallen(Collision collision) {
+    boolean landed = !flying() && collision.onGround() && fallFrom.isPresent();
+    return landed ? Math.max(0, fallFrom.getAsDouble() - collision.position().z()) : 0;
   }
 
-  private void crash(Collision collision) {
-    Crashed crashed = new Crashed(collision.touched(), collision.speed(), collision.position());
+  private boolean tooHard(Collision collision, double fallen) {
+    boolean stands = !flying() && collision.onGround();
+    return model.phase() != FlightPhase.CRASHED
+        && collision.speed() > crashSpeed
+        && (!stands || fallen > DroneSpec.HARMLESS_FALL + ON_TARGET);
+  }
+
+  private void crash(Collision collision, double fallen) {
+    Crashed crashed =
+        new Crashed(collision.touched(), collision.speed(), fallen, collision.position());
     interrupt(Reply.MOTOR_STOP, Phrase.of("the drone %s", crashed.phrase()));
     boolean powered = model.phase() != FlightPhase.OFF;
-    motorsOff(powered ? FlightPhase.CRASHED : FlightPhase.OFF, true);
+    motorsOff(powered ? FlightPhase.CRASHED : FlightPhase.OFF);
+    fallFrom = OptionalDouble.empty();
+    contacts.forget();
     observer.happened(crashed);
   }
 
@@ -320,7 +341,6 @@ final class Flight {
     model.rest();
     if (model.phase() == FlightPhase.FALLING) {
       model.setPhase(FlightPhase.GROUNDED);
-      observer.happened(new Landed());
     }
   }
 }

@@ -68,19 +68,40 @@ public sealed interface FlightEvent {
    *
    * @param touched what it hit
    * @param speed how fast [m/s]
+   * @param fallen how deep it had fallen [m]; 0 if its motors carried it
    * @param position where, room frame [m]
    */
-  record Crashed(Touchable touched, double speed, Vec3 position) implements FlightEvent {
+  record Crashed(Touchable touched, double speed, double fallen, Vec3 position)
+      implements FlightEvent {
     @Override
     public Phrase phrase() {
-      return Phrase.of(
-          "crashed into %s at %.1f m/s; its motors stay off until reset or power cycle",
-          touched.phrase(), speed);
+      return fallen > 0
+          ? Phrase.of(
+              "crashed into %s at %.1f m/s after a fall of %.1f m; its motors stay off until reset"
+                  + " or power cycle",
+              touched.phrase(), speed, fallen)
+          : Phrase.of(
+              "crashed into %s at %.1f m/s; its motors stay off until reset or power cycle",
+              touched.phrase(), speed);
     }
   }
 
   /**
-   * It touched something, and goes on flying.
+   * Its fall ended without harm.
+   *
+   * @param touched what it fell on
+   * @param speed how fast it hit it [m/s]
+   * @param fallen how deep it fell [m]
+   */
+  record Dropped(Touchable touched, double speed, double fallen) implements FlightEvent {
+    @Override
+    public Phrase phrase() {
+      return Phrase.of("fell %.1f m and hit %s at %.1f m/s", fallen, touched.phrase(), speed);
+    }
+  }
+
+  /**
+   * It began to touch something, and goes on flying; {@link Parted} ends that.
    *
    * @param touched what it touched; not what it stands on
    * @param speed how fast [m/s]
@@ -90,6 +111,18 @@ public sealed interface FlightEvent {
     @Override
     public Phrase phrase() {
       return Phrase.of("touched %s at %.1f m/s", touched.phrase(), speed);
+    }
+  }
+
+  /**
+   * It does not touch something any more.
+   *
+   * @param seconds since it began to touch it
+   */
+  record Parted(Touchable touched, double seconds) implements FlightEvent {
+    @Override
+    public Phrase phrase() {
+      return Phrase.of("does not touch %s any more, after %.1f s", touched.phrase(), seconds);
     }
   }
 

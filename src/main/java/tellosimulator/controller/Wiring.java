@@ -11,6 +11,7 @@ import tellosimulator.sensor.SeededNoise;
 /**
  * A controller's neighbours.
  *
+ * @param crashSpeed above which a touch is a crash [m/s]
  * @param observer is told what happens to the drone
  * @param operatorChanged is told when another operator has taken over
  * @param forgetLink called when the power goes
@@ -19,6 +20,7 @@ public record Wiring(
     DroneModel model,
     Profile profile,
     Behaviour behaviour,
+    double crashSpeed,
     OperatorSession session,
     SeededNoise noise,
     ReadReplies reads,

@@ -18,6 +18,7 @@ enum Kind {
       "pads",
       "drones",
       "wind",
+      "crash-speed",
       "time-factor",
       "seed",
       "goals",

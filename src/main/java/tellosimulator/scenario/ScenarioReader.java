@@ -10,6 +10,7 @@ import org.snakeyaml.engine.v2.nodes.Node;
 import org.snakeyaml.engine.v2.nodes.ScalarNode;
 import tellosimulator.goal.Challenge;
 import tellosimulator.goal.Goal;
+import tellosimulator.model.DroneSpec;
 import tellosimulator.scenario.Scenario.Station;
 import tellosimulator.scenario.Section.Located;
 import tellosimulator.sim.DroneSetup;
@@ -31,6 +32,9 @@ final class ScenarioReader {
 
   private static final int MOST_DRONES = 250;
   private static final int MOST_OTHERS = 1000;
+
+  /** The fastest touch that may be none [cm/s]. Decided: no drone gets there, so nothing is one. */
+  private static final double FASTEST_TOUCH = 2000;
 
   static final Map<String, Boolean> TOUCH = Map.of("forbidden", true, "allowed", false);
 
@@ -108,7 +112,11 @@ final class ScenarioReader {
         Values.whole(
             Phrase.of("a whole number of at most 18 digits"), Long.MIN_VALUE, Long.MAX_VALUE);
     return new SimConfig(
-        arena, setups, factor, scenario.read("seed", seed, SimConfig.DEFAULT.seed()));
+        arena,
+        setups,
+        factor,
+        scenario.read("seed", seed, SimConfig.DEFAULT.seed()),
+        scenario.read("crash-speed", Values.speed(FASTEST_TOUCH), DroneSpec.CRASH_SPEED));
   }
 
   private static List<Station> stations(List<Located<DroneReader.Entry>> drones) {

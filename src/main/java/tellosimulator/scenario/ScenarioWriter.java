@@ -11,6 +11,7 @@ import tellosimulator.goal.Challenge;
 import tellosimulator.goal.Goal;
 import tellosimulator.goal.Spot;
 import tellosimulator.math.Vec3;
+import tellosimulator.model.DroneSpec;
 import tellosimulator.profile.Behaviour;
 import tellosimulator.profile.Profile;
 import tellosimulator.scenario.Scenario.Station;
@@ -50,6 +51,7 @@ final class ScenarioWriter {
     file.list("pads", arena.pads().stream().map(ScenarioWriter::pad).toList());
     drones(file, scenario);
     wind(file, arena.wind());
+    file.put("crash-speed", config.crashSpeed() * 100, DroneSpec.CRASH_SPEED * 100);
     if (config.timeFactor().unlimited()) {
       file.put("time-factor", ScenarioReader.MAX);
     } else {

@@ -90,10 +90,12 @@ final class Drone {
    * What all drones of a simulation share.
    *
    * @param seed of everything random
+   * @param crashSpeed above which a touch is a crash [m/s]
    * @param surroundings what is around them
    * @param events takes what happens
    */
-  record Neighbourhood(long seed, Surroundings surroundings, Consumer<SimEvent> events) {}
+  record Neighbourhood(
+      long seed, double crashSpeed, Surroundings surroundings, Consumer<SimEvent> events) {}
 
   /**
    * @param number from 1
@@ -128,6 +130,7 @@ final class Drone {
                 model,
                 profile,
                 behaviour,
+                neighbourhood.crashSpeed(),
                 session,
                 noise,
                 new ReadReplies(instruments, profile, number),

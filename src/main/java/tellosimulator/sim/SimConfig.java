@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.function.UnaryOperator;
 import tellosimulator.math.Pose;
 import tellosimulator.math.Vec3;
+import tellosimulator.model.DroneSpec;
 import tellosimulator.profile.Behaviour;
 import tellosimulator.profile.Profile;
 import tellosimulator.time.TimeFactor;
@@ -19,8 +20,10 @@ import tellosimulator.world.Room;
  * @param drones in the order of their numbers
  * @param timeFactor how fast simulated time passes
  * @param seed of everything random
+ * @param crashSpeed above which a touch is a crash [m/s]
  */
-public record SimConfig(Arena arena, List<DroneSetup> drones, TimeFactor timeFactor, long seed) {
+public record SimConfig(
+    Arena arena, List<DroneSetup> drones, TimeFactor timeFactor, long seed, double crashSpeed) {
 
   /** Which drone is simulated, after which account of it. */
   public record Product(Profile profile, Behaviour behaviour) {
@@ -39,12 +42,20 @@ public record SimConfig(Arena arena, List<DroneSetup> drones, TimeFactor timeFac
   /** One EDU in the middle of the default room, in real time. */
   public static final SimConfig DEFAULT =
       new SimConfig(
-          Arena.DEFAULT, alike(Swarm.row(1, Vec3.ZERO, Room.DEFAULT)), TimeFactor.REAL_TIME, 1);
+          Arena.DEFAULT,
+          alike(Swarm.row(1, Vec3.ZERO, Room.DEFAULT)),
+          TimeFactor.REAL_TIME,
+          1,
+          DroneSpec.CRASH_SPEED);
 
   public SimConfig {
     drones = List.copyOf(drones);
     if (drones.isEmpty()) {
       throw new IllegalArgumentException("there must be at least one drone");
+    }
+    if (!(crashSpeed >= 0)) {
+      throw new IllegalArgumentException(
+          "crashSpeed is " + crashSpeed + " m/s, but must not be negative");
     }
   }
 
@@ -74,7 +85,7 @@ public record SimConfig(Arena arena, List<DroneSetup> drones, TimeFactor timeFac
   }
 
   public SimConfig withDrones(List<DroneSetup> newDrones) {
-    return new SimConfig(arena, newDrones, timeFactor, seed);
+    return new SimConfig(arena, newDrones, timeFactor, seed, crashSpeed);
   }
 
   /** Another room, with drones that are as the first one but for their starts. */
@@ -89,15 +100,19 @@ public record SimConfig(Arena arena, List<DroneSetup> drones, TimeFactor timeFac
   }
 
   public SimConfig withArena(Arena newArena) {
-    return new SimConfig(newArena, drones, timeFactor, seed);
+    return new SimConfig(newArena, drones, timeFactor, seed, crashSpeed);
   }
 
   public SimConfig withTimeFactor(TimeFactor newTimeFactor) {
-    return new SimConfig(arena, drones, newTimeFactor, seed);
+    return new SimConfig(arena, drones, newTimeFactor, seed, crashSpeed);
   }
 
   public SimConfig withSeed(long newSeed) {
-    return new SimConfig(arena, drones, timeFactor, newSeed);
+    return new SimConfig(arena, drones, timeFactor, newSeed, crashSpeed);
+  }
+
+  public SimConfig withCrashSpeed(double newCrashSpeed) {
+    return new SimConfig(arena, drones, timeFactor, seed, newCrashSpeed);
   }
 
   private SimConfig withEach(UnaryOperator<DroneSetup> change) {

@@ -63,7 +63,8 @@ public final class Simulation {
     this.clock = new Clock(config.timeFactor(), false);
     this.states = states;
     this.listeners = new CopyOnWriteArrayList<>(listeners);
-    Neighbourhood neighbourhood = new Neighbourhood(config.seed(), surroundings, events::add);
+    Neighbourhood neighbourhood =
+        new Neighbourhood(config.seed(), config.crashSpeed(), surroundings, events::add);
     for (DroneSetup setup : config.drones()) {
       int number = drones.size() + 1;
       drones.add(new Drone(number, setup, replies.apply(number), neighbourhood));

@@ -3,7 +3,10 @@ package tellosimulator.controller;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import java.util.List;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 import tellosimulator.math.Vec3;
 import tellosimulator.model.DroneSpec;
 import tellosimulator.model.FlightPhase;
@@ -64,35 +67,128 @@ class ObstructedFlightTest {
     assertThat(drone.ask("takeoff")).isEqualTo("ok");
   }
 
+  /** {@code rc} 100 is 1.0 m/s in behaviour report, and a crash is faster than 1.35 m/s. */
   @Test
-  void aTouchBelowOneAndAHalfMetresASecondIsNoCrash() {
+  void atFullStickOfTheReportItIsATouch() {
     SimulatedDrone drone = flying(Behaviour.REPORT, new Room(30, 5, 3));
     drone.send("rc 0 100 0 0");
     drone.advance(8);
 
-    assertThat(drone.state().phase())
-        .as("1 m/s is slower than 1.5 m/s")
-        .isEqualTo(FlightPhase.FLYING);
+    assertThat(drone.state().phase()).isEqualTo(FlightPhase.FLYING);
+    assertThat(words(drone)).contains("touched the front wall at 1.0 m/s");
+  }
+
+  /** {@code rc} 100 is 1.5 m/s in behaviour measured; after 2.4 m it is faster than 1.35 m/s. */
+  @Test
+  void atFullStickOfTheMeasurementsItIsACrash() {
+    SimulatedDrone drone = flying(Behaviour.MEASURED, Room.DEFAULT);
+    drone.send("rc 0 100 0 0");
+    drone.advance(8);
+
+    assertThat(drone.state().phase()).isEqualTo(FlightPhase.CRASHED);
+    assertThat(drone.ask("takeoff")).isEqualTo("error Motor stop");
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"forward 300", "forward 500", "go 500 0 0 100", "up 500"})
+  void aMoveAtTheUsualSpeedIntoAWallIsATouch(String move) {
+    SimulatedDrone drone = flying(Behaviour.REPORT, Room.DEFAULT);
+
+    assertThat(drone.ask(move)).isEqualTo("error");
+    assertThat(drone.state().phase()).isEqualTo(FlightPhase.FLYING);
   }
 
   @Test
-  void emergencyDropsTheDroneWithoutHarm() {
+  void aConfigurationSaysHowFastATouchMayBe() {
+    SimConfig config = SimConfig.DEFAULT.withCrashSpeed(0.3);
+    SimulatedDrone drone = flying(config);
+
+    assertThat(drone.ask("forward 300")).isEqualTo("error Motor stop");
+    assertThat(lastFlight(drone)).startsWith("crashed into the front wall at 0.8 m/s");
+
+    SimulatedDrone robust =
+        flying(config.withProduct(Profile.EDU, Behaviour.MEASURED).withCrashSpeed(20));
+    robust.send("rc 0 100 0 0");
+    robust.advance(8);
+    assertThat(robust.state().phase()).isEqualTo(FlightPhase.FLYING);
+    robust.send("emergency");
+    robust.advance(3);
+    assertThat(robust.state().phase()).isEqualTo(FlightPhase.GROUNDED);
+  }
+
+  @Test
+  void aDeepFallIsACrashAndItsHeightAndSpeedAreTold() {
     SimulatedDrone drone = flying(Behaviour.REPORT, new Room(5, 5, 5));
-    drone.ask("up 300");
+    drone.ask("up 350");
     int replies = drone.replies().size();
     double height = drone.state().motion().position().z();
 
     drone.send("emergency");
-    // Free fall from 3.3 m takes the root of 2 · 3.3 / 9.81, 0.82 s; drag adds a little.
+    // Free fall from 3.8 m takes the root of 2 · 3.8 / 9.81, 0.88 s; drag adds a little.
     drone.advance(0.4);
     assertThat(drone.state().phase()).isEqualTo(FlightPhase.FALLING);
     double fallen = height - drone.state().motion().position().z();
     assertThat(fallen).as("half of 9.81 · 0.4²").isCloseTo(0.785, within(0.06));
     drone.advance(0.8);
 
-    assertThat(drone.state().phase()).isEqualTo(FlightPhase.GROUNDED);
+    assertThat(drone.state().phase()).isEqualTo(FlightPhase.CRASHED);
     assertThat(drone.replies()).as("no reply to emergency").hasSize(replies);
+    assertThat(words(drone)).doesNotContain("landed");
+    // The root of 2 · 3.8 · 9.81 is 8.6 m/s; drag takes about a seventh of it.
+    assertThat(lastFlight(drone))
+        .matches("crashed into the floor at 7[.][0-9] m/s after a fall of 3[.]8 m; its motors .*");
+    assertThat(drone.ask("takeoff")).isEqualTo("error Motor stop");
+  }
+
+  @Test
+  void emergencyDropsTheDroneWithoutHarm() {
+    SimulatedDrone drone = flying(Behaviour.REPORT, Room.DEFAULT);
+    drone.ask("up 50");
+
+    drone.send("emergency");
+    drone.advance(1);
+
+    assertThat(drone.state().phase()).isEqualTo(FlightPhase.GROUNDED);
+    assertThat(words(drone)).doesNotContain("landed");
+    // The root of 2 · 0.8 · 9.81 is 4.0 m/s; drag takes about a tenth of it.
+    assertThat(lastFlight(drone)).matches("fell 0[.]8 m and hit the floor at 3[.][5-9] m/s");
     assertThat(drone.ask("takeoff")).isEqualTo("ok");
+  }
+
+  @Test
+  void aContactIsToldAtItsBeginningAndAtItsEnd() {
+    SimulatedDrone drone = flying(Behaviour.REPORT, Room.DEFAULT);
+    drone.ask("forward 300");
+    for (int i = 0; i < 4; i++) {
+      drone.advance(10);
+      drone.ask("battery?");
+    }
+    assertThat(words(drone)).filteredOn(line -> line.contains("touch")).hasSize(1);
+
+    drone.ask("back 50");
+
+    assertThat(words(drone))
+        .filteredOn(line -> line.contains("touch"))
+        .satisfiesExactly(
+            line -> assertThat(line).startsWith("touched the front wall at"),
+            line ->
+                assertThat(line)
+                    .matches("does not touch the front wall any more, after 4.[.][0-9] s"));
+  }
+
+  @Test
+  void withTheFlightItsContactsEnd() {
+    SimulatedDrone drone = flying(Behaviour.REPORT, Room.DEFAULT);
+    drone.ask("forward 300");
+
+    drone.ask("land");
+
+    assertThat(words(drone))
+        .filteredOn(line -> line.contains("touch") || line.equals("landed"))
+        .satisfiesExactly(
+            line -> assertThat(line).startsWith("touched the front wall at"),
+            line -> assertThat(line).startsWith("does not touch the front wall any more"),
+            line -> assertThat(line).isEqualTo("landed"));
   }
 
   @Test
@@ -133,14 +229,31 @@ class ObstructedFlightTest {
   }
 
   private static SimulatedDrone flying(Behaviour behaviour, Room room) {
-    SimulatedDrone drone =
-        SimulatedDrone.of(
-            SimConfig.DEFAULT
-                .withProduct(Profile.EDU, behaviour)
-                .withRoom(room, Swarm.row(1, Vec3.ZERO, room)));
+    return flying(
+        SimConfig.DEFAULT
+            .withProduct(Profile.EDU, behaviour)
+            .withRoom(room, Swarm.row(1, Vec3.ZERO, room)));
+  }
+
+  private static SimulatedDrone flying(SimConfig config) {
+    SimulatedDrone drone = SimulatedDrone.of(config);
     assertThat(drone.ask("command")).isEqualTo("ok");
     assertThat(drone.ask("takeoff")).isEqualTo("ok");
     return drone;
+  }
+
+  private static List<String> words(SimulatedDrone drone) {
+    return drone.events().stream().map(SimEvent::words).toList();
+  }
+
+  /** What happened last to the drone itself. */
+  private static String lastFlight(SimulatedDrone drone) {
+    List<String> flight =
+        drone.events().stream()
+            .filter(SimEvent.DroneFlight.class::isInstance)
+            .map(SimEvent::words)
+            .toList();
+    return flight.get(flight.size() - 1);
   }
 
   private static String lastWords(SimulatedDrone drone) {

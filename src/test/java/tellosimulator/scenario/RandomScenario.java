@@ -16,6 +16,7 @@ import tellosimulator.goal.Spot;
 import tellosimulator.math.Attitude;
 import tellosimulator.math.Pose;
 import tellosimulator.math.Vec3;
+import tellosimulator.model.DroneSpec;
 import tellosimulator.profile.Behaviour;
 import tellosimulator.profile.Profile;
 import tellosimulator.scenario.Scenario.Station;
@@ -79,7 +80,8 @@ final class RandomScenario {
             arena,
             drones,
             random.nextBoolean() ? TimeFactor.MAX : new TimeFactor(number(1, 100)),
-            random.nextLong() / 100);
+            random.nextLong() / 100,
+            random.nextBoolean() ? DroneSpec.CRASH_SPEED : cm(0, 2000));
     return new Scenario(
         random.nextBoolean() ? "" : pick(NAMES),
         random.nextBoolean() ? "" : pick(NAMES),

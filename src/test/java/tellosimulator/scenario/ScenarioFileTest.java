@@ -89,6 +89,7 @@ class ScenarioFileTest {
            video-port: 9002}
         - {start: [-200, 100]}
       wind: {towards: 90, speed: 150, gusts: 40}
+      crash-speed: 80
       time-factor: 2.5
       seed: -17
       goals:
@@ -127,6 +128,7 @@ class ScenarioFileTest {
                 0.5, Walls.PLAIN, List.of(new Poster(Surface.LEFT_WALL, -0.2, 1.2, 0.3, picture))));
     assertThat(arena.wind().mean().distanceTo(new Vec3(0, 1.5, 0))).isLessThan(1e-9);
     assertThat(arena.wind().gusts()).isEqualTo(0.4);
+    assertThat(scenario.config().crashSpeed()).isEqualTo(0.8);
     assertThat(arena.pads())
         .containsExactly(
             MissionPad.onFloor(3, new Vec3(1.5, -1.2, 0), Math.PI / 4),
@@ -305,7 +307,7 @@ class ScenarioFileTest {
           room: 5                             | 1:7: expected a room, found "5"
           rom: {width: 500}                   | 1:1: a scenario has no key "rom", did you mean room?
           time_limit: 5                       | 1:1: a scenario has no key "time_limit", did you mean time-limit?
-          zebra: 5                            | 1:1: a scenario has no key "zebra", but only name, teaches, room, grid, walls, posters, obstacles, pads, drones, wind, time-factor, seed, goals, in-order, time-limit, touch
+          zebra: 5                            | 1:1: a scenario has no key "zebra", but only name, teaches, room, grid, walls, posters, obstacles, pads, drones, wind, crash-speed, time-factor, seed, goals, in-order, time-limit, touch
           {name: a, name: b}                  | 1:11: the key name is there twice
           [1, 2]                              | 1:1: expected a scenario, found a list of 2
           just words                          | 1:1: expected a scenario, found "just words"
@@ -344,6 +346,8 @@ class ScenarioFileTest {
           {room: {width: 20000, depth: 20000}, obstacles: [{wall: {from: [-9000, -9000], to: [9000, 9000], height: 5}}]} | 1:84: expected a wall of at most 20000 cm
           posters: [{wall: front, height: 100, width: 30, picture: none.png}] | 1:58: expected the name of an image file, found no file "none.png"
           wind: {speed: 5000}                 | 1:15: expected a speed in cm/s from 0 to 2000, found "5000"
+          crash-speed: -5                     | 1:14: expected a speed in cm/s from 0 to 2000, found "-5"
+          crash_sped: 80                      | 1:1: a scenario has no key "crash_sped", did you mean crash-speed?
           wind: {towards: 400}                | 1:17: expected an angle in degrees from -360 to 360, found "400"
           time-factor: fast                   | 1:14: expected a time factor from 0.01 to 5000, or max, found "fast"
           seed: 1.5                           | 1:7: expected a whole number of at most 18 digits, found "1.5"

@@ -126,6 +126,8 @@ class ScenarioSchemaTest {
         "drones: [{start: [0, 0], address: here}]",
         "drones: [{start: [0, 0], command-port: 0}]",
         "wind: {speed: -1}",
+        "crash-speed: -1",
+        "crash-speed: soft",
         "time-factor: fast",
         "seed: 1.5",
         "goals: [{hover: {at: [0, 0, 30]}}]",

@@ -95,7 +95,7 @@ class LogBoxFxTest {
         new SimEvent.DroneFlight(
             new SimTime(1_500_000_000),
             2,
-            new FlightEvent.Crashed(Surface.CEILING, 2.04, Vec3.ZERO)));
+            new FlightEvent.Crashed(Surface.CEILING, 2.04, 0, Vec3.ZERO)));
 
     ListCell<?> cell = cells().stream().filter(one -> one.getIndex() == 1).findFirst().get();
     assertThat(textOf(cell, ".log-time")).isEqualTo("1.500 s");

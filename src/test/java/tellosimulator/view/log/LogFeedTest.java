@@ -26,7 +26,7 @@ class LogFeedTest {
     feed.event(new SimEvent.DroneFlight(time, 2, new FlightEvent.TookOff()));
     feed.event(
         new SimEvent.DroneFlight(
-            time.next(), 2, new FlightEvent.Crashed(Surface.CEILING, 2, Vec3.ZERO)));
+            time.next(), 2, new FlightEvent.Crashed(Surface.CEILING, 2, 0, Vec3.ZERO)));
 
     List<LogLine> lines = feed.drain();
 
