@@ -13,7 +13,9 @@ import ch.qos.logback.core.spi.ContextAwareBase;
 import ch.qos.logback.core.spi.FilterReply;
 import java.io.FilterOutputStream;
 import java.io.IOException;
+import java.nio.charset.StandardCharsets;
 import org.slf4j.LoggerFactory;
+import tellosimulator.concurrent.StandardError;
 
 /**
  * Sets up the log: to standard error, through a queue, so that a slow console never makes the
@@ -36,7 +38,7 @@ public final class LogSetup extends ContextAwareBase implements Configurator {
     encoder.setLayout(line);
     encoder.start();
 
-    OutputStreamAppender<ILoggingEvent> console = new OutputStreamAppender<>();
+    OutputStreamAppender<ILoggingEvent> console = new Console();
     console.setContext(context);
     console.setOutputStream(new Terminal());
     console.setEncoder(encoder);
@@ -66,6 +68,24 @@ public final class LogSetup extends ContextAwareBase implements Configurator {
   /** Writes what is still waiting. */
   static void flush() {
     ((LoggerContext) LoggerFactory.getILoggerFactory()).stop();
+  }
+
+  /** Loses a line rather than its thread, and with it all further lines, when memory is full. */
+  private static final class Console extends OutputStreamAppender<ILoggingEvent> {
+
+    private final StandardError standardError = new StandardError();
+    private final byte[] lost =
+        ("A line of the log is lost: memory is full" + System.lineSeparator())
+            .getBytes(StandardCharsets.UTF_8);
+
+    @Override
+    protected void append(ILoggingEvent event) {
+      try {
+        super.append(event);
+      } catch (OutOfMemoryError e) {
+        standardError.write(lost);
+      }
+    }
   }
 
   /**

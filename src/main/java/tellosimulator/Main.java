@@ -1,7 +1,6 @@
 package tellosimulator;
 
 import java.io.BufferedReader;
-import java.io.IOException;
 import java.io.InputStreamReader;
 import java.io.PrintStream;
 import java.nio.charset.Charset;
@@ -47,12 +46,18 @@ public final class Main {
 
   /**
    * Ends the process with 0, or 1 if something could not be had, or 2 if options or a scenario are
-   * wrong, or 3 if goals were missed.
+   * wrong, or 3 if goals were missed, or 4 after an error from which nothing goes on.
    */
   public static void main(String[] args) {
     System.setProperty("java.awt.headless", "true"); // posters are read, nothing is drawn
-    int status = run(args, System.out, System.err);
-    LogSetup.flush();
+    FatalExit fatal = FatalExit.install();
+    int status = FatalExit.CODE;
+    try {
+      status = run(args, System.out, System.err);
+      LogSetup.flush();
+    } catch (Throwable failure) {
+      fatal.end(Thread.currentThread(), failure);
+    }
     System.exit(status);
   }
 
@@ -97,16 +102,13 @@ public final class Main {
     } catch (PortTakenException e) {
       err.println(e.getMessage());
       return FAILED;
-    } catch (IOException e) {
-      err.println("Standard input cannot be read any more (" + e.getMessage() + ").");
-      return FAILED;
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
       return FAILED;
     }
   }
 
-  private int simulate() throws IOException, InterruptedException {
+  private int simulate() throws PortTakenException, InterruptedException {
     options.check();
     if (!options.headless()) {
       StrayOutput.intoTheLog();
@@ -143,7 +145,7 @@ public final class Main {
         : new Films(cameras.withOptics(optics), H264Encoder::new);
   }
 
-  private int simulateHeadless() throws IOException, InterruptedException {
+  private int simulateHeadless() throws PortTakenException, InterruptedException {
     Films films = films(options.optics());
     try (HeadlessSimulator simulator =
         new HeadlessSimulator(

@@ -10,7 +10,7 @@ import org.slf4j.LoggerFactory;
 /**
  * Lines that libraries print to standard error instead of logging them: JavaFX prints pages of
  * stack traces about what a machine lacks, the JDK warnings about JavaFX. They go into the log,
- * level debug. What nobody caught is an error there, in one line. Any thread may write.
+ * level debug. Any thread may write.
  */
 final class StrayOutput extends OutputStream {
 
@@ -23,8 +23,6 @@ final class StrayOutput extends OutputStream {
   /** From now on, and after the log has been set up, which keeps the real standard error. */
   static void intoTheLog() {
     System.setErr(new PrintStream(new StrayOutput(), true, StandardCharsets.UTF_8));
-    Thread.setDefaultUncaughtExceptionHandler(
-        (thread, failure) -> LOG.error("Unexpected, please report it", failure));
   }
 
   @Override

@@ -40,6 +40,7 @@ class ArchitectureTest {
       Map.ofEntries(
           Map.entry("math", List.of()),
           Map.entry("words", List.of()),
+          Map.entry("concurrent", List.of()),
           Map.entry("time", List.of()),
           Map.entry("profile", List.of("math")),
           Map.entry("command", List.of("profile", "time", "words")),
@@ -49,7 +50,7 @@ class ArchitectureTest {
           Map.entry("sensor", List.of("model")),
           Map.entry("fault", List.of("model")),
           Map.entry("controller", List.of("command", "physics", "sensor")),
-          Map.entry("sim", List.of("controller", "fault")),
+          Map.entry("sim", List.of("concurrent", "controller", "fault")),
           Map.entry("goal", List.of("sim")),
           Map.entry("network", List.of("sim")),
           Map.entry("scenery", List.of("sim")),
@@ -180,14 +181,14 @@ class ArchitectureTest {
   void threadsAreStartedInOnePlace() {
     noClasses()
         .that()
-        .doNotHaveFullyQualifiedName(ROOT + ".time.Threads")
+        .resideOutsideOfPackage(inside("concurrent"))
         .should()
         .accessTargetWhere(
             target("a thread is started", Thread.class, "start", "startVirtualThread"))
         .check(CLASSES);
     noClasses()
         .that()
-        .doNotHaveFullyQualifiedName(ROOT + ".time.Threads")
+        .resideOutsideOfPackage(inside("concurrent"))
         .and()
         .doNotHaveFullyQualifiedName(ROOT + ".Main")
         .should()
@@ -211,11 +212,11 @@ class ArchitectureTest {
   }
 
   @Test
-  void onlyThePacerAndTheWindowKnowTheWallClockAndSleep() {
+  void onlyWorkersThePacerAndTheWindowKnowTheWallClockAndSleep() {
     DescribedPredicate<JavaClass> others =
         describe(
-            "neither in time nor in view",
-            type -> !Set.of("time", "view").contains(packageBelowRoot(type)));
+            "neither in concurrent nor in time nor in view",
+            type -> !Set.of("concurrent", "time", "view").contains(packageBelowRoot(type)));
     noClasses()
         .that(others)
         .should()

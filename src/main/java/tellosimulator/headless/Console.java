@@ -9,6 +9,8 @@ import java.util.function.IntFunction;
 import java.util.function.Supplier;
 import java.util.regex.Pattern;
 import tellosimulator.command.WireText;
+import tellosimulator.concurrent.Agent;
+import tellosimulator.concurrent.Verdict;
 import tellosimulator.math.Frames;
 import tellosimulator.math.Vec3;
 import tellosimulator.model.DroneState;
@@ -18,8 +20,8 @@ import tellosimulator.sim.SimSnapshot;
 import tellosimulator.sim.SimSnapshot.DroneSnapshot;
 
 /**
- * What a person or a script can type while the program runs without a window. Reads on the thread
- * that calls {@link #run}.
+ * What a person or a script can type while the program runs without a window. For the thread of its
+ * {@link #agent}.
  */
 final class Console {
 
@@ -62,19 +64,41 @@ final class Console {
   /**
    * Reads until {@code quit} or the end of input.
    *
-   * @return whether {@code quit} was typed
+   * @param onQuit what is done on {@code quit}
    */
-  boolean run() throws IOException {
-    for (String line = in.readLine(); line != null; line = in.readLine()) {
-      String typed = line.strip();
-      if (typed.equals("quit")) {
-        return true;
+  Agent agent(Runnable onQuit) {
+    return new Agent() {
+
+      private final Verdict failed = Verdict.goOn("What was typed could not be done");
+      private final Verdict unreadable = Verdict.finish("Standard input cannot be read any more");
+
+      @Override
+      public Outcome doWork() throws IOException {
+        return readLine(onQuit) ? Outcome.WORKED : Outcome.FINISHED;
       }
-      if (!typed.isEmpty()) {
-        take(typed);
+
+      @Override
+      public Verdict onError(Throwable failure) {
+        return failure instanceof IOException ? unreadable : failed;
       }
+    };
+  }
+
+  /** Returns whether there may be more. */
+  private boolean readLine(Runnable onQuit) throws IOException {
+    String line = in.readLine();
+    if (line == null) {
+      return false;
     }
-    return false;
+    String typed = line.strip();
+    if (typed.equals("quit")) {
+      onQuit.run();
+      return false;
+    }
+    if (!typed.isEmpty()) {
+      take(typed);
+    }
+    return true;
   }
 
   private void take(String line) {

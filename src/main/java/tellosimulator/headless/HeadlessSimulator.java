@@ -1,13 +1,11 @@
 package tellosimulator.headless;
 
 import java.io.BufferedReader;
-import java.io.IOException;
 import java.io.PrintStream;
 import java.util.List;
 import java.util.OptionalInt;
 import java.util.concurrent.CountDownLatch;
-import org.slf4j.Logger;
-import org.slf4j.LoggerFactory;
+import tellosimulator.concurrent.Worker;
 import tellosimulator.goal.GoalWatch;
 import tellosimulator.goal.Progress;
 import tellosimulator.network.AddressPlan;
@@ -15,14 +13,11 @@ import tellosimulator.network.OnlineSimulation;
 import tellosimulator.network.PortTakenException;
 import tellosimulator.scenario.Scenario;
 import tellosimulator.sim.SimSnapshot;
-import tellosimulator.time.Threads;
 import tellosimulator.video.Films;
 import tellosimulator.video.VideoStreams;
 
 /** The program without a window: drones that are on, a console, and a line when it is ready. */
 public final class HeadlessSimulator implements AutoCloseable {
-
-  private static final Logger LOG = LoggerFactory.getLogger(HeadlessSimulator.class);
 
   private final Ending ending;
   private final OnlineSimulation simulation;
@@ -59,10 +54,10 @@ public final class HeadlessSimulator implements AutoCloseable {
   }
 
   /** Takes what is typed; returns after {@code quit}, and never if the input ends without it. */
-  public void run(BufferedReader in, PrintStream out) throws IOException, InterruptedException {
-    if (!new Console(simulation::snapshot, simulation::carryOut, in, out).run()) {
-      new CountDownLatch(1).await();
-    }
+  public void run(BufferedReader in, PrintStream out) throws InterruptedException {
+    CountDownLatch quit = new CountDownLatch(1);
+    startConsole(in, out, quit::countDown);
+    quit.await();
   }
 
   /**
@@ -74,7 +69,7 @@ public final class HeadlessSimulator implements AutoCloseable {
    */
   public Progress.Status runUntilDone(BufferedReader in, PrintStream out)
       throws InterruptedException {
-    Threads.start("console", () -> readUntilQuit(in, out));
+    startConsole(in, out, ending::now);
     Progress result = ending.awaitResult(this::passesWhileSomethingMoves);
     out.println(result.phrase());
     out.flush();
@@ -87,14 +82,9 @@ public final class HeadlessSimulator implements AutoCloseable {
     return clock.factor().unlimited() && !clock.paused();
   }
 
-  private void readUntilQuit(BufferedReader in, PrintStream out) {
-    try {
-      if (new Console(simulation::snapshot, simulation::carryOut, in, out).run()) {
-        ending.now();
-      }
-    } catch (IOException e) {
-      LOG.warn("Standard input cannot be read any more ({}).", e.getMessage());
-    }
+  private void startConsole(BufferedReader in, PrintStream out, Runnable onQuit) {
+    Worker.start(
+        "console", new Console(simulation::snapshot, simulation::carryOut, in, out).agent(onQuit));
   }
 
   /** A recent state of everything; for any thread. */

@@ -5,8 +5,11 @@ import java.nio.channels.ClosedChannelException;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 import tellosimulator.command.Peer;
+import tellosimulator.concurrent.Agent;
+import tellosimulator.concurrent.Exceptions;
+import tellosimulator.concurrent.Verdict;
+import tellosimulator.concurrent.Worker;
 import tellosimulator.sim.Simulation;
-import tellosimulator.time.Threads;
 
 /**
  * Receives the commands that come to one port of a drone, on a thread of its own, and hands them to
@@ -38,23 +41,36 @@ final class CommandConnection {
   /**
    * Starts receiving, and counts what comes.
    *
-   * @return the thread, which ends soon after its port was closed, and frees it then
+   * @return the worker, which ends soon after its port was closed, and frees it then
    */
-  Thread listen(Traffic traffic) {
-    return Threads.start("command-" + drone, () -> run(traffic));
+  Worker listen(Traffic traffic) {
+    return Worker.start("command-" + drone, new Receiver(traffic));
   }
 
-  private void run(Traffic traffic) {
-    boolean open = true;
-    while (open) {
+  private final class Receiver implements Agent {
+
+    private final String failed = "Receiving on " + port.address() + " failed";
+    private final Verdict once = Verdict.goOn(failed);
+    private final Verdict fatal = Verdict.retry(failed);
+    private final Traffic traffic;
+
+    Receiver(Traffic traffic) {
+      this.traffic = traffic;
+    }
+
+    @Override
+    public Outcome doWork() throws IOException {
       try {
         receive(traffic);
+        return Outcome.WORKED;
       } catch (ClosedChannelException e) {
-        open = false;
-      } catch (IOException | RuntimeException e) {
-        LOG.warn("Receiving on {} failed once: {}", port.address(), e.toString());
-        Threads.backOff();
+        return Outcome.FINISHED;
       }
+    }
+
+    @Override
+    public Verdict onError(Throwable failure) {
+      return Exceptions.isFatal(failure) ? fatal : once;
     }
   }
 

@@ -8,9 +8,9 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalInt;
 import tellosimulator.command.ReplyPort;
+import tellosimulator.concurrent.Worker;
 import tellosimulator.sim.Simulation;
 import tellosimulator.sim.StatePort;
-import tellosimulator.time.Threads;
 
 /**
  * The sockets of all drones, opened and closed drone by drone, and connected with a simulation. For
@@ -20,7 +20,7 @@ public final class DroneNetwork implements AutoCloseable {
 
   private final List<DroneSockets> drones;
   private final Ports ports = new Ports();
-  private final Map<Integer, List<Thread>> receivers = new HashMap<>();
+  private final Map<Integer, List<Worker>> receivers = new HashMap<>();
   private Optional<Simulation> simulation = Optional.empty();
 
   private DroneNetwork(AddressPlan plan) {
@@ -86,9 +86,7 @@ public final class DroneNetwork implements AutoCloseable {
   /** Closes a drone's sockets, if they are open; its ports are free when this returns. */
   public synchronized void close(int drone) {
     ports.close(sockets(drone).release());
-    for (Thread receiver : receivers.getOrDefault(drone, List.of())) {
-      Threads.join(receiver);
-    }
+    receivers.getOrDefault(drone, List.of()).forEach(Worker::close);
     receivers.remove(drone);
   }
 
@@ -126,12 +124,12 @@ public final class DroneNetwork implements AutoCloseable {
   private void receive(int drone) {
     simulation.ifPresent(
         receiver -> {
-          List<Thread> threads = new ArrayList<>();
+          List<Worker> workers = new ArrayList<>();
           for (UdpPort port : sockets(drone).ports()) {
             CommandConnection connection = new CommandConnection(drone, port, ports, receiver);
-            threads.add(connection.listen(traffic(drone)));
+            workers.add(connection.listen(traffic(drone)));
           }
-          receivers.put(drone, threads);
+          receivers.put(drone, workers);
         });
   }
 

@@ -12,6 +12,7 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 import tellosimulator.command.Peer;
 import tellosimulator.command.ReplyPort;
+import tellosimulator.concurrent.Exceptions;
 import tellosimulator.math.Vec3;
 import tellosimulator.sim.Drone.Neighbourhood;
 import tellosimulator.sim.SimSnapshot.Clock;
@@ -221,7 +222,8 @@ public final class Simulation {
   private static void guarded(String failure, Runnable work) {
     try {
       work.run();
-    } catch (RuntimeException e) {
+    } catch (Throwable e) { // a stack that overflowed, too, concerns this work alone
+      Exceptions.throwIfFatal(e);
       log().error("{}; please report this: {}", failure, e.toString(), e);
     }
   }

@@ -1,17 +1,16 @@
 package tellosimulator.sim;
 
-import java.util.ArrayList;
-import java.util.List;
 import java.util.Queue;
 import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
-import java.util.concurrent.locks.LockSupport;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
+import tellosimulator.concurrent.Agent;
+import tellosimulator.concurrent.Verdict;
+import tellosimulator.concurrent.Worker;
 import tellosimulator.sim.SimSnapshot.Clock;
 import tellosimulator.time.Pacer;
-import tellosimulator.time.Threads;
 
 /** Runs a simulation on a thread of its own, at the pace of its clock. */
 public final class SimulationLoop implements AutoCloseable {
@@ -23,51 +22,64 @@ public final class SimulationLoop implements AutoCloseable {
 
   private final Simulation simulation;
   private final Pacer pacer;
-  private final Thread thread;
   private final Queue<CountDownLatch> waiting = new ConcurrentLinkedQueue<>();
-  private volatile boolean closed;
+  private final Worker worker;
 
   /** Starts at once. */
   public SimulationLoop(Simulation simulation) {
     this.simulation = simulation;
     this.pacer = new Pacer(simulation.clock().factor());
-    this.thread = Threads.start("sim", this::run);
-    simulation.onSubmit(() -> LockSupport.unpark(thread));
+    this.worker = Worker.start("sim", new Turns());
+    simulation.onSubmit(worker::wake);
+    worker.wake(); // for what was submitted in between
   }
 
-  private void run() {
-    while (!closed) {
-      try {
-        turn();
-      } catch (RuntimeException e) {
-        LOG.error("A step failed; please report this: {}", e.toString(), e);
-        Threads.backOff();
-      }
+  /** Steps when it is time to, and takes what has arrived whenever it is woken. */
+  private final class Turns implements Agent {
+
+    private final Verdict failed = Verdict.retry("A step of the simulation failed");
+
+    @Override
+    public Outcome doWork() {
+      return turn() ? Outcome.WORKED : Outcome.IDLE;
+    }
+
+    @Override
+    public void idle() {
+      pacer.await();
+    }
+
+    @Override
+    public Verdict onError(Throwable failure) {
+      return failed;
+    }
+
+    @Override
+    public void onClose() {
+      serve(waiting.size());
     }
   }
 
-  private void turn() {
-    List<CountDownLatch> served = takeWaiting();
+  private boolean turn() {
+    int served = waiting.size(); // their controls lie in the inbox by now
     try {
       simulation.drain();
     } finally {
-      served.forEach(CountDownLatch::countDown);
+      serve(served);
     }
     adopt(simulation.clock());
     if (pacer.stepDue(simulation::busy)) {
       simulation.step();
-    } else if (!simulation.pending()) {
-      pacer.await();
+      return true;
     }
+    return simulation.pending();
   }
 
-  /** Those whose control lies in the inbox by now. */
-  private List<CountDownLatch> takeWaiting() {
-    List<CountDownLatch> served = new ArrayList<>();
-    for (CountDownLatch latch = waiting.poll(); latch != null; latch = waiting.poll()) {
-      served.add(latch);
+  /** Makes nothing new: nobody may be forgotten where there is no memory left. */
+  private void serve(int count) {
+    for (int i = 0; i < count; i++) {
+      waiting.remove().countDown();
     }
-    return served;
   }
 
   private void adopt(Clock clock) {
@@ -81,29 +93,31 @@ public final class SimulationLoop implements AutoCloseable {
 
   /**
    * Hands over what a person does, and waits until the snapshot shows it. For any thread but that
-   * of the simulation.
+   * of the simulation. Does not wait for a simulation that was closed.
    *
    * @throws IllegalArgumentException if there is no such drone
+   * @throws IllegalStateException if the simulation has ended because of an error
    */
   public void carryOut(Control control) {
     simulation.control(control);
     CountDownLatch taken = new CountDownLatch(1);
     waiting.add(taken);
-    LockSupport.unpark(thread);
+    worker.wake();
     try {
-      while (!closed && !taken.await(PATIENCE_MS, TimeUnit.MILLISECONDS)) {
+      while (!taken.await(PATIENCE_MS, TimeUnit.MILLISECONDS) && !worker.hasEnded()) {
         LOG.debug("{} waits for the simulation", control);
       }
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
+    }
+    if (worker.failure().isPresent()) {
+      throw new IllegalStateException("the simulation has ended because of an error");
     }
   }
 
   /** Stops the thread and waits until it has ended. */
   @Override
   public void close() {
-    closed = true;
-    LockSupport.unpark(thread);
-    Threads.join(thread);
+    worker.close();
   }
 }

@@ -7,18 +7,22 @@ import java.util.function.Supplier;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 import tellosimulator.command.Link;
+import tellosimulator.concurrent.Agent;
+import tellosimulator.concurrent.Exceptions;
+import tellosimulator.concurrent.Verdict;
+import tellosimulator.concurrent.Worker;
 import tellosimulator.model.FlightPhase;
 import tellosimulator.model.VideoSettings;
 import tellosimulator.sim.SimSnapshot;
 import tellosimulator.sim.SimSnapshot.DroneSnapshot;
 import tellosimulator.time.Metronome;
-import tellosimulator.time.Threads;
 import tellosimulator.video.codec.EncodedPicture;
 import tellosimulator.video.picture.Picture;
 
 /**
  * One drone's video: a thread that takes the newest snapshot at each tick, films it, encodes it and
- * sends it; nothing is ever queued. It rests while nobody wants pictures.
+ * sends it; nothing is ever queued. It rests while nobody wants pictures, and after memory was not
+ * enough for one, until somebody asks anew.
  *
  * <p>{@link #watch}, {@link #ignore} and {@link #wake} are for any thread.
  */
@@ -48,9 +52,10 @@ public final class VideoStream implements AutoCloseable {
   private final VideoConnection connection = new VideoConnection(metronome);
   private final VideoMeter meter = new VideoMeter();
   private final List<VideoWatcher> watchers = new CopyOnWriteArrayList<>();
-  private final Thread thread;
-  private volatile boolean closed;
-  private boolean failing;
+  private final Worker worker;
+  private volatile boolean starved;
+  private int starvedAt;
+  private int start;
   private Wish last = Wish.NOTHING;
   private Optional<Film> begun = Optional.empty();
 
@@ -72,12 +77,13 @@ public final class VideoStream implements AutoCloseable {
     this.drone = drone;
     this.snapshots = snapshots;
     this.films = films;
-    this.thread = Threads.start("video-" + drone, this::run);
+    this.worker = Worker.start("video-" + drone, new Filming());
   }
 
   /** Shows a watcher all pictures from now on. */
   public void watch(VideoWatcher watcher) {
     watchers.add(watcher);
+    starved = false;
     wake();
   }
 
@@ -92,31 +98,48 @@ public final class VideoStream implements AutoCloseable {
     metronome.wake();
   }
 
-  private void run() {
-    while (!closed) {
-      try {
-        turn();
-        failing = false;
-      } catch (RuntimeException e) {
-        if (!failing) {
-          LOG.error("A picture could not be made; please report this: {}", e.toString(), e);
-        }
-        failing = true;
-        last = Wish.NOTHING;
-        Threads.backOff();
-      }
+  private final class Filming implements Agent {
+
+    private final Verdict failed = Verdict.goOn("A picture of drone " + drone + " failed");
+    private final Verdict resting =
+        Verdict.goOn("The video of drone " + drone + " rests until the next streamon");
+
+    @Override
+    public Outcome doWork() {
+      return turn() ? Outcome.WORKED : Outcome.IDLE;
     }
-    connection.close();
+
+    @Override
+    public void idle() {
+      metronome.rest();
+    }
+
+    @Override
+    public Verdict onError(Throwable failure) {
+      last = Wish.NOTHING;
+      if (!Exceptions.isFatal(failure)) {
+        return failed;
+      }
+      begun = Optional.empty(); // the largest part of the memory that a stream takes
+      starvedAt = start;
+      starved = true;
+      return resting;
+    }
+
+    @Override
+    public void onClose() {
+      connection.close();
+    }
   }
 
-  private void turn() {
+  private boolean turn() {
     DroneSnapshot now = drone(snapshots.get());
     Wish wish = wish(now);
-    if (!wish.seen) {
+    start = wish.start;
+    if (!wish.seen || resting(now)) {
       last = wish;
       connection.close();
-      metronome.rest();
-      return;
+      return false;
     }
     if ((wish.encoded && !last.encoded) || wish.start != last.start) {
       meter.restart();
@@ -127,6 +150,14 @@ public final class VideoStream implements AutoCloseable {
       SimSnapshot newest = snapshots.get();
       picture(newest, wish(drone(newest)), VideoFormat.of(drone(newest).state().video()));
     }
+    return true;
+  }
+
+  private boolean resting(DroneSnapshot now) {
+    if (start != starvedAt || now.state().phase() == FlightPhase.OFF) {
+      starved = false;
+    }
+    return starved;
   }
 
   private void picture(SimSnapshot snapshot, Wish wish, VideoFormat format) {
@@ -161,7 +192,8 @@ public final class VideoStream implements AutoCloseable {
   private void tell(VideoWatcher watcher, FilmedPicture filmed) {
     try {
       watcher.filmed(filmed);
-    } catch (RuntimeException e) {
+    } catch (Throwable e) { // whatever it is, the stream shall not suffer
+      Exceptions.throwIfFatal(e);
       watchers.remove(watcher);
       LOG.error("Who looks at the video failed; please report this: {}", e.toString(), e);
     }
@@ -187,7 +219,7 @@ public final class VideoStream implements AutoCloseable {
 
   /** Ends the thread soon. */
   void end() {
-    closed = true;
+    worker.end();
     metronome.wake();
   }
 
@@ -195,6 +227,6 @@ public final class VideoStream implements AutoCloseable {
   @Override
   public void close() {
     end();
-    Threads.join(thread);
+    worker.close();
   }
 }

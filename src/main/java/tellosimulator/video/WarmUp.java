@@ -5,9 +5,9 @@ import java.util.Optional;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Supplier;
-import org.slf4j.Logger;
-import org.slf4j.LoggerFactory;
 import tellosimulator.command.Link;
+import tellosimulator.concurrent.Verdict;
+import tellosimulator.concurrent.Worker;
 import tellosimulator.math.Attitude;
 import tellosimulator.math.Pose;
 import tellosimulator.math.Vec3;
@@ -21,7 +21,6 @@ import tellosimulator.sim.SimSnapshot;
 import tellosimulator.sim.SimSnapshot.Clock;
 import tellosimulator.sim.SimSnapshot.DroneSnapshot;
 import tellosimulator.time.SimTime;
-import tellosimulator.time.Threads;
 
 /**
  * Films and encodes pictures before anybody asks for them, on a thread of its own, so that the Java
@@ -31,6 +30,7 @@ import tellosimulator.time.Threads;
 public final class WarmUp implements AutoCloseable {
 
   private static final String NAME = "video-warm-up";
+  private static final Verdict FAILED = Verdict.finish("The first pictures could not be made");
   private static final VideoFormat FORMAT = VideoFormat.of(VideoSettings.DEFAULT);
 
   /** How many pictures. Measured: after these a picture takes hardly longer than after many. */
@@ -64,7 +64,7 @@ public final class WarmUp implements AutoCloseable {
    * starts; no simulation has to be there yet. It also paints that room and loads all code.
    */
   public void beginEarly() {
-    Threads.start(NAME, () -> guarded(() -> films.prepareEarly(beforeTheStart())));
+    Worker.once(NAME, FAILED, () -> films.prepareEarly(beforeTheStart()));
   }
 
   /**
@@ -74,7 +74,11 @@ public final class WarmUp implements AutoCloseable {
    * @param itsFilms of this simulation
    */
   public static void finishEarly(Films itsFilms, SimSnapshot snapshot) {
-    guarded(() -> itsFilms.prepare(snapshot));
+    try {
+      itsFilms.prepare(snapshot);
+    } catch (RuntimeException | Error e) { // it can be made later
+      FAILED.tell(e);
+    }
   }
 
   /**
@@ -83,11 +87,12 @@ public final class WarmUp implements AutoCloseable {
    * @param snapshots the newest one
    */
   public void begin(Supplier<SimSnapshot> snapshots) {
-    Threads.start(
+    Worker.once(
         NAME,
+        FAILED,
         () -> {
           if (!closedWithin(REST_MS)) {
-            guarded(() -> film(films.fresh(1), snapshots));
+            film(films.fresh(1), snapshots);
           }
         });
   }
@@ -115,14 +120,6 @@ public final class WarmUp implements AutoCloseable {
       }
       film.shoot(i == 0 ? snapshot : turned(snapshot, i * TURN), FORMAT);
       film.encode(i * FORMAT.period(), i % 4 == 0);
-    }
-  }
-
-  private static void guarded(Runnable filming) {
-    try {
-      filming.run();
-    } catch (RuntimeException e) {
-      log().error("The first pictures could not be made; please report this: {}", e.toString(), e);
     }
   }
 
@@ -154,10 +151,5 @@ public final class WarmUp implements AutoCloseable {
     Vec3 above = drone.start().position().withZ(1);
     Motion motion = Motion.restingAt(new Pose(above, Attitude.ofHeading(angle)));
     return snapshot.withDrones(List.of(drone.withState(drone.state().withMotion(motion))));
-  }
-
-  /** Not a constant: logging takes long to start, and the first picture does not wait for it. */
-  private static Logger log() {
-    return LoggerFactory.getLogger(WarmUp.class);
   }
 }

@@ -4,7 +4,7 @@ import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
-import tellosimulator.time.Threads;
+import java.util.concurrent.locks.LockSupport;
 
 /** What somebody sees who has the window open, and what an operator program sees then. */
 final class WindowBenchmark {
@@ -73,7 +73,7 @@ final class WindowBenchmark {
       while (System.nanoTime() < end) {
         operator.expect("forward 5", "out of range");
         for (int i = 0; i < PAUSES; i++) {
-          Threads.backOff();
+          LockSupport.parkNanos(10_000_000);
         }
       }
       List<Double> rates = simulator.frameRates();
@@ -103,7 +103,7 @@ final class WindowBenchmark {
       }
       long end = System.nanoTime() + FLIGHT_SECONDS * 1_000_000_000L;
       while (System.nanoTime() < end) {
-        Threads.backOff();
+        LockSupport.parkNanos(10_000_000);
       }
       List<Double> rates = simulator.frameRates();
       double median = new Statistics(rates.subList(WARM_UP_PERIODS, rates.size())).median();

@@ -4,14 +4,15 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.BufferedReader;
 import java.io.ByteArrayOutputStream;
-import java.io.IOException;
 import java.io.PrintStream;
 import java.io.StringReader;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
+import java.util.concurrent.atomic.AtomicBoolean;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import tellosimulator.concurrent.Agent;
 import tellosimulator.math.Vec3;
 import tellosimulator.model.DroneState;
 import tellosimulator.sim.Control;
@@ -34,7 +35,7 @@ class ConsoleTest {
   private final ByteArrayOutputStream printed = new ByteArrayOutputStream();
 
   @Test
-  void quitEndsItAndTheEndOfInputIsSomethingElse() throws IOException {
+  void quitEndsItAndTheEndOfInputIsSomethingElse() throws Exception {
     assertThat(type("state", "quit", "foo")).isTrue();
     assertThat(type("state")).isFalse();
     assertThat(type()).isFalse();
@@ -42,7 +43,7 @@ class ConsoleTest {
   }
 
   @Test
-  void stateDescribesEachDrone() throws IOException {
+  void stateDescribesEachDrone() throws Exception {
     type("power on 1");
     type("  state  ", "");
 
@@ -55,7 +56,7 @@ class ConsoleTest {
   }
 
   @Test
-  void powerSwitchesOneDroneOrAll() throws IOException {
+  void powerSwitchesOneDroneOrAll() throws Exception {
     type("power on");
     type("power off 2", "state");
 
@@ -67,7 +68,7 @@ class ConsoleTest {
   }
 
   @Test
-  void batteryIsSetForOneDroneOrAll() throws IOException {
+  void batteryIsSetForOneDroneOrAll() throws Exception {
     type("battery 40");
     assertThat(percents()).containsExactly(40, 40);
 
@@ -77,7 +78,7 @@ class ConsoleTest {
   }
 
   @Test
-  void resetPutsADroneBackToItsStart() throws IOException {
+  void resetPutsADroneBackToItsStart() throws Exception {
     Vec3 elsewhere = new Vec3(1, 1, 0);
     simulation.control(new Control.SetStart(1, elsewhere));
     type("reset 1", "reset");
@@ -87,7 +88,7 @@ class ConsoleTest {
   }
 
   @Test
-  void pauseLetsTimeStandStillUntilResume() throws IOException {
+  void pauseLetsTimeStandStillUntilResume() throws Exception {
     type("pause");
     assertThat(simulation.snapshot().clock().paused()).isTrue();
 
@@ -99,7 +100,7 @@ class ConsoleTest {
   }
 
   @Test
-  void helpListsTheCommands() throws IOException {
+  void helpListsTheCommands() throws Exception {
     type("help");
 
     assertThat(printed().lines())
@@ -134,7 +135,7 @@ class ConsoleTest {
           battery 100.5  | battery is 100.5 %, but must be from 0 to 100
           battery -1     | battery is -1.0 %, but must be from 0 to 100
           """)
-  void whatCannotBeDoneIsExplainedAndChangesNothing(String line, String reason) throws IOException {
+  void whatCannotBeDoneIsExplainedAndChangesNothing(String line, String reason) throws Exception {
     assertThat(type(line)).isFalse();
 
     assertThat(printed()).isEqualTo("`" + line + "` was not done: " + reason + "; " + HELP + ".\n");
@@ -142,11 +143,19 @@ class ConsoleTest {
     assertThat(simulation.snapshot().clock().paused()).isFalse();
   }
 
-  private boolean type(String... lines) throws IOException {
+  private boolean type(String... lines) throws Exception {
     String input = String.join("\n", lines);
     PrintStream out = new PrintStream(printed, true, StandardCharsets.UTF_8);
     BufferedReader in = new BufferedReader(new StringReader(input));
-    return new Console(simulation::snapshot, this::carryOut, in, out).run();
+    AtomicBoolean quit = new AtomicBoolean();
+    Agent console =
+        new Console(simulation::snapshot, this::carryOut, in, out).agent(() -> quit.set(true));
+    Agent.Outcome outcome = Agent.Outcome.WORKED;
+    while (outcome == Agent.Outcome.WORKED) {
+      outcome = console.doWork();
+    }
+    assertThat(outcome).isEqualTo(Agent.Outcome.FINISHED);
+    return quit.get();
   }
 
   private void carryOut(Control control) {

@@ -47,7 +47,7 @@ class MetronomeTest {
     long hour = TimeUnit.HOURS.toNanos(1);
     metronome.restart();
     metronome.awaitTick(hour);
-    Threads.start("waker", metronome::wake);
+    new Thread(metronome::wake, "waker").start();
 
     assertThat(metronome.awaitTick(hour)).isFalse();
   }
@@ -64,7 +64,7 @@ class MetronomeTest {
   @Test
   void wakingDoesNotShortenAPause() {
     long begun = metronome.nanos();
-    Threads.start("waker", metronome::wake);
+    new Thread(metronome::wake, "waker").start();
     metronome.pauseUntil(begun + 10 * PERIOD);
 
     assertThat(metronome.nanos() - begun).isGreaterThanOrEqualTo(10 * PERIOD);

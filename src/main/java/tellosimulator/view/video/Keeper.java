@@ -15,7 +15,8 @@ import javafx.beans.property.ReadOnlyBooleanProperty;
 import javafx.beans.property.ReadOnlyBooleanWrapper;
 import javafx.beans.property.ReadOnlyIntegerProperty;
 import javafx.beans.property.ReadOnlyIntegerWrapper;
-import tellosimulator.time.Threads;
+import tellosimulator.concurrent.Verdict;
+import tellosimulator.concurrent.Worker;
 import tellosimulator.video.Recording;
 import tellosimulator.video.VideoStream;
 import tellosimulator.video.picture.Picture;
@@ -27,6 +28,7 @@ import tellosimulator.words.Phrase;
  */
 public final class Keeper implements AutoCloseable {
 
+  private static final Verdict UNSAVED = Verdict.finish("A picture could not be saved");
   private static final double NANOS_PER_SECOND = 1e9;
 
   private final Source source;
@@ -34,7 +36,7 @@ public final class Keeper implements AutoCloseable {
   private final Consumer<VideoReport> reports;
   private final ReadOnlyBooleanWrapper recording = new ReadOnlyBooleanWrapper(this, "recording");
   private final ReadOnlyIntegerWrapper seconds = new ReadOnlyIntegerWrapper(this, "seconds");
-  private final Set<Thread> writing = ConcurrentHashMap.newKeySet();
+  private final Set<Worker> writing = ConcurrentHashMap.newKeySet();
   private volatile Optional<Recording> film = Optional.empty();
   private long begunNanos;
 
@@ -71,8 +73,8 @@ public final class Keeper implements AutoCloseable {
     Still.take(
         source.stream,
         picture -> {
-          Thread writer = Threads.start("still", () -> save(picture, moment));
-          writing.removeIf(thread -> !thread.isAlive());
+          Worker writer = Worker.once("still", UNSAVED, () -> save(picture, moment));
+          writing.removeIf(Worker::hasEnded);
           writing.add(writer);
         });
   }
@@ -134,7 +136,7 @@ public final class Keeper implements AutoCloseable {
   @Override
   public void close() {
     closeFilm();
-    writing.forEach(Threads::join);
+    writing.forEach(Worker::close);
   }
 
   private synchronized void closeFilm() {

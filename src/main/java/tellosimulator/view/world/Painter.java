@@ -5,14 +5,14 @@ import java.util.List;
 import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.concurrent.atomic.AtomicReference;
-import org.slf4j.Logger;
-import org.slf4j.LoggerFactory;
+import tellosimulator.concurrent.Agent;
+import tellosimulator.concurrent.Verdict;
+import tellosimulator.concurrent.Worker;
 import tellosimulator.scenery.Placed;
 import tellosimulator.scenery.Scene;
 import tellosimulator.scenery.Stage;
 import tellosimulator.sim.SimSnapshot;
 import tellosimulator.time.Metronome;
-import tellosimulator.time.Threads;
 import tellosimulator.video.camera.ColorSpace;
 import tellosimulator.video.camera.Lens;
 import tellosimulator.video.camera.Props;
@@ -26,7 +26,8 @@ import tellosimulator.video.camera.Viewpoint;
  */
 final class Painter implements AutoCloseable {
 
-  private static final Logger LOG = LoggerFactory.getLogger(Painter.class);
+  private static final Raster NOTHING = Raster.forScreen(0, 0);
+  private static final int[] NO_PIXELS = {};
 
   /**
    * What is to be drawn.
@@ -74,15 +75,14 @@ final class Painter implements AutoCloseable {
       new AtomicReference<>(Optional.empty());
   private volatile boolean busy;
   private volatile boolean settled;
-  private volatile boolean closed;
-  private boolean failing;
+  private final Worker worker;
   private Optional<Sight> last = Optional.empty();
-  private Raster raster = Raster.forScreen(0, 0);
-  private int[] argb = new int[0];
+  private Raster raster = NOTHING;
+  private int[] argb = NO_PIXELS;
 
   Painter(Stage stage) {
     this.stage = stage;
-    Threads.start("window-painter", this::run);
+    worker = Worker.start("window-painter", new Painting());
   }
 
   /** Whether it draws, or has drawn what nobody has taken yet. */
@@ -112,24 +112,34 @@ final class Painter implements AutoCloseable {
     return taken;
   }
 
-  private void run() {
-    while (!closed) {
-      wanted.getAndSet(Optional.empty()).ifPresentOrElse(this::attempt, metronome::rest);
+  private final class Painting implements Agent {
+
+    private final Verdict failed = Verdict.goOn("The room could not be drawn");
+
+    @Override
+    public Outcome doWork() {
+      Optional<View> view = wanted.getAndSet(Optional.empty());
+      view.ifPresent(Painter.this::attempt);
+      return view.isPresent() ? Outcome.WORKED : Outcome.IDLE;
+    }
+
+    @Override
+    public void idle() {
+      metronome.rest();
+    }
+
+    @Override
+    public Verdict onError(Throwable failure) {
+      raster = NOTHING; // the memory that it takes may be what is missing
+      argb = NO_PIXELS;
+      last = Optional.empty();
+      busy = false;
+      return failed;
     }
   }
 
   private void attempt(View view) {
-    Optional<Painted> now = Optional.empty();
-    try {
-      now = drawn(view);
-      failing = false;
-    } catch (RuntimeException e) {
-      if (!failing) {
-        LOG.error("The room could not be drawn; please report this: {}", e.toString(), e);
-      }
-      failing = true;
-      Threads.backOff();
-    }
+    Optional<Painted> now = drawn(view);
     if (now.isPresent()) {
       painted.set(now); // from here on, who takes it says when this is no longer busy
     } else {
@@ -169,7 +179,7 @@ final class Painter implements AutoCloseable {
   /** Ends the thread after what it draws just now. */
   @Override
   public void close() {
-    closed = true;
+    worker.end();
     metronome.wake();
   }
 }

@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.OptionalInt;
 import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.locks.LockSupport;
 import java.util.function.BooleanSupplier;
 import tellosimulator.model.FlightPhase;
 import tellosimulator.network.AddressPlan;
@@ -17,7 +18,6 @@ import tellosimulator.sim.SimConfig;
 import tellosimulator.sim.SimConfig.Outlets;
 import tellosimulator.sim.SimEvent;
 import tellosimulator.sim.SimListener;
-import tellosimulator.time.Threads;
 import tellosimulator.video.camera.DroneOptics;
 import tellosimulator.view.ViewContext;
 import tellosimulator.view.text.Language;
@@ -81,7 +81,7 @@ public final class FlownWindow implements AutoCloseable {
     while (!reached.getAsBoolean()) {
       assertThat(System.nanoTime()).as("reached before the end of patience").isLessThan(end);
       beat();
-      Threads.backOff();
+      LockSupport.parkNanos(10_000_000);
     }
   }
 

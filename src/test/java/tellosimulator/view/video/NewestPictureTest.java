@@ -5,7 +5,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.Arrays;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
-import tellosimulator.time.Threads;
 import tellosimulator.video.FilmedPicture;
 import tellosimulator.video.VideoFigures;
 import tellosimulator.video.picture.Picture;
@@ -50,13 +49,14 @@ class NewestPictureTest {
   @Test
   void noPictureIsEverHalfOfOneAndHalfOfAnother() {
     Thread writer =
-        Threads.start(
-            "writer",
+        new Thread(
             () -> {
               for (int i = 0; i < 20_000; i++) {
                 newest.filmed(filmed(64, i));
               }
-            });
+            },
+            "writer");
+    writer.start();
     int taken = 0;
     while (writer.isAlive() || taken == 0) {
       Optional<NewestPicture.Kept> now = newest.take();

@@ -10,7 +10,6 @@ import org.junit.jupiter.api.Test;
 import tellosimulator.sim.SimConfig;
 import tellosimulator.sim.SimSnapshot;
 import tellosimulator.sim.Simulation;
-import tellosimulator.time.Threads;
 import tellosimulator.video.camera.Shot;
 import tellosimulator.video.picture.Picture;
 
@@ -156,11 +155,11 @@ class SceneSnapshotSourceTest {
   /** What is filmed while this thread serves as that of JavaFX does. */
   private byte filmedWhileServing(Shot shot) {
     Picture picture = new Picture(4, 4);
-    Thread film = Threads.start("film", () -> source.film(snapshot, shot, picture));
+    Thread film = new Thread(() -> source.film(snapshot, shot, picture), "film");
+    film.start();
     while (film.isAlive()) {
       desk.serve(this::photograph);
     }
-    Threads.join(film);
     return picture.y()[5];
   }
 }

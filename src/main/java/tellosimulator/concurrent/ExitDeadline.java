@@ -1,0 +1,43 @@
+package tellosimulator.concurrent;
+
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.locks.LockSupport;
+
+/**
+ * Ends the process where ending it in order takes too long, as when a terminal takes no more text.
+ * Needs no memory once it is made. For any thread.
+ */
+public final class ExitDeadline {
+
+  private final CountDownLatch begun = new CountDownLatch(1);
+
+  /**
+   * Waits for {@link #begin}.
+   *
+   * @param code the exit code
+   * @param nanos how long the end may take [ns]
+   */
+  public ExitDeadline(int code, long nanos) {
+    Worker.once(
+        "exit-deadline", Verdict.finish("The end in time is not sure"), () -> await(code, nanos));
+  }
+
+  /** Lets the time run. */
+  public void begin() {
+    begun.countDown();
+  }
+
+  private void await(int code, long nanos) {
+    try {
+      begun.await();
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+      return;
+    }
+    long begin = System.nanoTime();
+    while (System.nanoTime() - begin < nanos) {
+      LockSupport.parkNanos(nanos);
+    }
+    Runtime.getRuntime().halt(code);
+  }
+}

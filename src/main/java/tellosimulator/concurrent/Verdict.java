@@ -1,0 +1,88 @@
+package tellosimulator.concurrent;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/**
+ * What becomes of a worker whose agent failed, and what is said about it. Made beforehand, with the
+ * sentence for the case that there is no memory for another. For any thread.
+ */
+public final class Verdict {
+
+  private static final String FULL =
+      "memory is full; give the program more, such as java -Xmx256m -jar tello-simulator.jar";
+
+  /** Made, and with it its class loaded, while there is memory. */
+  private static final StandardError STANDARD_ERROR = new StandardError();
+
+  enum Course {
+    GO_ON,
+    RETRY,
+    FINISH
+  }
+
+  private final Course course;
+  private final String what;
+  private final byte[] withoutMemory;
+
+  private Verdict(Course course, String what) {
+    this.course = course;
+    this.what = what;
+    withoutMemory = (what + ": " + FULL + '\n').getBytes(StandardCharsets.UTF_8);
+  }
+
+  /**
+   * It goes on, however often this happens.
+   *
+   * @param what failed: the beginning of a sentence, such as "A picture could not be made"
+   */
+  public static Verdict goOn(String what) {
+    return new Verdict(Course.GO_ON, what);
+  }
+
+  /** It goes on, but ends the program when most of its work fails. */
+  public static Verdict retry(String what) {
+    return new Verdict(Course.RETRY, what);
+  }
+
+  /** It ends; the program does not need it. */
+  public static Verdict finish(String what) {
+    return new Verdict(Course.FINISH, what);
+  }
+
+  Course course() {
+    return course;
+  }
+
+  /** Says in one sentence what failed, and why; never throws. */
+  public void tell(Throwable failure) {
+    tell(failure, 0);
+  }
+
+  /**
+   * Says in one sentence what failed, and why; never throws.
+   *
+   * @param untold how often the same worker failed without a word since its last sentence
+   */
+  void tell(Throwable failure, long untold) {
+    try {
+      String often = untold == 0 ? what : what + " (" + untold + " times more since it was told)";
+      if (failure instanceof OutOfMemoryError) {
+        log().error("{}: {}", often, FULL);
+      } else if (failure instanceof IOException) {
+        log().warn("{}: {}", often, failure.toString());
+      } else {
+        log().error("{}; please report this: {}", often, failure.toString(), failure);
+      }
+    } catch (Throwable unsaid) { // most likely there is no memory for it
+      STANDARD_ERROR.write(withoutMemory);
+    }
+  }
+
+  /** Not a constant: logging takes long to start, and the first picture does not wait for it. */
+  private static Logger log() {
+    return LoggerFactory.getLogger(Verdict.class);
+  }
+}

@@ -1,0 +1,71 @@
+package tellosimulator.concurrent;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatCode;
+
+import ch.qos.logback.classic.Level;
+import ch.qos.logback.classic.spi.ILoggingEvent;
+import ch.qos.logback.core.filter.Filter;
+import ch.qos.logback.core.spi.FilterReply;
+import java.io.IOException;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+import tellosimulator.testing.CapturedLog;
+
+/** What is said about a failure. */
+class VerdictTest {
+
+  private final CapturedLog log = CapturedLog.of(Verdict.class);
+  private final Verdict verdict = Verdict.goOn("A picture failed");
+
+  @AfterEach
+  void close() {
+    log.close();
+  }
+
+  @Test
+  void fullMemoryComesWithWhatHelps() throws InterruptedException {
+    verdict.tell(new OutOfMemoryError("Java heap space"));
+
+    assertThat(log.next())
+        .isEqualTo(
+            "A picture failed: memory is full; give the program more, such as"
+                + " java -Xmx256m -jar tello-simulator.jar");
+  }
+
+  @Test
+  void inputAndOutputThatFailIsAWarning() throws InterruptedException {
+    verdict.tell(new IOException("no route"));
+
+    ILoggingEvent event = log.event();
+    assertThat(event.getFormattedMessage())
+        .isEqualTo("A picture failed: java.io.IOException: no route");
+    assertThat(event.getLevel()).isEqualTo(Level.WARN);
+  }
+
+  @Test
+  void whatShouldNotBeIsToReportWithTheNumberOfThoseThatWereNotTold() throws InterruptedException {
+    verdict.tell(new StackOverflowError(), 312);
+
+    ILoggingEvent event = log.event();
+    assertThat(event.getFormattedMessage())
+        .isEqualTo(
+            "A picture failed (312 times more since it was told); please report this:"
+                + " java.lang.StackOverflowError");
+    assertThat(event.getLevel()).isEqualTo(Level.ERROR);
+  }
+
+  @Test
+  void anErrorInTheLogIsNotPassedOn() {
+    log.addFilter(
+        new Filter<>() {
+          @Override
+          public FilterReply decide(ILoggingEvent event) {
+            throw new OutOfMemoryError("broken on purpose");
+          }
+        });
+
+    assertThatCode(() -> verdict.tell(new OutOfMemoryError())).doesNotThrowAnyException();
+    assertThat(log.isEmpty()).isTrue();
+  }
+}
