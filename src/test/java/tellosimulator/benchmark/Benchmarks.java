@@ -35,9 +35,7 @@ public final class Benchmarks {
         System.getProperty("java.version"),
         System.getProperty("os.name"),
         Runtime.getRuntime().availableProcessors());
-    System.out.println("| what | target | measured | reached |");
-    System.out.println("|---|---|---|---|");
-    rows.forEach(row -> System.out.println(row.markdown()));
+    Row.print(rows, System.out);
   }
 
   /**

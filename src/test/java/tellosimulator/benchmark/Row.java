@@ -1,32 +1,58 @@
 package tellosimulator.benchmark;
 
+import java.io.PrintStream;
+import java.math.BigDecimal;
+import java.util.List;
 import java.util.Locale;
 
 /**
- * A line of the benchmark table.
+ * A line of a table of what was measured.
  *
  * @param what is measured
  * @param target what shall be reached, or empty
  * @param measured what was reached
  * @param reached whether that is enough
  */
-record Row(String what, String target, String measured, boolean reached) {
+public record Row(String what, String target, String measured, boolean reached) {
 
   /** A time that shall not be longer. */
-  static Row atMost(String what, double targetMs, double measuredMs) {
+  public static Row atMost(String what, double targetMs, double measuredMs) {
+    return new Row(what, bound(targetMs, "ms"), milliseconds(measuredMs), measuredMs <= targetMs);
+  }
+
+  private static String milliseconds(double value) {
+    return String.format(Locale.ROOT, "%.3f ms", value);
+  }
+
+  /** Anything else that shall not be more. */
+  public static Row atMost(String what, double target, double measured, String unit) {
     return new Row(
         what,
-        String.format(Locale.ROOT, "at most %s ms", Double.toString(targetMs).replace(".0", "")),
-        String.format(Locale.ROOT, "%.3f ms", measuredMs),
-        measuredMs <= targetMs);
+        bound(target, unit),
+        String.format(Locale.ROOT, "%.2f %s", measured, unit),
+        measured <= target);
+  }
+
+  private static String bound(double target, String unit) {
+    return "at most "
+        + BigDecimal.valueOf(target).stripTrailingZeros().toPlainString()
+        + " "
+        + unit;
   }
 
   /** Something to compare with; nothing is promised. */
-  static Row beside(String what, String measured) {
+  public static Row beside(String what, String measured) {
     return new Row(what, "", measured, true);
   }
 
-  String markdown() {
+  /** Writes a table in Markdown. */
+  public static void print(List<Row> rows, PrintStream out) {
+    out.println("| what | target | measured | reached |");
+    out.println("|---|---|---|---|");
+    rows.forEach(row -> out.println(row.markdown()));
+  }
+
+  private String markdown() {
     String verdict = reached ? target.isEmpty() ? "" : "yes" : "**no**";
     return "| %s | %s | %s | %s |".formatted(what, target, measured, verdict);
   }

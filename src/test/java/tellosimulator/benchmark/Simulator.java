@@ -7,7 +7,6 @@ import java.io.InputStreamReader;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
-import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.CompletableFuture;
@@ -15,16 +14,17 @@ import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.function.Consumer;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import tellosimulator.testing.ProcessFigures;
 
 /** The runnable jar in a process of its own, as users run it. */
 final class Simulator implements AutoCloseable {
 
   private static final Pattern PORT = Pattern.compile("drone \\d+ at [0-9.]+:(\\d+)");
   private static final Pattern FRAMES = Pattern.compile("([0-9.]+) frames a second");
-  private static final Pattern USED = Pattern.compile("used (\\d+)K");
   private static final String USABLE = "The window can be used";
 
   private final Process process;
+  private final ProcessFigures figures;
   private final long start;
   private final double startSeconds;
   private final List<Integer> ports = new ArrayList<>();
@@ -38,13 +38,14 @@ final class Simulator implements AutoCloseable {
 
   private Simulator(String way, List<String> options) throws IOException {
     List<String> command = new ArrayList<>();
-    command.add(tool("java"));
+    command.add(ProcessFigures.tool("java"));
     command.addAll(List.of("-jar", System.getProperty("simulator.jar"), way));
     command.addAll(options);
     ProcessBuilder builder = new ProcessBuilder(command);
     builder.environment().put("XDG_CONFIG_HOME", Files.createTempDirectory("fresh").toString());
     start = System.nanoTime();
     process = builder.start();
+    figures = new ProcessFigures(process);
     Thread errors = new Thread(this::readErrors, "errors");
     errors.setDaemon(true);
     errors.start();
@@ -112,43 +113,9 @@ final class Simulator implements AutoCloseable {
     return ports.get(drone - 1);
   }
 
-  /** Resident memory [MB]. */
-  double residentMegabytes() {
-    List<String> lines = new ArrayList<>();
-    run(lines::add, "ps", "-o", "rss=", "-p", "" + process.pid());
-    return Long.parseLong(lines.get(0).strip()) / 1024.0;
-  }
-
-  /** Processor time that it has used, on all processors together [s]. */
-  double processorSeconds() {
-    return process.info().totalCpuDuration().orElseThrow().toNanos() * 1e-9;
-  }
-
-  /** Used heap after a full collection [MB]. */
-  double heapMegabytes() {
-    run(line -> {}, tool("jcmd"), "" + process.pid(), "GC.run");
-    List<String> lines = new ArrayList<>();
-    run(lines::add, tool("jcmd"), "" + process.pid(), "GC.heap_info");
-    double kilobytes = 0;
-    for (String line : lines) {
-      Matcher matcher = USED.matcher(line);
-      if (!line.contains("Metaspace") && !line.contains("class space") && matcher.find()) {
-        kilobytes += Double.parseDouble(matcher.group(1));
-      }
-    }
-    return kilobytes / 1024;
-  }
-
-  private static String tool(String name) {
-    return Path.of(System.getProperty("java.home"), "bin", name).toString();
-  }
-
-  private static void run(Consumer<String> taker, String... command) {
-    try {
-      lines(new ProcessBuilder(command).redirectErrorStream(true).start().getInputStream(), taker);
-    } catch (IOException e) {
-      throw new UncheckedIOException(command[0] + " cannot be run", e);
-    }
+  /** What it costs. */
+  ProcessFigures figures() {
+    return figures;
   }
 
   private static void lines(InputStream stream, Consumer<String> taker) {

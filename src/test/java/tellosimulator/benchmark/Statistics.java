@@ -5,11 +5,11 @@ import java.util.Collection;
 import java.util.List;
 
 /** Some numbers, looked at together. */
-final class Statistics {
+public final class Statistics {
 
   private final double[] sorted;
 
-  Statistics(Collection<Double> values) {
+  public Statistics(Collection<Double> values) {
     sorted = values.stream().mapToDouble(Double::doubleValue).sorted().toArray();
   }
 
@@ -22,19 +22,19 @@ final class Statistics {
    *
    * @param share 0 to 1
    */
-  double quantile(double share) {
+  public double quantile(double share) {
     return sorted[(int) Math.round(share * (sorted.length - 1))];
   }
 
-  double median() {
+  public double median() {
     return quantile(0.5);
   }
 
-  double mean() {
+  public double mean() {
     return Arrays.stream(sorted).average().orElse(Double.NaN);
   }
 
-  double deviation() {
+  public double deviation() {
     double mean = mean();
     return Math.sqrt(Arrays.stream(sorted).map(v -> (v - mean) * (v - mean)).average().orElse(0));
   }

@@ -87,7 +87,7 @@ final class StreamBenchmark {
       operator.expect("streamon", "ok");
       circling.start();
       video.awaitKeyPicture();
-      double cpu = simulator.processorSeconds();
+      double cpu = simulator.figures().processorSeconds();
       long begun = System.nanoTime();
       int pictures = video.picturesUntil(begun + (long) (minutes * 60e9));
       double seconds = (System.nanoTime() - begun) * 1e-9;
@@ -97,7 +97,7 @@ final class StreamBenchmark {
                   Locale.ROOT, "One drone films headless for %.0f minutes in flight", minutes),
               30,
               pictures / seconds),
-          cores("… processors used", 1, (simulator.processorSeconds() - cpu) / seconds));
+          cores("… processors used", 1, (simulator.figures().processorSeconds() - cpu) / seconds));
     }
   }
 
@@ -128,14 +128,14 @@ final class StreamBenchmark {
       }
       long begun = System.nanoTime() + 5_000_000_000L; // until all run steadily
       sockets.forEach(socket -> picturesUntil(socket, begun));
-      double cpu = simulator.processorSeconds();
+      double cpu = simulator.figures().processorSeconds();
       long end = begun + 60_000_000_000L;
       List<CompletableFuture<Integer>> counts =
           sockets.stream()
               .map(socket -> CompletableFuture.supplyAsync(() -> picturesUntil(socket, end)))
               .toList();
       double slowest = counts.stream().mapToInt(CompletableFuture::join).min().orElse(0) / 60.0;
-      double used = (simulator.processorSeconds() - cpu) / 60;
+      double used = (simulator.figures().processorSeconds() - cpu) / 60;
       circling.forEach(Circling::close);
       return List.of(
           pace("Four drones film headless for a minute, the slowest of them", 15, slowest),

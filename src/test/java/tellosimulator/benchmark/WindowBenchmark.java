@@ -147,12 +147,12 @@ final class WindowBenchmark {
         Operator operator = new Operator(simulator.port(1))) {
       operator.expect("command", "ok");
       Tour.fly(operator);
-      double before = simulator.heapMegabytes();
+      double before = simulator.figures().heapMegabytes();
       long end = System.nanoTime() + (long) (minutes * 60e9);
       while (System.nanoTime() < end) {
         Tour.fly(operator);
       }
-      double growth = simulator.heapMegabytes() - before;
+      double growth = simulator.figures().heapMegabytes() - before;
       return new Row(
           String.format(
               Locale.ROOT, "Growth of the used heap in %.0f minutes in the window", minutes),

@@ -152,7 +152,7 @@ final class WireBenchmark {
     for (int i = 0; i < STARTS; i++) {
       try (Simulator simulator = new Simulator("--command-port", "0")) {
         seconds.add(simulator.startSeconds());
-        megabytes.add(simulator.residentMegabytes());
+        megabytes.add(simulator.figures().residentMegabytes());
       }
     }
     double start = new Statistics(seconds).median();
@@ -178,7 +178,7 @@ final class WireBenchmark {
       return List.of(
           memory(
               String.format(Locale.ROOT, "Resident memory after %.0f minutes of flight", minutes),
-              simulator.residentMegabytes()));
+              simulator.figures().residentMegabytes()));
     }
   }
 

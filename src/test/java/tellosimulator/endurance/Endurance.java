@@ -1,0 +1,122 @@
+package tellosimulator.endurance;
+
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CompletionException;
+import tellosimulator.benchmark.Row;
+
+/**
+ * Attacks the program as a process, and prints one table of what came of it: {@code mvn -Pendurance
+ * verify}, or longer {@code mvn -Pendurance -Dendurance.minutes=60 verify}, or only some rows
+ * {@code mvn -Pendurance -Dendurance.rows=flood,reflector verify}. Fails when a row is missed.
+ */
+public final class Endurance {
+
+  private static final String DEFAULT_MINUTES = "5";
+
+  /** Some rows of the table. */
+  @FunctionalInterface
+  private interface Trial {
+    List<Row> run(double minutes) throws IOException;
+  }
+
+  /** When a trial runs. */
+  private enum Lane {
+    /** Its numbers are times, so nothing runs beside it. */
+    ALONE,
+    /** It takes little, but long: it runs beside all that come after it. */
+    BESIDE,
+    IN_TURN
+  }
+
+  private record Entry(Lane lane, Trial trial) {}
+
+  private Endurance() {}
+
+  /** Runs all trials, or those of the property {@code endurance.rows}. */
+  public static void main(String[] arguments) {
+    double minutes = Double.parseDouble(System.getProperty("endurance.minutes", DEFAULT_MINUTES));
+    Map<String, Entry> chosen = chosen(System.getProperty("endurance.rows", ""));
+    Map<String, CompletableFuture<List<Row>>> running = new LinkedHashMap<>();
+    for (Lane lane : Lane.values()) {
+      chosen.forEach(
+          (name, entry) -> {
+            if (entry.lane() == lane) {
+              running.put(name, begin(name, entry, minutes));
+            }
+          });
+    }
+    List<Row> rows = new ArrayList<>();
+    chosen.keySet().forEach(name -> rows.addAll(running.get(name).join()));
+    System.out.printf(
+        "%nJava %s, %s, %d processors, %s minutes%n%n",
+        System.getProperty("java.version"),
+        System.getProperty("os.name"),
+        Runtime.getRuntime().availableProcessors(),
+        Double.toString(minutes).replace(".0", ""));
+    Row.print(rows, System.out);
+    long missed = rows.stream().filter(row -> !row.reached()).count();
+    System.out.printf("%n%d of %d rows missed%n", missed, rows.size());
+    System.exit(missed == 0 ? 0 : 1);
+  }
+
+  private static CompletableFuture<List<Row>> begin(String name, Entry entry, double minutes) {
+    if (entry.lane() == Lane.BESIDE) {
+      return CompletableFuture.supplyAsync(() -> run(name, entry.trial(), minutes));
+    }
+    return CompletableFuture.completedFuture(run(name, entry.trial(), minutes));
+  }
+
+  /** A trial that cannot be run is missed, and the others go on. */
+  private static List<Row> run(String name, Trial trial, double minutes) {
+    long start = System.nanoTime();
+    List<Row> rows;
+    try {
+      rows = trial.run(minutes);
+    } catch (IOException | CompletionException e) {
+      rows = List.of(new Row(name, "a measurement", "none: " + e.getMessage(), false));
+    }
+    System.out.printf("%n%s: %.0f s%n", name, (System.nanoTime() - start) * 1e-9);
+    Row.print(rows, System.out);
+    return rows;
+  }
+
+  /**
+   * @param only names of trials with commas between them; all if empty
+   */
+  private static Map<String, Entry> chosen(String only) {
+    Map<String, Entry> all = trials();
+    if (only.isEmpty()) {
+      return all;
+    }
+    List<String> names = List.of(only.split(",", -1));
+    if (!all.keySet().containsAll(names)) {
+      throw new IllegalArgumentException(
+          "endurance.rows is " + only + ", but must be of " + all.keySet());
+    }
+    Map<String, Entry> chosen = new LinkedHashMap<>(all);
+    chosen.keySet().retainAll(names);
+    return chosen;
+  }
+
+  private static Map<String, Entry> trials() {
+    Map<String, Entry> trials = new LinkedHashMap<>();
+    trials.put("flood", new Entry(Lane.ALONE, inNetwork(FloodTrial::run)));
+    return trials;
+  }
+
+  /** Where nobody can make a private network, the rows are not measured, which is no miss. */
+  private static Trial inNetwork(Trial trial) {
+    return minutes -> {
+      Optional<String> obstacle = PrivateNetwork.obstacle();
+      return obstacle.isPresent()
+          ? List.of(Row.beside("In a private network", "not measured: " + obstacle.get()))
+          : trial.run(minutes);
+    };
+  }
+}

@@ -1,0 +1,25 @@
+package tellosimulator.endurance;
+
+import java.io.IOException;
+import java.util.regex.Pattern;
+import tellosimulator.benchmark.Row;
+
+/** What nobody should read in a log: names of classes, and places in the code. */
+final class Insides {
+
+  private static final Pattern INSIDES =
+      Pattern.compile(
+          "Exception|Error\\b|\\bat [\\w.$]+\\([\\w.]+|java\\.(lang|io|util)|please report");
+
+  private Insides() {}
+
+  /** The first line that speaks of the program's insides; empty if there is none. */
+  static String first(String text) {
+    return text.lines().filter(line -> INSIDES.matcher(line).find()).findFirst().orElse("");
+  }
+
+  static Row row(String what, SimulatorProcess simulator) throws IOException {
+    String found = first(simulator.program().log());
+    return new Row(what, "no exception", found.isEmpty() ? "none" : found, found.isEmpty());
+  }
+}

@@ -1,0 +1,101 @@
+package tellosimulator.endurance;
+
+import java.io.IOException;
+import java.net.InetSocketAddress;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import tellosimulator.testing.ProcessFigures;
+
+/** The runnable jar without a window, its console and what it costs. */
+final class SimulatorProcess implements AutoCloseable {
+
+  private static final Pattern ADDRESS = Pattern.compile("drone (\\d+) at ([0-9.]+):(\\d+)");
+
+  private static final double START_SECONDS = 30;
+  private static final double CONSOLE_SECONDS = 10;
+
+  private final Program program;
+  private final ProcessFigures figures;
+  private final Map<Integer, InetSocketAddress> drones = new LinkedHashMap<>();
+  private final String ready;
+
+  private SimulatorProcess(Program program) throws IOException {
+    this.program = program;
+    figures = new ProcessFigures(program.process());
+    ready = program.await("ready", START_SECONDS);
+    Matcher matcher = ADDRESS.matcher(ready);
+    while (matcher.find()) {
+      drones.put(
+          Integer.valueOf(matcher.group(1)),
+          new InetSocketAddress(matcher.group(2), Integer.parseInt(matcher.group(3))));
+    }
+  }
+
+  /** Starts it on this machine, on ports that nobody uses, and waits until it is ready. */
+  static SimulatorProcess here(String... options) throws IOException {
+    return start(Host.HERE, List.of(), options);
+  }
+
+  /**
+   * Starts it and waits until it is ready.
+   *
+   * @param jvm options of the JVM
+   */
+  static SimulatorProcess start(Host host, List<String> jvm, String... options) throws IOException {
+    Program program = host.start(command(jvm, options));
+    try {
+      return new SimulatorProcess(program);
+    } catch (IOException e) {
+      program.close();
+      throw e;
+    }
+  }
+
+  /** What starts it without a window. */
+  static List<String> command(List<String> jvm, String... options) {
+    List<String> command = new ArrayList<>(List.of(ProcessFigures.tool("java")));
+    command.addAll(jvm);
+    command.addAll(List.of("-jar", System.getProperty("simulator.jar"), "--headless"));
+    command.addAll(List.of(options));
+    return command;
+  }
+
+  /** The line that says where the drones are. */
+  String ready() {
+    return ready;
+  }
+
+  /** Where a drone was when it was ready. */
+  InetSocketAddress drone(int number) {
+    return drones.get(number);
+  }
+
+  Program program() {
+    return program;
+  }
+
+  ProcessFigures figures() {
+    return figures;
+  }
+
+  /** Types a line that has no answer, and waits until it is carried out. */
+  void type(String line) throws IOException {
+    program.type(line);
+    state(1);
+  }
+
+  /** What the console says about a drone. */
+  String state(int drone) throws IOException {
+    program.type("state");
+    return program.await("drone " + drone + ":", CONSOLE_SECONDS);
+  }
+
+  @Override
+  public void close() {
+    program.close();
+  }
+}

@@ -1,0 +1,64 @@
+package tellosimulator.testing;
+
+import java.io.BufferedReader;
+import java.io.IOException;
+import java.io.InputStreamReader;
+import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+
+/** What the operating system and the JVM's own tools tell of a running Java program. */
+public final class ProcessFigures {
+
+  private static final Pattern USED = Pattern.compile("used (\\d+)K");
+
+  private final Process process;
+
+  public ProcessFigures(Process process) {
+    this.process = process;
+  }
+
+  /** Resident memory [MB]. */
+  public double residentMegabytes() {
+    String line = run("ps", "-o", "rss=", "-p", "" + process.pid()).get(0);
+    return Long.parseLong(line.strip()) / 1024.0;
+  }
+
+  /** Processor time that it has used, on all processors together [s]. */
+  public double processorSeconds() {
+    return process.info().totalCpuDuration().orElseThrow().toNanos() * 1e-9;
+  }
+
+  /** Used heap after a full collection [MB]. */
+  public double heapMegabytes() {
+    run(tool("jcmd"), "" + process.pid(), "GC.run");
+    double kilobytes = 0;
+    for (String line : run(tool("jcmd"), "" + process.pid(), "GC.heap_info")) {
+      Matcher matcher = USED.matcher(line);
+      if (!line.contains("Metaspace") && !line.contains("class space") && matcher.find()) {
+        kilobytes += Double.parseDouble(matcher.group(1));
+      }
+    }
+    return kilobytes / 1024;
+  }
+
+  /** A program of the JDK that runs this. */
+  public static String tool(String name) {
+    return Path.of(System.getProperty("java.home"), "bin", name).toString();
+  }
+
+  private static List<String> run(String... command) {
+    try (BufferedReader lines =
+        new BufferedReader(
+            new InputStreamReader(
+                new ProcessBuilder(command).redirectErrorStream(true).start().getInputStream(),
+                StandardCharsets.UTF_8))) {
+      return lines.lines().toList();
+    } catch (IOException e) {
+      throw new UncheckedIOException(command[0] + " cannot be run", e);
+    }
+  }
+}
