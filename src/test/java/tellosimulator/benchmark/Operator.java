@@ -7,7 +7,7 @@ import java.net.InetAddress;
 import java.nio.charset.StandardCharsets;
 
 /** A small operator program: sends a command and waits for the reply. */
-final class Operator implements AutoCloseable {
+public final class Operator implements AutoCloseable {
 
   private static final int LONGEST_WAIT_MS = 30_000;
 
@@ -15,30 +15,37 @@ final class Operator implements AutoCloseable {
   private final int port;
   private final byte[] buffer = new byte[2048];
 
-  Operator(int dronePort) throws IOException {
+  public Operator(int dronePort) throws IOException {
+    this(dronePort, LONGEST_WAIT_MS);
+  }
+
+  /**
+   * @param patienceMs how long it waits for a reply [ms]
+   */
+  public Operator(int dronePort, int patienceMs) throws IOException {
     socket = new DatagramSocket(0, InetAddress.getLoopbackAddress());
-    socket.setSoTimeout(LONGEST_WAIT_MS);
+    socket.setSoTimeout(patienceMs);
     port = dronePort;
   }
 
-  void send(String command) throws IOException {
+  public void send(String command) throws IOException {
     byte[] bytes = command.getBytes(StandardCharsets.ISO_8859_1);
     socket.send(new DatagramPacket(bytes, bytes.length, InetAddress.getLoopbackAddress(), port));
   }
 
-  String receive() throws IOException {
+  public String receive() throws IOException {
     DatagramPacket packet = new DatagramPacket(buffer, buffer.length);
     socket.receive(packet);
     return new String(buffer, 0, packet.getLength(), StandardCharsets.ISO_8859_1);
   }
 
-  String ask(String command) throws IOException {
+  public String ask(String command) throws IOException {
     send(command);
     return receive();
   }
 
   /** Asks, and complains if the answer is another one. */
-  void expect(String command, String reply) throws IOException {
+  public void expect(String command, String reply) throws IOException {
     String answer = ask(command);
     if (!answer.equals(reply)) {
       throw new IOException("`" + command + "` was answered `" + answer + "`");

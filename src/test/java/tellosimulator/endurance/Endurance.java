@@ -79,7 +79,8 @@ public final class Endurance {
     try {
       rows = trial.run(minutes);
     } catch (IOException | CompletionException e) {
-      rows = List.of(new Row(name, "a measurement", "none: " + e.getMessage(), false));
+      System.out.println(e.getMessage());
+      rows = List.of(new Row(name, "a measurement", "none, see above", false));
     }
     System.out.printf("%n%s: %.0f s%n", name, (System.nanoTime() - start) * 1e-9);
     Row.print(rows, System.out);
@@ -107,6 +108,10 @@ public final class Endurance {
   private static Map<String, Entry> trials() {
     Map<String, Entry> trials = new LinkedHashMap<>();
     trials.put("flood", new Entry(Lane.ALONE, inNetwork(FloodTrial::run)));
+    trials.put("reflector", new Entry(Lane.IN_TURN, inNetwork(ReflectorTrial::run)));
+    trials.put("silent", new Entry(Lane.BESIDE, inNetwork(ReflectorTrial::runSilent)));
+    trials.put("outbox", new Entry(Lane.IN_TURN, OutboxTrial::run));
+    trials.put("heap", new Entry(Lane.IN_TURN, SmallHeapTrial::run));
     return trials;
   }
 

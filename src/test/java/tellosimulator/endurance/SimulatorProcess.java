@@ -23,10 +23,10 @@ final class SimulatorProcess implements AutoCloseable {
   private final Map<Integer, InetSocketAddress> drones = new LinkedHashMap<>();
   private final String ready;
 
-  private SimulatorProcess(Program program) throws IOException {
+  private SimulatorProcess(Program program, String ready) {
     this.program = program;
+    this.ready = ready;
     figures = new ProcessFigures(program.process());
-    ready = program.await("ready", START_SECONDS);
     Matcher matcher = ADDRESS.matcher(ready);
     while (matcher.find()) {
       drones.put(
@@ -48,10 +48,20 @@ final class SimulatorProcess implements AutoCloseable {
   static SimulatorProcess start(Host host, List<String> jvm, String... options) throws IOException {
     Program program = host.start(command(jvm, options));
     try {
-      return new SimulatorProcess(program);
+      return new SimulatorProcess(program, program.await("ready", START_SECONDS));
     } catch (IOException e) {
       program.close();
       throw e;
+    }
+  }
+
+  /** Starts it on this machine, and waits until it is ready or has ended. */
+  static SimulatorProcess tryToStart(List<String> jvm, String... options) throws IOException {
+    Program program = Host.HERE.start(command(jvm, options));
+    try {
+      return new SimulatorProcess(program, program.await("ready", START_SECONDS));
+    } catch (IOException e) {
+      return new SimulatorProcess(program, "");
     }
   }
 
@@ -64,7 +74,7 @@ final class SimulatorProcess implements AutoCloseable {
     return command;
   }
 
-  /** The line that says where the drones are. */
+  /** The line that says where the drones are; empty if it did not come. */
   String ready() {
     return ready;
   }

@@ -1,0 +1,18 @@
+package tellosimulator.endurance;
+
+import java.util.concurrent.locks.LockSupport;
+
+/** Time that passes while others act. */
+final class Moments {
+
+  private static final long LONGEST = 100_000_000;
+
+  private Moments() {}
+
+  static void pass(double seconds) {
+    long end = System.nanoTime() + (long) (seconds * 1e9);
+    for (long left = end - System.nanoTime(); left > 0; left = end - System.nanoTime()) {
+      LockSupport.parkNanos(Math.min(left, LONGEST));
+    }
+  }
+}

@@ -1,0 +1,56 @@
+package tellosimulator.endurance;
+
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.List;
+import tellosimulator.benchmark.Operator;
+import tellosimulator.benchmark.Row;
+
+/** Queries that wait for their replies' delay, which does not pass while the simulation rests. */
+final class OutboxTrial {
+
+  private static final int RATE = 50_000;
+  private static final double LARGEST_HEAP_MB = 10;
+  private static final double LARGEST_RESIDENT_MB = 30;
+  private static final double SHORTEST_SECONDS = 10;
+  private static final double SECONDS_A_MINUTE = 2;
+  private static final double PATIENCE_SECONDS = 20;
+
+  private OutboxTrial() {}
+
+  static List<Row> run(double minutes) throws IOException {
+    double seconds = Math.max(SHORTEST_SECONDS, minutes * SECONDS_A_MINUTE);
+    try (SimulatorProcess simulator =
+            SimulatorProcess.here("--command-port", "0", "--behaviour", "measured");
+        Operator operator = new Operator(simulator.drone(1).getPort())) {
+      operator.expect("command", "ok");
+      simulator.type("pause");
+      double heap = simulator.figures().heapMegabytes();
+      double resident = simulator.figures().residentMegabytes();
+      try (Program asking =
+          Host.HERE.start(
+              Stranger.class,
+              Host.HERE.address(),
+              simulator.drone(1).getPort(),
+              RATE,
+              seconds,
+              Host.HERE.address(),
+              "battery?")) {
+        asking.await("sent", seconds + PATIENCE_SECONDS);
+      }
+      double residentGrowth = simulator.figures().residentMegabytes() - resident;
+      double heapGrowth = simulator.figures().heapMegabytes() - heap;
+      simulator.type("resume");
+      List<Row> rows = new ArrayList<>();
+      rows.add(
+          Row.atMost(
+              "Queries flood a paused drone of behaviour measured: heap grows by",
+              LARGEST_HEAP_MB,
+              heapGrowth,
+              "MB"));
+      rows.add(Row.atMost("… resident memory", LARGEST_RESIDENT_MB, residentGrowth, "MB"));
+      rows.add(Health.row("… after that", simulator));
+      return rows;
+    }
+  }
+}
