@@ -112,6 +112,12 @@ public final class Endurance {
     trials.put("silent", new Entry(Lane.BESIDE, inNetwork(ReflectorTrial::runSilent)));
     trials.put("outbox", new Entry(Lane.IN_TURN, OutboxTrial::run));
     trials.put("heap", new Entry(Lane.IN_TURN, SmallHeapTrial::run));
+    trials.put("garbage", new Entry(Lane.IN_TURN, GarbageTrial::run));
+    trials.put("power", new Entry(Lane.IN_TURN, PowerTrial::run));
+    trials.put("address", new Entry(Lane.IN_TURN, inNetwork(NewAddressTrial::run)));
+    trials.put("ending", new Entry(Lane.IN_TURN, EndingTrial::run));
+    trials.put("class", new Entry(Lane.IN_TURN, inNetwork(ClassTrial::run)));
+    trials.put("soak", new Entry(Lane.IN_TURN, SoakTrial::run));
     return trials;
   }
 

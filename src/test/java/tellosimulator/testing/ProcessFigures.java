@@ -32,6 +32,11 @@ public final class ProcessFigures {
     return process.info().totalCpuDuration().orElseThrow().toNanos() * 1e-9;
   }
 
+  /** How many threads it has. */
+  public int threads() {
+    return Integer.parseInt(run("ps", "-o", "nlwp=", "-p", "" + process.pid()).get(0).strip());
+  }
+
   /** Used heap after a full collection [MB]. */
   public double heapMegabytes() {
     run(tool("jcmd"), "" + process.pid(), "GC.run");
