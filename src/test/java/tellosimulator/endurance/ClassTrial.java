@@ -13,6 +13,7 @@ final class ClassTrial {
 
   private static final int DRONES = 3;
   private static final String PORT = "8889";
+  private static final String TIME_FACTOR = "4";
   private static final double PATIENCE_SECONDS = 60;
 
   private ClassTrial() {}
@@ -53,7 +54,10 @@ final class ClassTrial {
       for (int drone = 1; drone <= DRONES; drone++) {
         String port = "" + (18_889 + 10 * drone);
         simulators.add(
-            SimulatorProcess.start(machine, List.of(), LanOptions.with("--command-port", port)));
+            SimulatorProcess.start(
+                machine,
+                List.of(),
+                LanOptions.with("--command-port", port, "--time-factor", TIME_FACTOR)));
         seats.add(new Seat(machine.address(), port));
       }
       return fly("A class of three on three simulators with `--lan`", network, seats);

@@ -20,15 +20,8 @@ final class EndingTrial {
 
   private EndingTrial() {}
 
-  static List<Row> run(double minutes) throws IOException {
-    List<Row> rows = new ArrayList<>();
-    rows.addAll(landsTooEarly());
-    rows.addAll(neverTakesOff());
-    return rows;
-  }
-
   /** A program that lands without its goals, and then is gone. */
-  private static List<Row> landsTooEarly() throws IOException {
+  static List<Row> landsTooEarly(double minutes) throws IOException {
     try (SimulatorProcess simulator = start()) {
       try (Operator operator = new Operator(simulator.drone(1).getPort())) {
         operator.expect("command", "ok");
@@ -40,7 +33,7 @@ final class EndingTrial {
   }
 
   /** A program that is gone after its first word. */
-  private static List<Row> neverTakesOff() throws IOException {
+  static List<Row> neverTakesOff(double minutes) throws IOException {
     try (SimulatorProcess simulator = start("--timeout", "60")) {
       try (Operator operator = new Operator(simulator.drone(1).getPort())) {
         operator.expect("command", "ok");

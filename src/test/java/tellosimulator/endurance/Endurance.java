@@ -115,7 +115,12 @@ public final class Endurance {
     trials.put("garbage", new Entry(Lane.IN_TURN, GarbageTrial::run));
     trials.put("power", new Entry(Lane.IN_TURN, PowerTrial::run));
     trials.put("address", new Entry(Lane.IN_TURN, inNetwork(NewAddressTrial::run)));
-    trials.put("ending", new Entry(Lane.IN_TURN, EndingTrial::run));
+    trials.put("files", new Entry(Lane.IN_TURN, FilesTrial::run));
+    trials.put("recording", new Entry(Lane.IN_TURN, RecordingTrial::run));
+    trials.put("determinism", new Entry(Lane.IN_TURN, DeterminismTrial::run));
+    trials.put("ending", new Entry(Lane.BESIDE, EndingTrial::landsTooEarly));
+    trials.put("timeout", new Entry(Lane.BESIDE, EndingTrial::neverTakesOff));
+    trials.put("window", new Entry(Lane.IN_TURN, WindowTrial::run));
     trials.put("class", new Entry(Lane.IN_TURN, inNetwork(ClassTrial::run)));
     trials.put("soak", new Entry(Lane.IN_TURN, SoakTrial::run));
     return trials;

@@ -20,7 +20,8 @@ final class NewAddressTrial {
       Host first = network.host(1);
       Host client = network.host(2);
       try (SimulatorProcess simulator =
-          SimulatorProcess.start(first, List.of(), LanOptions.with("--command-port", PORT))) {
+          SimulatorProcess.start(
+              first, List.of(), LanOptions.with("--command-port", PORT, "--time-factor", "4"))) {
         boolean before = flies(client, first.address());
         first.run("ip", "address", "del", first.address() + "/24", "dev", "lan");
         first.run("ip", "address", "add", NEW + "/24", "dev", "lan");

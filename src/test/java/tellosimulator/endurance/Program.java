@@ -29,6 +29,7 @@ final class Program implements AutoCloseable {
   private final BlockingQueue<String> lines = new LinkedBlockingQueue<>();
   private final Process process;
   private final BufferedWriter input;
+  private final Thread reader;
 
   Program(List<String> command) throws IOException {
     this.command = command;
@@ -36,7 +37,7 @@ final class Program implements AutoCloseable {
     input =
         new BufferedWriter(
             new OutputStreamWriter(process.getOutputStream(), StandardCharsets.UTF_8));
-    Threads.start("lines", this::readLines);
+    reader = Threads.start("lines", this::readLines);
   }
 
   private void readLines() {
@@ -81,6 +82,18 @@ final class Program implements AutoCloseable {
       Thread.currentThread().interrupt();
       throw new IllegalStateException("interrupted", e);
     }
+  }
+
+  /** Whether a line that begins so waits to be taken. */
+  boolean said(String beginning) {
+    return lines.stream().anyMatch(line -> line.startsWith(beginning));
+  }
+
+  /** All lines from now to its end; fails if there is no end in time. */
+  List<String> rest(double seconds) throws IOException {
+    awaitExit(seconds);
+    Threads.join(reader);
+    return List.copyOf(lines);
   }
 
   /** Types a line. */

@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import java.util.stream.Stream;
 import tellosimulator.testing.ProcessFigures;
 
 /** The runnable jar without a window, its console and what it costs. */
@@ -46,7 +47,7 @@ final class SimulatorProcess implements AutoCloseable {
    * @param jvm options of the JVM
    */
   static SimulatorProcess start(Host host, List<String> jvm, String... options) throws IOException {
-    Program program = host.start(command(jvm, options));
+    Program program = host.start(command(jvm, withoutWindow(options)));
     try {
       return new SimulatorProcess(program, program.await("ready", START_SECONDS));
     } catch (IOException e) {
@@ -57,7 +58,7 @@ final class SimulatorProcess implements AutoCloseable {
 
   /** Starts it on this machine, and waits until it is ready or has ended. */
   static SimulatorProcess tryToStart(List<String> jvm, String... options) throws IOException {
-    Program program = Host.HERE.start(command(jvm, options));
+    Program program = Host.HERE.start(command(jvm, withoutWindow(options)));
     try {
       return new SimulatorProcess(program, program.await("ready", START_SECONDS));
     } catch (IOException e) {
@@ -65,11 +66,28 @@ final class SimulatorProcess implements AutoCloseable {
     }
   }
 
-  /** What starts it without a window. */
+  private static String[] withoutWindow(String... options) {
+    return Stream.concat(Stream.of("--headless"), Stream.of(options)).toArray(String[]::new);
+  }
+
+  /** Starts it with a window, its drones on, and waits until it is ready. */
+  static SimulatorProcess inWindow(String... options) throws IOException {
+    List<String> command = command(List.of(), options);
+    command.add("--on");
+    Program program = Host.HERE.start(command);
+    try {
+      return new SimulatorProcess(program, program.await("ready", START_SECONDS));
+    } catch (IOException e) {
+      program.close();
+      throw e;
+    }
+  }
+
+  /** What starts it. */
   static List<String> command(List<String> jvm, String... options) {
     List<String> command = new ArrayList<>(List.of(ProcessFigures.tool("java")));
     command.addAll(jvm);
-    command.addAll(List.of("-jar", System.getProperty("simulator.jar"), "--headless"));
+    command.addAll(List.of("-jar", System.getProperty("simulator.jar")));
     command.addAll(List.of(options));
     return command;
   }
