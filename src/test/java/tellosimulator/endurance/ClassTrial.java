@@ -21,14 +21,14 @@ final class ClassTrial {
   static List<Row> run(double minutes) throws IOException {
     List<Row> rows = new ArrayList<>();
     try (PrivateNetwork network = new PrivateNetwork(3)) {
-      rows.add(addressEach(network));
+      rows.addAll(addressEach(network));
       rows.add(simulatorEach(network));
     }
     return rows;
   }
 
   /** One simulator, in which each drone has an address of the network. */
-  private static Row addressEach(PrivateNetwork network) throws IOException {
+  private static List<Row> addressEach(PrivateNetwork network) throws IOException {
     Host machine = network.host(1);
     List<String> addresses = new ArrayList<>(List.of(machine.address()));
     for (int drone = 2; drone <= DRONES; drone++) {
@@ -41,7 +41,9 @@ final class ClassTrial {
     try (SimulatorProcess simulator =
         SimulatorProcess.start(
             machine, List.of(), "--bind", String.join(",", addresses), "--command-port", PORT)) {
-      return fly("A class of three on one simulator with `--bind`", network, seats);
+      return List.of(
+          fly("A class of three on one simulator with `--bind`", network, seats),
+          Insides.row("… log", simulator));
     }
   }
 

@@ -92,6 +92,7 @@ final class DeterminismTrial {
     int programs = 0;
     int same = 0;
     try (Load load = new Load()) {
+      load.begin();
       for (int seed = 1; programs == 0 || System.nanoTime() < end; seed++) {
         List<String> first = fly(seed, new Random(1));
         List<String> second = fly(seed, new Random(2));
@@ -214,7 +215,7 @@ final class DeterminismTrial {
 
     private volatile boolean over;
 
-    Load() {
+    void begin() {
       for (int i = 0; i < BUSY_THREADS; i++) {
         Threads.start("busy", this::work);
       }
