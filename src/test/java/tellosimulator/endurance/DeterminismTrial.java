@@ -16,7 +16,6 @@ import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionException;
 import java.util.concurrent.locks.LockSupport;
 import tellosimulator.benchmark.Row;
-import tellosimulator.time.Threads;
 
 /**
  * Programs that send each command after the reply to the one before, twice each, while others keep
@@ -217,7 +216,7 @@ final class DeterminismTrial {
 
     void begin() {
       for (int i = 0; i < BUSY_THREADS; i++) {
-        Threads.start("busy", this::work);
+        Daemon.start("busy", this::work);
       }
     }
 

@@ -17,7 +17,6 @@ import java.util.concurrent.Executors;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import tellosimulator.benchmark.Row;
-import tellosimulator.time.Threads;
 
 /** Opens files that were made to do harm, each with a program of its own. */
 final class FilesTrial {
@@ -86,7 +85,7 @@ final class FilesTrial {
           && !program.said("ready")) {
         megabytes = Math.max(megabytes, peakMegabytes(program));
         seconds = Math.max(seconds, processorSeconds(program));
-        Threads.backOff();
+        Moments.pass(Moments.SHORT);
       }
       boolean refused = program.endsWithin(0) && program.process().exitValue() == REFUSED;
       boolean told = refused && !program.log().isBlank() && Insides.first(program.log()).isEmpty();

@@ -4,7 +4,6 @@ import java.io.IOException;
 import java.util.regex.Pattern;
 import tellosimulator.benchmark.Operator;
 import tellosimulator.benchmark.Row;
-import tellosimulator.time.Threads;
 
 /** Whether a simulator on this machine works as a whole, or has ended as a whole. */
 final class Health {
@@ -63,7 +62,7 @@ final class Health {
         }
         return simulator.state(1).startsWith("drone 1");
       } catch (IOException e) {
-        Threads.backOff();
+        Moments.pass(Moments.SHORT);
       }
     }
     return false;

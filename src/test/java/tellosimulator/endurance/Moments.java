@@ -5,6 +5,9 @@ import java.util.concurrent.locks.LockSupport;
 /** Time that passes while others act. */
 final class Moments {
 
+  /** Between two looks at something that changes [s]. */
+  static final double SHORT = 0.01;
+
   private static final long LONGEST = 100_000_000;
 
   private Moments() {}

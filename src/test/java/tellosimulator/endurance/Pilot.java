@@ -20,7 +20,6 @@ import java.util.concurrent.ScheduledExecutorService;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.LockSupport;
 import tellosimulator.benchmark.Statistics;
-import tellosimulator.time.Threads;
 
 /**
  * An operator program that flies circles by {@code rc}, asks a hundred times a second how full the
@@ -76,7 +75,7 @@ final class Pilot implements AutoCloseable {
   private void takeOff() throws IOException {
     expectOk("command");
     expectOk("takeoff");
-    Threads.start("states", this::readStates);
+    Daemon.start("states", this::readStates);
     var unused = timer.scheduleAtFixedRate(this::steer, 0, RC_PERIOD_MS, TimeUnit.MILLISECONDS);
   }
 

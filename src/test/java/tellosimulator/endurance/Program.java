@@ -13,7 +13,6 @@ import java.util.List;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
-import tellosimulator.time.Threads;
 
 /**
  * A process that somebody talks to by lines. What it writes to standard error is kept in a file. It
@@ -37,7 +36,7 @@ final class Program implements AutoCloseable {
     input =
         new BufferedWriter(
             new OutputStreamWriter(process.getOutputStream(), StandardCharsets.UTF_8));
-    reader = Threads.start("lines", this::readLines);
+    reader = Daemon.start("lines", this::readLines);
   }
 
   private void readLines() {
@@ -92,7 +91,11 @@ final class Program implements AutoCloseable {
   /** All lines from now to its end; fails if there is no end in time. */
   List<String> rest(double seconds) throws IOException {
     awaitExit(seconds);
-    Threads.join(reader);
+    try {
+      reader.join();
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+    }
     return List.copyOf(lines);
   }
 

@@ -9,7 +9,6 @@ import tellosimulator.network.AddressPlan;
 import tellosimulator.network.OnlineSimulation;
 import tellosimulator.network.PortTakenException;
 import tellosimulator.sim.SimConfig;
-import tellosimulator.time.Threads;
 import tellosimulator.video.Films;
 import tellosimulator.video.Recording;
 import tellosimulator.video.SoftwareCameras;
@@ -43,7 +42,7 @@ final class Recorder {
           told = recording.pictures();
           System.out.println("recorded " + told);
         }
-        Threads.backOff();
+        Moments.pass(Moments.SHORT);
       }
     }
   }
