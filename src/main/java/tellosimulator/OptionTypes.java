@@ -13,6 +13,7 @@ import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import picocli.CommandLine.ITypeConverter;
 import picocli.CommandLine.TypeConversionException;
+import tellosimulator.command.OperatorRule;
 import tellosimulator.math.Frames;
 import tellosimulator.math.Vec3;
 import tellosimulator.network.AddressPlan;
@@ -124,7 +125,7 @@ final class OptionTypes {
     public AddressList convert(String words) throws UnknownHostException {
       List<InetAddress> addresses = new ArrayList<>();
       for (String word : words.split(",", -1)) {
-        InetAddress address = address(word);
+        InetAddress address = address(word, EXPECTED);
         if (addresses.contains(address)) {
           throw new TypeConversionException(
               word + " is there twice, but each drone needs an address of its own");
@@ -134,16 +135,29 @@ final class OptionTypes {
       return new AddressList(List.copyOf(addresses));
     }
 
-    private static InetAddress address(String word) throws UnknownHostException {
+    private static InetAddress address(String word, String expected) throws UnknownHostException {
       if (!FORM.matcher(word).matches()
           || Arrays.stream(word.split("\\.", -1)).anyMatch(part -> Integer.parseInt(part) > 255)) {
-        throw mistake(EXPECTED, word);
+        throw mistake(expected, word);
       }
       InetAddress address = InetAddress.getByName(word);
       if (!AddressPlan.isOfOneHost(address)) {
-        throw mistake(EXPECTED, word);
+        throw mistake(expected, word);
       }
       return address;
+    }
+  }
+
+  static final class Operators implements ITypeConverter<OperatorRule> {
+    @Override
+    public OperatorRule convert(String word) throws UnknownHostException {
+      return switch (word) {
+        case "first" -> OperatorRule.FIRST;
+        case "anyone" -> OperatorRule.ANYONE;
+        default ->
+            OperatorRule.only(
+                Addresses.address(word, "first, anyone or an address such as 192.168.1.7"));
+      };
     }
   }
 

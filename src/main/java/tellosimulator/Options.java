@@ -9,8 +9,10 @@ import java.util.Optional;
 import java.util.OptionalInt;
 import picocli.CommandLine;
 import picocli.CommandLine.IVersionProvider;
+import tellosimulator.command.OperatorRule;
 import tellosimulator.math.Pose;
 import tellosimulator.network.AddressPlan;
+import tellosimulator.network.Reach;
 import tellosimulator.profile.Behaviour;
 import tellosimulator.profile.Profile;
 import tellosimulator.scenario.Scenario;
@@ -99,9 +101,24 @@ final class Options {
           .option(
               "--bind",
               "A,B,...",
-              "One address of this machine for each drone. Default: all addresses for drone 1,"
-                  + " 127.0.0.2 for drone 2, 127.0.0.3 for drone 3, and so on.")
+              "One address of this machine for each drone. Default: 127.0.0.1 for drone 1, 127.0.0.2"
+                  + " for drone 2, and so on.")
           .readIfGiven(new OptionTypes.Addresses());
+
+  private final Choice<Boolean> lan =
+      choices.flag(
+          "--lan",
+          "Let other machines of the local network fly: drone 1, or with --port-per-drone each drone,"
+              + " also listens on this machine's addresses there. Otherwise only this machine does.");
+
+  private final Choice<OperatorRule> operators =
+      choices
+          .option(
+              "--operator",
+              "first|ADDRESS|anyone",
+              "Who operates a drone: the host that first sends command, until it lets go; one host"
+                  + " alone; or anyone, as with the real drone. Others may only read. Default: first.")
+          .read(new OptionTypes.Operators(), "first");
 
   private final Choice<Boolean> portPerDrone =
       choices.flag(
@@ -245,7 +262,8 @@ final class Options {
         base.config()
             .withDecor(decor.withWalls(roomOptions.walls().or(decor.walls())).withPosters(all))
             .withTimeFactor(timeFactor.or(base.config().timeFactor()))
-            .withSeed(seed.or(base.config().seed()));
+            .withSeed(seed.or(base.config().seed()))
+            .withOperators(operators.value());
     return base.withConfig(config.withDrones(changed(config.drones())));
   }
 
@@ -303,6 +321,10 @@ final class Options {
 
   /** The same for any scenario, also one with other drones than there are addresses to bind. */
   AddressPlan addressPlan(Scenario scenario) {
+    return endpoints(scenario).withReach(lan.value() ? Reach.NETWORK : Reach.THIS_MACHINE);
+  }
+
+  private AddressPlan endpoints(Scenario scenario) {
     int count = scenario.config().drones().size();
     int port = commandPort.value();
     Optional<List<InetAddress>> bound = bind.value().map(OptionTypes.AddressList::addresses);
@@ -311,7 +333,7 @@ final class Options {
       return AddressPlan.of(bound.get(), port);
     }
     if (bound.isPresent() || portPerDrone.value()) {
-      return AddressPlan.portPerDrone(count, bound.orElseGet(AddressPlan::machineAddresses), port);
+      return AddressPlan.portPerDrone(count, bound.orElse(List.of()), port);
     }
     return commandPort.given()
         ? scenario.withCommandPort(port).addressPlan(port)

@@ -3,6 +3,7 @@ package tellosimulator;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.util.List;
 import java.util.OptionalInt;
@@ -11,8 +12,11 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import picocli.CommandLine.ParameterException;
+import tellosimulator.command.OperatorRule;
 import tellosimulator.math.Vec3;
 import tellosimulator.network.AddressPlan;
+import tellosimulator.network.DroneNetwork;
+import tellosimulator.network.Reach;
 import tellosimulator.profile.Behaviour;
 import tellosimulator.profile.Profile;
 import tellosimulator.scenario.Gallery;
@@ -158,12 +162,35 @@ class OptionsTest {
 
   @Test
   void eachFurtherDroneTakesTheNextLoopbackAddress() {
-    List<List<InetSocketAddress>> drones = options("--drones 3").addressPlan().drones();
+    assertThat(addresses(options("--drones 3")))
+        .containsExactly(
+            List.of(at("127.0.0.1", 8879)),
+            List.of(at("127.0.0.2", 8879)),
+            List.of(at("127.0.0.3", 8879)));
+  }
 
-    assertThat(drones.get(0)).contains(at("127.0.0.1", 8879));
-    assertThat(drones.get(0)).doesNotContain(at("127.0.0.2", 8879), at("127.0.0.3", 8879));
-    assertThat(drones.get(1)).containsExactly(at("127.0.0.2", 8879));
-    assertThat(drones.get(2)).containsExactly(at("127.0.0.3", 8879));
+  @Test
+  void onlyWithLanTheNetworkReachesTheFirstDrone() {
+    assertThat(options("").addressPlan().reach()).isEqualTo(Reach.THIS_MACHINE);
+    assertThat(options("--lan").addressPlan().reach()).isEqualTo(Reach.NETWORK);
+    assertThat(addresses(options("--lan")).get(0)).contains(at("127.0.0.1", 8879));
+    assertThat(addresses(options("--port-per-drone --drones 2")))
+        .containsExactly(List.of(at("127.0.0.1", 8879)), List.of(at("127.0.0.1", 8880)));
+  }
+
+  @Test
+  void whoOperatesCanBeChosen() throws Exception {
+    assertThat(options("").simConfig().rules().operators()).isEqualTo(OperatorRule.FIRST);
+    assertThat(options("--operator first").simConfig().rules().operators())
+        .isEqualTo(OperatorRule.FIRST);
+    assertThat(options("--operator anyone").simConfig().rules().operators())
+        .isEqualTo(OperatorRule.ANYONE);
+    assertThat(options("--operator 192.168.1.7 --scenario slalom").simConfig().rules().operators())
+        .isEqualTo(OperatorRule.only(InetAddress.getByName("192.168.1.7")));
+  }
+
+  private static List<List<InetSocketAddress>> addresses(Options options) {
+    return DroneNetwork.of(options.addressPlan()).addresses();
   }
 
   @Test
@@ -171,7 +198,7 @@ class OptionsTest {
     Options options = options("--bind 127.0.0.5,127.0.0.6 --command-port 8889");
 
     assertThat(options.simConfig().starts()).hasSize(2);
-    assertThat(options.addressPlan().drones())
+    assertThat(addresses(options))
         .containsExactly(List.of(at("127.0.0.5", 8889)), List.of(at("127.0.0.6", 8889)));
   }
 
@@ -207,14 +234,14 @@ class OptionsTest {
     assertThat(config.arena().decor().posters()).hasSize(1);
     assertThat(config.timeFactor()).isEqualTo(new TimeFactor(3));
     assertThat(config.seed()).isEqualTo(8);
-    assertThat(options.addressPlan().drones().get(2)).containsExactly(at("127.0.0.3", 8889));
+    assertThat(addresses(options).get(2)).containsExactly(at("127.0.0.3", 8889));
   }
 
   @Test
   void portsCountUpAndLeaveOutThoseOfOperators() {
     Options options = options("--port-per-drone --bind 127.0.0.1 --drones 3 --command-port 8888");
 
-    assertThat(options.addressPlan().drones())
+    assertThat(addresses(options))
         .containsExactly(
             List.of(at("127.0.0.1", 8888)),
             List.of(at("127.0.0.1", 8891)),

@@ -52,8 +52,15 @@ public final class CommandHandler {
     if (ignored(peer, text)) {
       return;
     }
+    boolean admitted = session.admits(peer);
+    if (!admitted && !openToOthers(text)) {
+      observer.turnedAway(peer, text, session.refusal(peer));
+      return;
+    }
     session.heard(peer, now);
-    target.linkAlive();
+    if (admitted) {
+      target.linkAlive();
+    }
     Optional<Responder> original = retransmission.original(peer, header, text);
     if (original.isPresent()) {
       original.get().alsoAnswer(header);
@@ -62,9 +69,15 @@ public final class CommandHandler {
       if (!header.isEmpty()) {
         retransmission.remember(header, text, responder);
       }
-      carryOut(text, responder);
+      carryOut(text, responder, admitted);
     }
     outbox.flush(now);
+  }
+
+  /** Whether every host may send it: it asks something, and changes nothing. */
+  private boolean openToOthers(String text) {
+    return session.link().sdkMode()
+        && parser.parse(text).filter(parsed -> parsed.syntax().readOnly()).isPresent();
   }
 
   /** Lets each command be carried out anew, though a copy of an earlier one. */
@@ -98,14 +111,16 @@ public final class CommandHandler {
     return false;
   }
 
-  private void carryOut(String text, Responder responder) {
+  private void carryOut(String text, Responder responder, boolean admitted) {
     observer.received(responder.peer(), text);
     Optional<Parsed> parsed = parser.parse(text);
     if (parsed.isEmpty()) {
       responder.refuse(Reply.unknown(echo(text)), parser.explain(text));
       return;
     }
-    target.commandArrived();
+    if (admitted) {
+      target.commandArrived();
+    }
     Optional<Refusal> refusal = refusal(parsed.get());
     if (refusal.isPresent()) {
       responder.refuse(refusal.get().reply(), refusal.get().reason());

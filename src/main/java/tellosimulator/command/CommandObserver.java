@@ -11,6 +11,13 @@ public interface CommandObserver {
   /** Something arrived that the drone does not react to. */
   void ignored(Peer peer, String text, Phrase reason);
 
+  /**
+   * Something arrived from a host that does not operate the drone, and has no effect.
+   *
+   * @param reason why, in plain words that follow "turned away: "
+   */
+  void turnedAway(Peer peer, String text, Phrase reason);
+
   /** A reply to {@code text} was given. */
   void replied(Peer peer, String text, Reply reply);
 

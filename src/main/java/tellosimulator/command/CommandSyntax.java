@@ -19,7 +19,10 @@ import static tellosimulator.profile.Sdk.SDK_3_0;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import java.util.function.Function;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import tellosimulator.profile.Profile;
 import tellosimulator.profile.Sdk;
 import tellosimulator.words.Phrase;
@@ -235,6 +238,12 @@ public enum CommandSyntax {
           .from("SDK 3.0 guide"),
       readOf(Reading.BOARD_VERSION));
 
+  /** The first words of all commands of all products. */
+  static final Set<String> FIRST_WORDS =
+      Stream.of(values())
+          .map(syntax -> syntax.verbWords.get(0))
+          .collect(Collectors.toUnmodifiableSet());
+
   private final Row row;
   private final List<String> verbWords;
   private final Function<Arguments, Command> record;
@@ -253,6 +262,11 @@ public enum CommandSyntax {
   /** The SDK that brought it. */
   public Sdk since() {
     return row.since();
+  }
+
+  /** Whether it changes nothing about the drone: a question, or {@code command}. */
+  public boolean readOnly() {
+    return this == COMMAND || row.verb().endsWith("?");
   }
 
   /** What happens while another command runs. */

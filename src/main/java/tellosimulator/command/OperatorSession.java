@@ -1,28 +1,54 @@
 package tellosimulator.command;
 
 import java.util.Optional;
+import java.util.function.Consumer;
 import tellosimulator.time.SimTime;
+import tellosimulator.words.Phrase;
 
 /**
- * SDK mode, and who the operator is. Lost with the power. For the simulation thread.
+ * SDK mode, and which host operates the drone. Lost with the power. For the simulation thread.
  *
- * <p>The sender of the first {@code command} is the operator. When it has been silent for a while,
- * the next sender of {@code command} takes over.
+ * <p>The host that first sends {@code command} is the operator; a program that is restarted sends
+ * from another port of the same host and goes on. The drone is free again when it stands on the
+ * ground and its operator has been silent for a minute, and after a reset; then the next sender of
+ * {@code command} takes over, while the old operator just goes on if it is first.
  */
 public final class OperatorSession {
 
-  /** Silence after which another may take over [s]. Decided: the time of the safety landing. */
-  private static final double SILENCE = 15;
+  /** Silence on the ground after which the drone is free [s]. Decided. */
+  private static final double FREE_AFTER = 60;
 
+  /**
+   * The same where everybody may steer, on the ground or not [s]. Decided: the time of the safety
+   * landing.
+   */
+  private static final double FREE_FOR_ANYONE_AFTER = 15;
+
+  /**
+   * Silence of an operator on another machine after which its state lines rest [s]. Decided: what
+   * nobody asks for is not sent into a network for ever.
+   */
+  private static final double REST_AFTER = 120;
+
+  /** A drone changed hands: who operates it now, and who did before, if anybody. */
+  public record Takeover(Peer operator, Optional<Peer> before) {}
+
+  private final OperatorRule rule;
   private final Link unlinked;
+  private final Consumer<Link> listener;
   private Link link;
   private SimTime lastHeard = SimTime.ZERO;
+  private boolean released;
+  private boolean stateRests;
 
   /**
    * @param statePort where state lines go unless {@code port} says otherwise
    * @param videoPort where video goes unless {@code port} says otherwise
+   * @param listener is told of each other link at once, before anything is sent over it
    */
-  public OperatorSession(int statePort, int videoPort) {
+  public OperatorSession(OperatorRule rule, int statePort, int videoPort, Consumer<Link> listener) {
+    this.rule = rule;
+    this.listener = listener;
     this.unlinked = new Link(Optional.empty(), statePort, videoPort);
     this.link = unlinked;
   }
@@ -31,26 +57,62 @@ public final class OperatorSession {
     return link;
   }
 
-  /** Notes that something came from {@code peer}. */
+  /** Whether what {@code peer} sends may change anything, now or as the first {@code command}. */
+  boolean admits(Peer peer) {
+    if (!rule.exclusive()) {
+      return true;
+    }
+    return link.sdkMode() ? isOperator(peer) : rule.accepts(peer.address().getAddress());
+  }
+
+  /** Why {@code peer} is not admitted, in plain words that follow "turned away: ". */
+  Phrase refusal(Peer peer) {
+    if (!rule.accepts(peer.address().getAddress())) {
+      return Phrase.of(
+          "--operator lets only %s operate the drone", rule.only().orElseThrow().getHostAddress());
+    }
+    return Phrase.of("the drone is operated by %s", link.operator().orElseThrow().host());
+  }
+
+  /** Notes that something came from {@code peer}; the operator is shown as it commanded last. */
   void heard(Peer peer, SimTime now) {
     if (isOperator(peer)) {
       lastHeard = now;
+      released = false;
+      stateRests = false;
+      adopt(link.with(peer));
     }
   }
 
   /**
    * Takes a {@code command}.
    *
-   * @return whether the operator is another one now
+   * @param standing whether the drone stands on the ground
+   * @return the takeover, if the operator is another one now
    */
-  public boolean open(Peer peer, SimTime now) {
-    boolean silent = now.since(lastHeard) >= SILENCE;
-    if (link.sdkMode() && (isOperator(peer) || !silent)) {
-      return false;
+  public Optional<Takeover> open(Peer peer, SimTime now, boolean standing) {
+    boolean same = isOperator(peer);
+    if (same || !rule.accepts(peer.address().getAddress()) || !free(now, standing)) {
+      return Optional.empty();
     }
-    link = unlinked.with(peer);
+    Takeover takeover = new Takeover(peer, link.operator());
+    adopt(unlinked.with(peer));
     lastHeard = now;
-    return true;
+    released = false;
+    stateRests = false;
+    return Optional.of(takeover);
+  }
+
+  private boolean free(SimTime now, boolean standing) {
+    double silence = now.since(lastHeard);
+    boolean given =
+        rule.exclusive() ? standing && silence >= FREE_AFTER : silence >= FREE_FOR_ANYONE_AFTER;
+    return !link.sdkMode() || released || given;
+  }
+
+  /** Lets the next sender of {@code command} take over, without disturbing the operator. */
+  public void release() {
+    released = true;
   }
 
   /**
@@ -62,13 +124,34 @@ public final class OperatorSession {
     if (!isOperator(peer)) {
       return false;
     }
-    link = link.withPorts(statePort, videoPort);
+    adopt(link.withPorts(statePort, videoPort));
+    stateRests = false;
     return true;
+  }
+
+  /** Sends no state lines until the operator is heard again, because nobody takes them. */
+  public void restState() {
+    stateRests = true;
+  }
+
+  /** Whether state lines are to be sent. */
+  public boolean wantsState(SimTime now) {
+    boolean remote = link.operator().filter(operator -> !operator.local()).isPresent();
+    return link.sdkMode() && !stateRests && !(remote && now.since(lastHeard) >= REST_AFTER);
   }
 
   /** Forgets everything, as without power. */
   public void close() {
-    link = unlinked;
+    adopt(unlinked);
+    released = false;
+    stateRests = false;
+  }
+
+  private void adopt(Link newLink) {
+    if (!newLink.equals(link)) {
+      link = newLink;
+      listener.accept(link);
+    }
   }
 
   private boolean isOperator(Peer peer) {

@@ -16,6 +16,11 @@ public record Peer(InetSocketAddress address, InetSocketAddress via) {
     return address.getAddress().getHostAddress();
   }
 
+  /** Whether it is a program on this machine that uses loopback. */
+  public boolean local() {
+    return address.getAddress().isLoopbackAddress();
+  }
+
   @Override
   public String toString() {
     return host() + ":" + address.getPort();

@@ -1,6 +1,9 @@
 package tellosimulator.command;
 
-/** The way out for replies. Called on the simulation thread; must neither block nor throw. */
+/**
+ * The way out for replies of one drone. Called on the simulation thread; must neither block nor
+ * throw.
+ */
 @FunctionalInterface
 public interface ReplyPort {
 
@@ -10,4 +13,7 @@ public interface ReplyPort {
    * @param text one character a byte (ISO-8859-1)
    */
   void reply(Peer peer, String text);
+
+  /** The drone's operator, or where it takes what the drone sends, is another one from now on. */
+  default void linked(Link link) {}
 }

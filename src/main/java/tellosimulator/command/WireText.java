@@ -37,6 +37,19 @@ public final class WireText {
     return text.substring(0, end);
   }
 
+  /**
+   * Whether a datagram begins with the first word of a command of any product, perhaps after a
+   * header; whether it is one is up to its other words.
+   */
+  public static boolean beginsLikeCommand(String datagram) {
+    int start = Retransmission.header(datagram).length();
+    int end = start;
+    while (end < datagram.length() && datagram.charAt(end) > ' ') {
+      end++;
+    }
+    return CommandSyntax.FIRST_WORDS.contains(datagram.substring(start, end));
+  }
+
   /** The text in a form that harms no terminal and no log: escaped and cut. */
   public static String printable(String text) {
     StringBuilder out = new StringBuilder();

@@ -120,6 +120,12 @@ public final class DroneController implements CommandTarget {
     observer.happened(new PutBack());
   }
 
+  /** Forgets SDK mode and films no more; a flight goes on until the safety landing. */
+  public void endSession() {
+    model.setVideo(model.video().stopped());
+    wiring.forgetLink().run();
+  }
+
   // --- CommandTarget ---
 
   @Override
@@ -144,13 +150,12 @@ public final class DroneController implements CommandTarget {
 
   @Override
   public void enterSdkMode(Command.EnterSdkMode command, Responder responder) {
-    if (session.open(responder.peer(), now)) {
-      wiring.operatorChanged().accept(responder.peer());
-    }
+    session.open(responder.peer(), now, !flight.airborne()).ifPresent(wiring.operatorChanged());
     String operator = session.link().operator().orElseThrow().host();
     if (!operator.equals(responder.peer().host())) {
       observer.happened(
-          new Note(Phrase.of("still sends its state to %s, which is not silent", operator)));
+          new Note(
+              Phrase.of("answers %s, but is operated by %s", responder.peer().host(), operator)));
     }
     responder.reply(Reply.OK);
   }

@@ -2,7 +2,6 @@ package tellosimulator.controller;
 
 import java.util.function.Consumer;
 import tellosimulator.command.OperatorSession;
-import tellosimulator.command.Peer;
 import tellosimulator.model.DroneModel;
 import tellosimulator.profile.Behaviour;
 import tellosimulator.profile.Profile;
@@ -13,7 +12,7 @@ import tellosimulator.sensor.SeededNoise;
  *
  * @param crashSpeed above which a touch is a crash [m/s]
  * @param observer is told what happens to the drone
- * @param operatorChanged is told when another operator has taken over
+ * @param operatorChanged is told when another operator has taken over, before it is answered
  * @param forgetLink called when the power goes
  */
 public record Wiring(
@@ -25,5 +24,5 @@ public record Wiring(
     SeededNoise noise,
     ReadReplies reads,
     FlightObserver observer,
-    Consumer<Peer> operatorChanged,
+    Consumer<OperatorSession.Takeover> operatorChanged,
     Runnable forgetLink) {}

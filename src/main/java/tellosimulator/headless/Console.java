@@ -29,12 +29,14 @@ final class Console {
   private static final Pattern NUMBER = Pattern.compile("-?[0-9]+(\\.[0-9]+)?");
 
   private static final String HELP =
-      "type reset [N], power on|off [N], battery PERCENT [N], pause, resume, state, help or quit";
+      "type reset [N], release [N], power on|off [N], battery PERCENT [N], pause, resume, state, help"
+          + " or quit";
 
   private static final String LONG_HELP =
       """
       state             see where each drone is and what it does
       reset [N]         put drones back to their start
+      release [N]       take drones from their operators: the next `command` decides
       power on [N]      use the power switch; also: power off [N]
       battery P [N]     charge or drain the battery to P percent
       pause, resume     let time stand still, and go on
@@ -120,6 +122,7 @@ final class Console {
   private void carryOut(List<String> words) throws PortTakenException {
     switch (words.get(0)) {
       case "reset" -> forDrones(words, 1, Control.Reset::new);
+      case "release" -> forDrones(words, 1, Control.Release::new);
       case "power" -> power(words);
       case "battery" -> battery(words);
       case "pause" -> pause(words, true);

@@ -12,6 +12,7 @@ import tellosimulator.network.AddressPlan;
 import tellosimulator.network.OnlineSimulation;
 import tellosimulator.network.PortTakenException;
 import tellosimulator.scenario.Scenario;
+import tellosimulator.sim.LogLimiter;
 import tellosimulator.sim.SimSnapshot;
 import tellosimulator.video.Films;
 import tellosimulator.video.VideoStreams;
@@ -36,7 +37,8 @@ public final class HeadlessSimulator implements AutoCloseable {
     GoalWatch goals = new GoalWatch(scenario.challenge(), log::event);
     ending = new Ending(goals);
     simulation =
-        new OnlineSimulation(scenario.config(), plan, replyPort, List.of(log, goals, ending));
+        new OnlineSimulation(
+            scenario.config(), plan, replyPort, List.of(new LogLimiter(log), goals, ending));
     video = VideoStreams.of(simulation, films);
     try {
       simulation.switchAllOn();

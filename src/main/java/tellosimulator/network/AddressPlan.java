@@ -1,10 +1,7 @@
 package tellosimulator.network;
 
-import java.net.Inet4Address;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
-import java.net.NetworkInterface;
-import java.net.SocketException;
 import java.net.UnknownHostException;
 import java.util.ArrayList;
 import java.util.Collections;
@@ -12,13 +9,16 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.Set;
+import java.util.stream.IntStream;
 
 /**
- * Which drone listens where.
+ * Which drone listens where, as it was asked for; which addresses the machine has is looked up when
+ * sockets are opened. Immutable.
  *
- * @param drones for each drone, in the order of their numbers, its addresses and port
+ * @param drones for each drone, in the order of their numbers, where it listens
+ * @param reach how far the machine's own addresses go
  */
-public record AddressPlan(List<List<InetSocketAddress>> drones) {
+public record AddressPlan(List<Endpoint> drones, Reach reach) {
 
   /** Ports that operator programs need for themselves. Documented: SDK 1.3 User Guide. */
   private static final Set<Integer> OPERATORS_PORTS = Set.of(8889, 8890, 11111);
@@ -28,14 +28,47 @@ public record AddressPlan(List<List<InetSocketAddress>> drones) {
   /** Groups and reserved addresses begin with this and higher bytes. Documented: RFC 1112. */
   private static final int FIRST_GROUP = 224;
 
+  /**
+   * Where one drone listens.
+   *
+   * @param addresses fixed ones; empty for those of the machine, as far as the {@link Reach} goes
+   * @param port on all of them; 0 for one that the system chooses
+   * @param bound whether a person asked for these addresses, which are opened then even if the
+   *     network reaches them
+   */
+  public record Endpoint(List<InetAddress> addresses, int port, boolean bound) {
+
+    public Endpoint {
+      addresses = List.copyOf(addresses);
+    }
+
+    boolean ofMachine() {
+      return addresses.isEmpty();
+    }
+  }
+
+  public AddressPlan {
+    drones = List.copyOf(drones);
+  }
+
+  /** For programs on this machine. */
+  public AddressPlan(List<Endpoint> drones) {
+    this(drones, Reach.THIS_MACHINE);
+  }
+
+  /** The same drones, reached from elsewhere. */
+  public AddressPlan withReach(Reach newReach) {
+    return new AddressPlan(drones, newReach);
+  }
+
   /** One address a drone, all on the same port. */
   public static AddressPlan of(List<InetAddress> addresses, int port) {
     return new AddressPlan(
-        addresses.stream().map(address -> List.of(new InetSocketAddress(address, port))).toList());
+        addresses.stream().map(address -> new Endpoint(List.of(address), port, true)).toList());
   }
 
   /**
-   * The first drone on all addresses of this machine, the others on 127.0.0.2 and so on, all on the
+   * The first drone on the machine's own addresses, the others on 127.0.0.2 and so on, all on the
    * same port.
    */
   public static AddressPlan ofMachine(int drones, int port) {
@@ -44,35 +77,30 @@ public record AddressPlan(List<List<InetSocketAddress>> drones) {
   }
 
   /**
-   * The same, but for drones whose address is given.
+   * The same, but for drones whose address a scenario gives.
    *
    * @param given for each drone its address; empty for the usual ones of its number
    * @param ports for each drone its port
    */
   public static AddressPlan ofMachine(List<Optional<InetAddress>> given, List<Integer> ports) {
-    List<InetSocketAddress> others = new ArrayList<>();
-    for (int number = 2; number <= given.size(); number++) {
-      InetAddress usual = loopback(number);
-      others.add(new InetSocketAddress(given.get(number - 1).orElse(usual), ports.get(number - 1)));
+    List<Endpoint> plan = new ArrayList<>();
+    for (int number = 1; number <= given.size(); number++) {
+      Optional<InetAddress> usual = number == 1 ? Optional.empty() : Optional.of(loopback(number));
+      List<InetAddress> addresses =
+          given.get(number - 1).or(() -> usual).map(List::of).orElse(List.of());
+      plan.add(new Endpoint(addresses, ports.get(number - 1), false));
     }
-    List<InetAddress> wanted = given.get(0).map(List::of).orElseGet(AddressPlan::machineAddresses);
-    List<InetSocketAddress> first = new ArrayList<>(onPort(wanted, ports.get(0)));
-    if (given.get(0).isEmpty()) {
-      first.removeAll(others); // where they had to be added, the machine counts them among its own
-    }
-    List<List<InetSocketAddress>> plan = new ArrayList<>();
-    plan.add(first);
-    others.forEach(other -> plan.add(List.of(other)));
     return new AddressPlan(plan);
   }
 
   /**
    * All drones on the same addresses, each on a port of its own from {@code firstPort} on.
    *
+   * @param addresses empty for the machine's own
    * @throws IllegalArgumentException with a sentence, if there are not enough ports
    */
   public static AddressPlan portPerDrone(int drones, List<InetAddress> addresses, int firstPort) {
-    List<List<InetSocketAddress>> plan = new ArrayList<>();
+    List<Endpoint> plan = new ArrayList<>();
     int port = firstPort;
     for (int number = 1; number <= drones; number++) {
       while (number > 1 && OPERATORS_PORTS.contains(port)) {
@@ -86,7 +114,7 @@ public record AddressPlan(List<List<InetSocketAddress>> drones) {
                 drones,
                 firstPort));
       }
-      plan.add(onPort(addresses, port));
+      plan.add(new Endpoint(addresses, port, !addresses.isEmpty()));
       port += firstPort == 0 ? 0 : 1;
     }
     return new AddressPlan(plan);
@@ -99,26 +127,51 @@ public record AddressPlan(List<List<InetSocketAddress>> drones) {
     return (address.getAddress()[0] & 0xff) < FIRST_GROUP;
   }
 
-  /** Every IPv4 address of this machine, loopback first. */
-  public static List<InetAddress> machineAddresses() {
-    List<InetAddress> addresses = new ArrayList<>();
-    addresses.add(loopback(1));
-    try {
-      NetworkInterface.networkInterfaces()
-          .flatMap(NetworkInterface::inetAddresses)
-          .filter(address -> address instanceof Inet4Address && !addresses.contains(address))
-          .forEach(addresses::add);
-    } catch (SocketException e) {
-      return addresses;
+  /**
+   * Where a drone listens on this machine. Of the machine's addresses, those that another drone has
+   * for itself are left out, such as 127.0.0.2 where it had to be added.
+   *
+   * @param drone its number, from 1
+   * @param networks the machine's addresses
+   */
+  List<InetSocketAddress> addresses(int drone, LocalNetworks networks) {
+    Endpoint endpoint = drones.get(drone - 1);
+    if (!endpoint.ofMachine()) {
+      return at(endpoint.addresses(), endpoint.port());
     }
-    return addresses;
+    List<InetAddress> own = reach == Reach.NETWORK ? networks.addresses() : List.of(loopback(1));
+    List<InetSocketAddress> addresses = new ArrayList<>(at(own, endpoint.port()));
+    for (Endpoint other : drones) {
+      addresses.removeAll(at(other.addresses(), other.port()));
+    }
+    return addresses.isEmpty() ? at(own, endpoint.port()) : List.copyOf(addresses);
   }
 
-  private static List<InetSocketAddress> onPort(List<InetAddress> addresses, int port) {
+  /** Whether a drone may listen there: what the network reaches only if a person asked for it. */
+  boolean allows(int drone, InetAddress address) {
+    return address.isLoopbackAddress() || reach == Reach.NETWORK || drones.get(drone - 1).bound();
+  }
+
+  /** The same with another port for a drone. */
+  AddressPlan withPort(int drone, int port) {
+    return new AddressPlan(
+        IntStream.rangeClosed(1, drones.size())
+            .mapToObj(
+                number -> {
+                  Endpoint endpoint = drones.get(number - 1);
+                  return number == drone
+                      ? new Endpoint(endpoint.addresses(), port, endpoint.bound())
+                      : endpoint;
+                })
+            .toList(),
+        reach);
+  }
+
+  private static List<InetSocketAddress> at(List<InetAddress> addresses, int port) {
     return addresses.stream().map(address -> new InetSocketAddress(address, port)).toList();
   }
 
-  private static InetAddress loopback(int last) {
+  static InetAddress loopback(int last) {
     try {
       return InetAddress.getByAddress(new byte[] {127, 0, 0, (byte) last});
     } catch (UnknownHostException e) {

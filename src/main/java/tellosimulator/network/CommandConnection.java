@@ -23,7 +23,14 @@ final class CommandConnection {
   private final DatagramPort port;
   private final Ports ports;
   private final Simulation simulation;
+  private final Gate gate;
   private boolean warned;
+
+  /** Decides whether a datagram is taken. */
+  @FunctionalInterface
+  interface Gate {
+    boolean admits(Peer peer, String text);
+  }
 
   /**
    * Receives nothing yet.
@@ -31,11 +38,12 @@ final class CommandConnection {
    * @param drone its number, from 1
    * @param ports of all drones; what comes from one of them is no command
    */
-  CommandConnection(int drone, DatagramPort port, Ports ports, Simulation simulation) {
+  CommandConnection(int drone, DatagramPort port, Ports ports, Simulation simulation, Gate gate) {
     this.drone = drone;
     this.port = port;
     this.ports = ports;
     this.simulation = simulation;
+    this.gate = gate;
   }
 
   /**
@@ -93,8 +101,8 @@ final class CommandConnection {
       return;
     }
     Peer peer = new Peer(received.sender(), port.address());
-    if (!simulation.submit(drone, peer, received.text())) {
-      LOG.debug("Drone {} is flooded, a datagram from {} is lost", drone, peer);
+    if (!gate.admits(peer, received.text()) || !simulation.submit(drone, peer, received.text())) {
+      traffic.countDropped();
     }
   }
 }

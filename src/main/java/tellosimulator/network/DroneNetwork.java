@@ -3,14 +3,23 @@ package tellosimulator.network;
 import java.net.InetSocketAddress;
 import java.util.ArrayList;
 import java.util.HashMap;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalInt;
+import java.util.Set;
+import java.util.function.IntFunction;
+import java.util.stream.IntStream;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+import tellosimulator.command.Link;
+import tellosimulator.command.Peer;
 import tellosimulator.command.ReplyPort;
 import tellosimulator.concurrent.Worker;
 import tellosimulator.sim.Simulation;
 import tellosimulator.sim.StatePort;
+import tellosimulator.time.TokenBucket;
 
 /**
  * The sockets of all drones, opened and closed drone by drone, and connected with a simulation. For
@@ -18,13 +27,31 @@ import tellosimulator.sim.StatePort;
  */
 public final class DroneNetwork implements AutoCloseable {
 
+  private static final Logger LOG = LoggerFactory.getLogger(DroneNetwork.class);
+
+  /** Connected sockets that are opened at the most. Decided: a program that is restarted. */
+  private static final double CONNECTS_PER_SECOND = 4;
+
+  private static final double MOST_CONNECTS = 64;
+
   private final List<DroneSockets> drones;
   private final Ports ports = new Ports();
   private final Map<Integer, List<Worker>> receivers = new HashMap<>();
-  private Optional<Simulation> simulation = Optional.empty();
+  private final List<AdmissionControl> admissions = new ArrayList<>();
+
+  /** Each command may come from another port, and a socket and a thread for it are not free. */
+  private final TokenBucket connecting = new TokenBucket(CONNECTS_PER_SECOND, MOST_CONNECTS);
+
+  private AddressPlan plan;
+  private volatile LocalNetworks networks = LocalNetworks.look();
+  private volatile Optional<Simulation> simulation = Optional.empty();
+
+  /** Addresses that could not be opened when they appeared; told once. */
+  private final List<InetSocketAddress> refused = new ArrayList<>();
 
   private DroneNetwork(AddressPlan plan) {
-    drones = plan.drones().stream().map(DroneSockets::new).toList();
+    this.plan = plan;
+    drones = plan.drones().stream().map(drone -> new DroneSockets()).toList();
   }
 
   /** Nothing is open yet. */
@@ -50,9 +77,9 @@ public final class DroneNetwork implements AutoCloseable {
     }
   }
 
-  /** The way out for replies; see {@link CommandResponseSender}. */
-  public ReplyPort replies(OptionalInt fixedPort) {
-    return new CommandResponseSender(ports, fixedPort);
+  /** The way out for the replies of the drone of a number; see {@link CommandResponseSender}. */
+  public IntFunction<ReplyPort> replies(OptionalInt fixedPort) {
+    return drone -> new CommandResponseSender(ports, fixedPort, link -> connect(drone, link));
   }
 
   /** The way out for state lines. */
@@ -64,30 +91,98 @@ public final class DroneNetwork implements AutoCloseable {
   public synchronized void listen(Simulation receiver) {
     simulation = Optional.of(receiver);
     for (int drone = 1; drone <= drones.size(); drone++) {
-      receive(drone);
+      admissions.add(new AdmissionControl(drone, receiver));
+      for (UdpPort port : sockets(drone).ports()) {
+        receive(drone, port);
+      }
     }
   }
 
   /**
-   * Opens a drone's sockets, if they are closed.
+   * Opens a drone's sockets at all addresses that the machine has now, if they are closed.
    *
    * @param drone its number, from 1
    * @throws PortTakenException if one cannot be had; then none is open
    */
   public synchronized void open(int drone) throws PortTakenException {
+    if (!sockets(drone).isOpen()) {
+      networks = LocalNetworks.look();
+      open(drone, planned(drone));
+    }
+  }
+
+  private void open(int drone, List<InetSocketAddress> addresses) throws PortTakenException {
+    for (InetSocketAddress address : addresses) {
+      if (!plan.allows(drone, address.getAddress())) {
+        throw PortTakenException.offLimits(address);
+      }
+    }
     DroneSockets sockets = sockets(drone);
-    if (!sockets.isOpen()) {
-      sockets.open();
-      sockets.ports().forEach(port -> ports.add(port, sockets.traffic()));
-      receive(drone);
+    List<UdpPort> before = sockets.ports();
+    sockets.open(addresses);
+    plan = plan.withPort(drone, sockets.addresses().get(0).getPort());
+    for (UdpPort port : sockets.ports()) {
+      if (!before.contains(port)) {
+        ports.add(port, sockets.traffic());
+        receive(drone, port);
+      }
     }
   }
 
   /** Closes a drone's sockets, if they are open; its ports are free when this returns. */
   public synchronized void close(int drone) {
-    ports.close(sockets(drone).release());
+    ports.close(sockets(drone).releaseAllBut(List.of()));
     receivers.getOrDefault(drone, List.of()).forEach(Worker::close);
     receivers.remove(drone);
+  }
+
+  /**
+   * Looks at the machine's addresses anew: drones that are on listen at those that have appeared,
+   * and no more at those that have gone.
+   */
+  public synchronized void refresh() {
+    networks = LocalNetworks.look();
+    for (int drone = 1; drone <= drones.size(); drone++) {
+      if (sockets(drone).isOpen()) {
+        adopt(drone);
+      }
+    }
+  }
+
+  private void adopt(int drone) {
+    List<InetSocketAddress> wanted = planned(drone);
+    ports.close(sockets(drone).releaseAllBut(wanted));
+    for (InetSocketAddress address : wanted) {
+      if (sockets(drone).addresses().contains(address)) {
+        continue;
+      }
+      try {
+        open(drone, List.of(address));
+        LOG.info("Drone {} also listens at {}", drone, address);
+        refused.remove(address);
+      } catch (PortTakenException e) {
+        if (!refused.contains(address)) {
+          refused.add(address);
+          LOG.warn("Drone {} does not listen at {}: {}", drone, address, e.getMessage());
+        }
+      }
+    }
+  }
+
+  /** From where the drones that listen on the machine's own addresses can be reached. */
+  public synchronized Reach reach() {
+    return plan.reach();
+  }
+
+  /** Changes it at once, also for drones that are on. */
+  public synchronized void setReach(Reach reach) {
+    plan = plan.withReach(reach);
+    refresh();
+  }
+
+  /** Tells the simulation how many datagrams were turned away since the last time. */
+  public synchronized void reportDropped() {
+    admissions.forEach(AdmissionControl::report);
   }
 
   /**
@@ -96,17 +191,23 @@ public final class DroneNetwork implements AutoCloseable {
    * @param port 0 for one that the system chooses
    */
   public synchronized void setPort(int drone, int port) {
-    sockets(drone).setPort(port);
+    sockets(drone);
+    plan = plan.withPort(drone, port);
   }
 
-  /** Where a drone listens while its sockets are open. */
+  /** Where a drone listens while its sockets are open, or would listen. */
   public synchronized List<InetSocketAddress> addresses(int drone) {
-    return sockets(drone).addresses();
+    DroneSockets sockets = sockets(drone);
+    return sockets.isOpen() ? sockets.addresses() : planned(drone);
   }
 
   /** Where each drone listens, in the order of their numbers. */
   public synchronized List<List<InetSocketAddress>> addresses() {
-    return drones.stream().map(DroneSockets::addresses).toList();
+    return IntStream.rangeClosed(1, drones.size()).mapToObj(this::addresses).toList();
+  }
+
+  private List<InetSocketAddress> planned(int drone) {
+    return plan.addresses(drone, networks);
   }
 
   /** What a drone received and sent. */
@@ -121,16 +222,47 @@ public final class DroneNetwork implements AutoCloseable {
     }
   }
 
-  private void receive(int drone) {
+  private void receive(int drone, UdpPort port) {
     simulation.ifPresent(
         receiver -> {
-          List<Worker> workers = new ArrayList<>();
-          for (UdpPort port : sockets(drone).ports()) {
-            CommandConnection connection = new CommandConnection(drone, port, ports, receiver);
-            workers.add(connection.listen(traffic(drone)));
-          }
-          receivers.put(drone, workers);
+          CommandConnection connection =
+              new CommandConnection(drone, port, ports, receiver, gate(drone));
+          List<Worker> workers = receivers.computeIfAbsent(drone, none -> new ArrayList<>());
+          workers.removeIf(Worker::hasEnded);
+          workers.add(connection.listen(traffic(drone)));
         });
+  }
+
+  private CommandConnection.Gate gate(int drone) {
+    AdmissionControl admission = admissions.get(drone - 1);
+    return (peer, text) -> admission.admits(peer, text, networks);
+  }
+
+  /**
+   * Gives an operator on another machine sockets of its own, for replies and for state lines, so
+   * that the simulation is told when nothing receives there. On the simulation thread.
+   */
+  private synchronized void connect(int drone, Link link) {
+    Optional<Peer> remote = link.operator().filter(operator -> !operator.local());
+    for (UdpPort port : sockets(drone).ports()) {
+      Set<InetSocketAddress> wanted =
+          remote
+              .filter(operator -> operator.via().equals(port.address()))
+              .map(operator -> destinations(operator, link.statePort()))
+              .orElse(Set.of());
+      port.keepConnected(wanted);
+      for (InetSocketAddress to : wanted) {
+        if (!port.isConnectedTo(to) && connecting.tryTake()) {
+          port.beside(to, gone -> simulation.ifPresent(each -> each.unreachable(drone, gone)))
+              .ifPresent(beside -> receive(drone, beside));
+        }
+      }
+    }
+  }
+
+  private static Set<InetSocketAddress> destinations(Peer operator, int statePort) {
+    InetSocketAddress state = new InetSocketAddress(operator.address().getAddress(), statePort);
+    return new LinkedHashSet<>(List.of(operator.address(), state));
   }
 
   private DroneSockets sockets(int drone) {

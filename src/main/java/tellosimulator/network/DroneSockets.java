@@ -6,58 +6,56 @@ import java.net.InetSocketAddress;
 import java.util.ArrayList;
 import java.util.List;
 
-/** The sockets of one drone: all open, or none. */
+/** The sockets of one drone. Not safe for several threads at once. */
 final class DroneSockets {
 
-  private List<InetSocketAddress> addresses;
-  private List<UdpPort> open = List.of();
+  private final List<UdpPort> open = new ArrayList<>();
   private final Traffic traffic = new Traffic();
 
-  DroneSockets(List<InetSocketAddress> addresses) {
-    this.addresses = List.copyOf(addresses);
-  }
-
   /**
-   * Opens all sockets, or none. A port that the system chose is the drone's port from now on.
+   * Opens sockets at all these addresses, or none. Where the system chooses a port for the first
+   * one, the others have the same.
    *
    * @throws PortTakenException if one cannot be had
    */
-  void open() throws PortTakenException {
-    List<UdpPort> opened = new ArrayList<>();
+  void open(List<InetSocketAddress> addresses) throws PortTakenException {
+    int before = open.size();
     try {
       for (InetSocketAddress address : addresses) {
-        opened.add(open(address));
+        open.add(bind(withPort(address)));
       }
     } catch (PortTakenException e) {
+      List<UdpPort> opened = open.subList(before, open.size());
       opened.forEach(UdpPort::close);
+      opened.clear();
       throw e;
     }
-    open = List.copyOf(opened);
-    addresses = open.stream().map(UdpPort::address).toList();
   }
 
-  /** Forgets the open sockets, and returns them to be closed. */
-  List<UdpPort> release() {
-    List<UdpPort> released = open;
-    open = List.of();
+  private InetSocketAddress withPort(InetSocketAddress address) {
+    boolean chosen = address.getPort() == 0 && !open.isEmpty();
+    return chosen
+        ? new InetSocketAddress(address.getAddress(), open.get(0).address().getPort())
+        : address;
+  }
+
+  /**
+   * Forgets the open sockets that are at none of these addresses, and returns them to be closed.
+   */
+  List<UdpPort> releaseAllBut(List<InetSocketAddress> addresses) {
+    List<UdpPort> released =
+        open.stream().filter(port -> !addresses.contains(port.address())).toList();
+    open.removeAll(released);
     return released;
   }
 
-  /** Where it listens, or will listen. */
+  /** Where it listens now. */
   List<InetSocketAddress> addresses() {
-    return addresses;
-  }
-
-  /** Another port on the same addresses, from the next {@link #open()} on. */
-  void setPort(int port) {
-    addresses =
-        addresses.stream()
-            .map(address -> new InetSocketAddress(address.getAddress(), port))
-            .toList();
+    return open.stream().map(UdpPort::address).toList();
   }
 
   List<UdpPort> ports() {
-    return open;
+    return List.copyOf(open);
   }
 
   boolean isOpen() {
@@ -68,7 +66,7 @@ final class DroneSockets {
     return traffic;
   }
 
-  private static UdpPort open(InetSocketAddress address) throws PortTakenException {
+  private static UdpPort bind(InetSocketAddress address) throws PortTakenException {
     try {
       return UdpPort.open(address);
     } catch (BindException e) {

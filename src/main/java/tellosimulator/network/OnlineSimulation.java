@@ -5,12 +5,16 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.OptionalInt;
 import java.util.stream.Collectors;
+import tellosimulator.concurrent.Agent;
+import tellosimulator.concurrent.Verdict;
+import tellosimulator.concurrent.Worker;
 import tellosimulator.sim.Control;
 import tellosimulator.sim.SimConfig;
 import tellosimulator.sim.SimListener;
 import tellosimulator.sim.SimSnapshot;
 import tellosimulator.sim.Simulation;
 import tellosimulator.sim.SimulationLoop;
+import tellosimulator.time.Metronome;
 
 /**
  * A simulation that runs at the pace of its clock, with drones that programs reach over UDP while
@@ -18,9 +22,17 @@ import tellosimulator.sim.SimulationLoop;
  */
 public final class OnlineSimulation implements AutoCloseable {
 
+  /**
+   * How often the network is looked at: what was turned away is told, and new addresses of the
+   * machine are served [ns]. Decided.
+   */
+  private static final long WATCH_NANOS = 1_000_000_000;
+
   private final DroneNetwork network;
   private final Simulation simulation;
   private final SimulationLoop loop;
+  private final Metronome clock = new Metronome();
+  private final Worker watch;
 
   /**
    * Starts with all drones off and all sockets closed.
@@ -31,10 +43,42 @@ public final class OnlineSimulation implements AutoCloseable {
   public OnlineSimulation(
       SimConfig config, AddressPlan plan, OptionalInt replyPort, List<SimListener> listeners) {
     network = DroneNetwork.of(plan);
-    simulation =
-        new Simulation(config, drone -> network.replies(replyPort), network.states(), listeners);
+    simulation = new Simulation(config, network.replies(replyPort), network.states(), listeners);
     loop = new SimulationLoop(simulation);
     network.listen(simulation);
+    watch = Worker.start("network", new Watch());
+  }
+
+  /** Looks after the sockets now and then. */
+  private final class Watch implements Agent {
+
+    private final Verdict failed = Verdict.goOn("The network could not be looked after");
+
+    @Override
+    public Outcome doWork() {
+      if (clock.awaitTick(WATCH_NANOS)) {
+        network.reportDropped();
+        if (reach() == Reach.NETWORK) {
+          network.refresh();
+        }
+      }
+      return Outcome.WORKED;
+    }
+
+    @Override
+    public Verdict onError(Throwable failure) {
+      return failed;
+    }
+  }
+
+  /** From where the drones that listen on the machine's own addresses can be reached. */
+  public Reach reach() {
+    return network.reach();
+  }
+
+  /** Changes it at once, also for drones that are on. */
+  public void setReach(Reach reach) {
+    network.setReach(reach);
   }
 
   /**
@@ -128,6 +172,9 @@ public final class OnlineSimulation implements AutoCloseable {
 
   @Override
   public void close() {
+    watch.end();
+    clock.wake();
+    watch.close();
     network.close();
     loop.close();
   }

@@ -19,6 +19,8 @@ public final class PortTakenException extends IOException {
     /** An operator program probably has the port, because all of them need it. */
     TAKEN_BY_OPERATOR,
     NO_SUCH_ADDRESS,
+    /** The network reaches it, but nobody asked for that. */
+    OFF_LIMITS,
     /** The system refuses. */
     FORBIDDEN
   }
@@ -75,6 +77,18 @@ public final class PortTakenException extends IOException {
         Obstacle.NO_SUCH_ADDRESS,
         String.format(Locale.ROOT, "This machine has no address %s: %s.", host, remedy),
         cause);
+  }
+
+  static PortTakenException offLimits(InetSocketAddress address) {
+    return new PortTakenException(
+        address,
+        Obstacle.OFF_LIMITS,
+        String.format(
+            Locale.ROOT,
+            "%s can be reached from the network, but the drones listen on this machine only: give"
+                + " --lan to allow it, or in the window switch \"Reachable from the network\" on.",
+            address.getAddress().getHostAddress()),
+        new IOException("off limits"));
   }
 
   static PortTakenException forbidden(InetSocketAddress address, IOException cause) {

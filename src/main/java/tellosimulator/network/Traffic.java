@@ -7,9 +7,14 @@ public final class Traffic {
 
   private final LongAdder received = new LongAdder();
   private final LongAdder sent = new LongAdder();
+  private final LongAdder dropped = new LongAdder();
 
   void countReceived() {
     received.increment();
+  }
+
+  void countDropped() {
+    dropped.increment();
   }
 
   void countSent() {
@@ -19,6 +24,11 @@ public final class Traffic {
   /** Datagrams that came to the drone's command port. */
   public long received() {
     return received.sum();
+  }
+
+  /** Those of the received ones that were turned away before the simulation saw them. */
+  public long dropped() {
+    return dropped.sum();
   }
 
   /** Datagrams that left from there: replies and state lines. */

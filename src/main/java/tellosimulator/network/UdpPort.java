@@ -2,20 +2,39 @@ package tellosimulator.network;
 
 import java.io.IOException;
 import java.net.InetSocketAddress;
+import java.net.PortUnreachableException;
 import java.net.StandardSocketOptions;
 import java.nio.ByteBuffer;
 import java.nio.channels.DatagramChannel;
+import java.util.Collection;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.concurrent.ConcurrentHashMap;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 import tellosimulator.command.WireText;
 
-/** A UDP socket. */
+/**
+ * A UDP socket. It may have connected sockets beside it, on the same address and port, each for one
+ * peer: the system tells those when nothing receives there, and gives them what comes from there.
+ */
 public final class UdpPort implements DatagramPort {
+
+  /** Is told, on any thread, that something sent did not arrive. */
+  @FunctionalInterface
+  public interface UnreachableListener {
+
+    /** The system was told by ICMP that nothing receives at a peer's port. */
+    void unreachable(InetSocketAddress peer);
+  }
 
   private static final Logger LOG = LoggerFactory.getLogger(UdpPort.class);
 
   /** Longer than the longest command, so that a longer one is seen to be longer [bytes]. */
   private static final int BUFFER = 2048;
+
+  private static final boolean LINUX = System.getProperty("os.name").startsWith("Linux");
 
   /** Room for a burst of commands while the machine is busy with something else [bytes]. */
   private static final int SOCKET_BUFFER = 1 << 18;
@@ -24,9 +43,23 @@ public final class UdpPort implements DatagramPort {
   private final InetSocketAddress address;
   private final ByteBuffer buffer = ByteBuffer.allocateDirect(BUFFER);
 
-  private UdpPort(DatagramChannel channel, InetSocketAddress address) {
+  private final Optional<InetSocketAddress> peer;
+  private final UnreachableListener listener;
+  private final Map<InetSocketAddress, UdpPort> connected = new ConcurrentHashMap<>();
+
+  private UdpPort(DatagramChannel channel) throws IOException {
     this.channel = channel;
-    this.address = address;
+    this.address = (InetSocketAddress) channel.getLocalAddress();
+    this.peer = Optional.empty();
+    this.listener = unreachable -> {};
+  }
+
+  private UdpPort(DatagramChannel channel, InetSocketAddress peer, UnreachableListener listener)
+      throws IOException {
+    this.channel = channel;
+    this.address = (InetSocketAddress) channel.getLocalAddress();
+    this.peer = Optional.of(peer);
+    this.listener = listener;
   }
 
   /**
@@ -39,11 +72,87 @@ public final class UdpPort implements DatagramPort {
     try {
       channel.setOption(StandardSocketOptions.SO_RCVBUF, SOCKET_BUFFER);
       channel.bind(address);
-      return new UdpPort(channel, (InetSocketAddress) channel.getLocalAddress());
+      return new UdpPort(channel);
     } catch (IOException | RuntimeException e) {
       channel.close();
       throw e;
     }
+  }
+
+  /**
+   * Opens a socket that sends to one peer alone.
+   *
+   * @throws IOException if the address is not of this machine or the port is taken
+   */
+  public static UdpPort connect(
+      InetSocketAddress address, InetSocketAddress peer, UnreachableListener listener)
+      throws IOException {
+    return connect(address, peer, listener, false);
+  }
+
+  private static UdpPort connect(
+      InetSocketAddress address,
+      InetSocketAddress peer,
+      UnreachableListener listener,
+      boolean beside)
+      throws IOException {
+    DatagramChannel channel = DatagramChannel.open(java.net.StandardProtocolFamily.INET);
+    try {
+      channel.setOption(StandardSocketOptions.SO_RCVBUF, SOCKET_BUFFER);
+      channel.setOption(StandardSocketOptions.SO_REUSEADDR, beside);
+      channel.bind(address);
+      channel.connect(peer);
+      return new UdpPort(channel, peer, listener);
+    } catch (IOException | RuntimeException e) {
+      channel.close();
+      throw e;
+    }
+  }
+
+  /**
+   * Opens a connected socket beside this one, through which everything goes to the peer from now
+   * on, until it is closed. Only Linux gives the connected one what comes from its peer for sure,
+   * so elsewhere there is none. The port stays closed to others: it may be shared just while this
+   * runs.
+   *
+   * @return empty where the system has no such thing
+   */
+  Optional<UdpPort> beside(InetSocketAddress to, UnreachableListener whom) {
+    if (!LINUX) {
+      return Optional.empty();
+    }
+    try {
+      channel.setOption(StandardSocketOptions.SO_REUSEADDR, true);
+      UdpPort port = connect(address, to, whom, true);
+      connected.put(to, port);
+      return Optional.of(port);
+    } catch (IOException e) {
+      LOG.debug("No connected socket from {} to {}: {}", address, to, e.toString());
+      return Optional.empty();
+    } finally {
+      shareNoMore();
+    }
+  }
+
+  private void shareNoMore() {
+    try {
+      channel.setOption(StandardSocketOptions.SO_REUSEADDR, false);
+    } catch (IOException e) {
+      LOG.debug("{} was closed meanwhile: {}", address, e.toString());
+    }
+  }
+
+  /** Closes the connected sockets beside this one, but for those to these peers. */
+  void keepConnected(Collection<InetSocketAddress> peers) {
+    for (InetSocketAddress other : List.copyOf(connected.keySet())) {
+      if (!peers.contains(other)) {
+        connected.remove(other).close();
+      }
+    }
+  }
+
+  boolean isConnectedTo(InetSocketAddress to) {
+    return connected.containsKey(to);
   }
 
   @Override
@@ -53,18 +162,42 @@ public final class UdpPort implements DatagramPort {
 
   @Override
   public Received receive() throws IOException {
-    buffer.clear();
-    InetSocketAddress sender = (InetSocketAddress) channel.receive(buffer);
+    InetSocketAddress sender = null;
+    while (sender == null) {
+      buffer.clear();
+      sender = receiveFrom();
+    }
     buffer.flip();
     byte[] bytes = new byte[buffer.remaining()];
     buffer.get(bytes);
     return new Received(sender, WireText.decode(bytes, bytes.length));
   }
 
+  /** Null where there was no datagram, but word that something sent did not arrive. */
+  private InetSocketAddress receiveFrom() throws IOException {
+    try {
+      return (InetSocketAddress) channel.receive(buffer);
+    } catch (PortUnreachableException e) {
+      peer.ifPresent(listener::unreachable);
+      return null;
+    }
+  }
+
   @Override
   public void send(byte[] bytes, InetSocketAddress to) {
+    UdpPort beside = connected.get(to);
+    if (beside != null) {
+      beside.send(bytes, to);
+      return;
+    }
     try {
-      channel.send(ByteBuffer.wrap(bytes), to);
+      if (peer.isPresent()) {
+        channel.write(ByteBuffer.wrap(bytes));
+      } else {
+        channel.send(ByteBuffer.wrap(bytes), to);
+      }
+    } catch (PortUnreachableException e) {
+      peer.ifPresent(listener::unreachable);
     } catch (IOException e) {
       LOG.debug("A datagram from {} to {} was lost: {}", address, to, e.toString());
     }
@@ -72,6 +205,7 @@ public final class UdpPort implements DatagramPort {
 
   @Override
   public void close() {
+    keepConnected(List.of());
     try {
       channel.close();
     } catch (IOException e) {

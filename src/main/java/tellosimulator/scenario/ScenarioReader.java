@@ -15,6 +15,7 @@ import tellosimulator.scenario.Scenario.Station;
 import tellosimulator.scenario.Section.Located;
 import tellosimulator.sim.DroneSetup;
 import tellosimulator.sim.SimConfig;
+import tellosimulator.sim.SimConfig.Rules;
 import tellosimulator.time.TimeFactor;
 import tellosimulator.words.Phrase;
 import tellosimulator.world.Arena;
@@ -116,7 +117,8 @@ final class ScenarioReader {
         setups,
         factor,
         scenario.read("seed", seed, SimConfig.DEFAULT.seed()),
-        scenario.read("crash-speed", Values.speed(FASTEST_TOUCH), DroneSpec.CRASH_SPEED));
+        Rules.DEFAULT.withCrashSpeed(
+            scenario.read("crash-speed", Values.speed(FASTEST_TOUCH), DroneSpec.CRASH_SPEED)));
   }
 
   private static List<Station> stations(List<Located<DroneReader.Entry>> drones) {

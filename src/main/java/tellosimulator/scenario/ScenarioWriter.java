@@ -51,7 +51,7 @@ final class ScenarioWriter {
     file.list("pads", arena.pads().stream().map(ScenarioWriter::pad).toList());
     drones(file, scenario);
     wind(file, arena.wind());
-    file.put("crash-speed", config.crashSpeed() * 100, DroneSpec.CRASH_SPEED * 100);
+    file.put("crash-speed", config.rules().crashSpeed() * 100, DroneSpec.CRASH_SPEED * 100);
     if (config.timeFactor().unlimited()) {
       file.put("time-factor", ScenarioReader.MAX);
     } else {

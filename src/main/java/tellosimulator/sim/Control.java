@@ -26,6 +26,9 @@ public sealed interface Control {
   /** Back to the start, as if it had just been put there. */
   record Reset(int drone) implements ForDrone {}
 
+  /** Takes a drone from its operator: the next sender of {@code command} gets it. */
+  record Release(int drone) implements ForDrone {}
+
   /**
    * Charges or drains the battery.
    *

@@ -1,5 +1,6 @@
 package tellosimulator.sim;
 
+import java.net.InetSocketAddress;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.Consumer;
@@ -33,6 +34,7 @@ import tellosimulator.sensor.PadDetector;
 import tellosimulator.sensor.SeededNoise;
 import tellosimulator.sensor.SeededNoise.Channel;
 import tellosimulator.sim.SimConfig.Outlets;
+import tellosimulator.sim.SimConfig.Rules;
 import tellosimulator.time.Periodic;
 import tellosimulator.time.SimTime;
 import tellosimulator.words.Phrase;
@@ -90,12 +92,12 @@ final class Drone {
    * What all drones of a simulation share.
    *
    * @param seed of everything random
-   * @param crashSpeed above which a touch is a crash [m/s]
+   * @param rules of the simulation
    * @param surroundings what is around them
    * @param events takes what happens
    */
   record Neighbourhood(
-      long seed, double crashSpeed, Surroundings surroundings, Consumer<SimEvent> events) {}
+      long seed, Rules rules, Surroundings surroundings, Consumer<SimEvent> events) {}
 
   /**
    * @param number from 1
@@ -121,7 +123,12 @@ final class Drone {
         new Instruments(behaviour, noise, neighbourhood.surroundings().ground(number));
     this.state = model.snapshot(now);
     Outlets outlets = setup.outlets();
-    this.session = new OperatorSession(outlets.statePort(), outlets.videoPort());
+    this.session =
+        new OperatorSession(
+            neighbourhood.rules().operators(),
+            outlets.statePort(),
+            outlets.videoPort(),
+            replies::linked);
     this.outbox = new Outbox(replies, this::replyDelay);
     Observer observer = new Observer();
     this.controller =
@@ -130,7 +137,7 @@ final class Drone {
                 model,
                 profile,
                 behaviour,
-                neighbourhood.crashSpeed(),
+                neighbourhood.rules().crashSpeed(),
                 session,
                 noise,
                 new ReadReplies(instruments, profile, number),
@@ -159,6 +166,25 @@ final class Drone {
     }
   }
 
+  /**
+   * Something sent to its operator did not arrive: the stream that nobody takes rests, and where it
+   * was a reply, the session ends.
+   */
+  void unreachable(InetSocketAddress destination) {
+    Optional<InetSocketAddress> operator = session.link().operator().map(Peer::address);
+    if (operator.filter(destination::equals).isPresent()) {
+      controller.endSession();
+      note(
+          Phrase.of(
+              "is free, because nobody takes its replies at %s:%d any more; `command` starts anew",
+              destination.getAddress().getHostAddress(), destination.getPort()));
+    } else if (operator
+        .filter(at -> at.getAddress().equals(destination.getAddress()))
+        .isPresent()) {
+      session.restState();
+    }
+  }
+
   void apply(Control.ForDrone control, Room room) {
     if (control instanceof Control.Power power) {
       if (power.on()) {
@@ -169,7 +195,11 @@ final class Drone {
     } else if (control instanceof Control.Reset) {
       controller.reset();
       handler.forgetCopies();
+      session.release();
       settle(neighbourhood.surroundings());
+    } else if (control instanceof Control.Release) {
+      controller.endSession();
+      note(Phrase.of("is free: who sends `command` next operates it"));
     } else if (control instanceof Control.SetBattery battery) {
       model.setBattery(new Battery(battery.percent() / 100));
       note(Phrase.of("has %d %% of its battery now", model.battery().percent()));
@@ -311,13 +341,15 @@ final class Drone {
   void output(StatePort states) {
     if (stateLines.isPresent() && stateLines.get().due(now)) {
       lineOwed = false;
-      states.send(
-          new StatePort.StateReport(
-              state,
-              instruments.read(state),
-              state.perception().reading(),
-              profile,
-              session.link()));
+      if (session.wantsState(now)) {
+        states.send(
+            new StatePort.StateReport(
+                state,
+                instruments.read(state),
+                state.perception().reading(),
+                profile,
+                session.link()));
+      }
     }
     controller.watchOver();
   }
@@ -374,6 +406,11 @@ final class Drone {
     }
 
     @Override
+    public void turnedAway(Peer peer, String text, Phrase reason) {
+      events.accept(new SimEvent.TurnedAway(now, model.drone(), peer, text, reason));
+    }
+
+    @Override
     public void replied(Peer peer, String text, Reply reply) {
       events.accept(new SimEvent.ReplySent(now, model.drone(), peer, text, reply));
     }
@@ -388,9 +425,11 @@ final class Drone {
       events.accept(new SimEvent.CommandRefused(now, model.drone(), peer, text, reply, reason));
     }
 
-    void operatorChanged(Peer peer) {
+    void operatorChanged(OperatorSession.Takeover takeover) {
       int statePort = session.link().statePort();
-      events.accept(new SimEvent.OperatorChanged(now, model.drone(), peer, statePort));
+      events.accept(
+          new SimEvent.OperatorChanged(
+              now, model.drone(), takeover.operator(), statePort, takeover.before()));
       if (stateLines.isEmpty()) {
         stateLines = Optional.of(new Periodic(now, Drone.this::statePeriod));
       }

@@ -3,6 +3,7 @@ package tellosimulator.sim;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.UnaryOperator;
+import tellosimulator.command.OperatorRule;
 import tellosimulator.math.Pose;
 import tellosimulator.math.Vec3;
 import tellosimulator.model.DroneSpec;
@@ -20,10 +21,10 @@ import tellosimulator.world.Room;
  * @param drones in the order of their numbers
  * @param timeFactor how fast simulated time passes
  * @param seed of everything random
- * @param crashSpeed above which a touch is a crash [m/s]
+ * @param rules what holds for all drones
  */
 public record SimConfig(
-    Arena arena, List<DroneSetup> drones, TimeFactor timeFactor, long seed, double crashSpeed) {
+    Arena arena, List<DroneSetup> drones, TimeFactor timeFactor, long seed, Rules rules) {
 
   /** Which drone is simulated, after which account of it. */
   public record Product(Profile profile, Behaviour behaviour) {
@@ -39,6 +40,30 @@ public record SimConfig(
     public static final Outlets DEFAULT = new Outlets(8890, 11111);
   }
 
+  /**
+   * What holds for all drones of a simulation.
+   *
+   * @param crashSpeed above which a touch is a crash [m/s]
+   * @param operators who may operate them
+   */
+  public record Rules(double crashSpeed, OperatorRule operators) {
+
+    public Rules {
+      if (!(crashSpeed >= 0)) {
+        throw new IllegalArgumentException(
+            "crashSpeed is " + crashSpeed + " m/s, but must not be negative");
+      }
+    }
+
+    /** As real drones crash, operated by who comes first. */
+    public static final Rules DEFAULT = new Rules(DroneSpec.CRASH_SPEED, OperatorRule.FIRST);
+
+    /** The same with another crash speed. */
+    public Rules withCrashSpeed(double newCrashSpeed) {
+      return new Rules(newCrashSpeed, operators);
+    }
+  }
+
   /** One EDU in the middle of the default room, in real time. */
   public static final SimConfig DEFAULT =
       new SimConfig(
@@ -46,16 +71,12 @@ public record SimConfig(
           alike(Swarm.row(1, Vec3.ZERO, Room.DEFAULT)),
           TimeFactor.REAL_TIME,
           1,
-          DroneSpec.CRASH_SPEED);
+          Rules.DEFAULT);
 
   public SimConfig {
     drones = List.copyOf(drones);
     if (drones.isEmpty()) {
       throw new IllegalArgumentException("there must be at least one drone");
-    }
-    if (!(crashSpeed >= 0)) {
-      throw new IllegalArgumentException(
-          "crashSpeed is " + crashSpeed + " m/s, but must not be negative");
     }
   }
 
@@ -85,7 +106,7 @@ public record SimConfig(
   }
 
   public SimConfig withDrones(List<DroneSetup> newDrones) {
-    return new SimConfig(arena, newDrones, timeFactor, seed, crashSpeed);
+    return new SimConfig(arena, newDrones, timeFactor, seed, rules);
   }
 
   /** Another room, with drones that are as the first one but for their starts. */
@@ -100,19 +121,27 @@ public record SimConfig(
   }
 
   public SimConfig withArena(Arena newArena) {
-    return new SimConfig(newArena, drones, timeFactor, seed, crashSpeed);
+    return new SimConfig(newArena, drones, timeFactor, seed, rules);
   }
 
   public SimConfig withTimeFactor(TimeFactor newTimeFactor) {
-    return new SimConfig(arena, drones, newTimeFactor, seed, crashSpeed);
+    return new SimConfig(arena, drones, newTimeFactor, seed, rules);
   }
 
   public SimConfig withSeed(long newSeed) {
-    return new SimConfig(arena, drones, timeFactor, newSeed, crashSpeed);
+    return new SimConfig(arena, drones, timeFactor, newSeed, rules);
   }
 
   public SimConfig withCrashSpeed(double newCrashSpeed) {
-    return new SimConfig(arena, drones, timeFactor, seed, newCrashSpeed);
+    return withRules(rules.withCrashSpeed(newCrashSpeed));
+  }
+
+  public SimConfig withOperators(OperatorRule newOperators) {
+    return withRules(new Rules(rules.crashSpeed(), newOperators));
+  }
+
+  private SimConfig withRules(Rules newRules) {
+    return new SimConfig(arena, drones, timeFactor, seed, newRules);
   }
 
   private SimConfig withEach(UnaryOperator<DroneSetup> change) {

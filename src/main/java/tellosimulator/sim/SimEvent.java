@@ -1,6 +1,7 @@
 package tellosimulator.sim;
 
 import java.util.Locale;
+import java.util.Optional;
 import tellosimulator.command.CommandSyntax;
 import tellosimulator.command.Peer;
 import tellosimulator.command.Reply;
@@ -33,8 +34,16 @@ public sealed interface SimEvent {
     return Severity.INFORMATION;
   }
 
+  /** Something about a text that a host sent. */
+  sealed interface FromPeer extends SimEvent {
+    Peer peer();
+
+    /** The text without header, one character a byte (ISO-8859-1). */
+    String text();
+  }
+
   /** A command arrived; what becomes of it follows. */
-  record CommandReceived(SimTime time, int drone, Peer peer, String text) implements SimEvent {
+  record CommandReceived(SimTime time, int drone, Peer peer, String text) implements FromPeer {
     @Override
     public Severity severity() {
       return ofText(text);
@@ -48,7 +57,7 @@ public sealed interface SimEvent {
 
   /** Something arrived that the drone does not react to. */
   record CommandIgnored(SimTime time, int drone, Peer peer, String text, Phrase reason)
-      implements SimEvent {
+      implements FromPeer {
     @Override
     public Severity severity() {
       return Severity.WARNING;
@@ -62,7 +71,7 @@ public sealed interface SimEvent {
 
   /** A command was refused, and the drone said so. */
   record CommandRefused(SimTime time, int drone, Peer peer, String text, Reply reply, Phrase reason)
-      implements SimEvent {
+      implements FromPeer {
     @Override
     public Severity severity() {
       return Severity.WARNING;
@@ -78,7 +87,7 @@ public sealed interface SimEvent {
 
   /** A command was begun, but came to another end, and the drone said so. */
   record CommandFailed(SimTime time, int drone, Peer peer, String text, Reply reply, Phrase reason)
-      implements SimEvent {
+      implements FromPeer {
     @Override
     public Severity severity() {
       return Severity.WARNING;
@@ -94,7 +103,7 @@ public sealed interface SimEvent {
 
   /** A command was answered. */
   record ReplySent(SimTime time, int drone, Peer peer, String text, Reply reply)
-      implements SimEvent {
+      implements FromPeer {
     @Override
     public Severity severity() {
       return ofText(text);
@@ -108,12 +117,76 @@ public sealed interface SimEvent {
     }
   }
 
-  /** State and video go to another host from now on. */
-  record OperatorChanged(SimTime time, int drone, Peer peer, int statePort) implements SimEvent {
+  /** Something came from a host that does not operate the drone, and had no effect. */
+  record TurnedAway(SimTime time, int drone, Peer peer, String text, Phrase reason)
+      implements FromPeer {
+    @Override
+    public Severity severity() {
+      return Severity.WARNING;
+    }
+
     @Override
     public Phrase phrase() {
-      return Phrase.of(
-          "is operated by %s now, its state goes to port %d of that host", peer.host(), statePort);
+      return Phrase.of("`%s` from %s turned away: %s", WireText.printable(text), peer, reason);
+    }
+  }
+
+  /**
+   * Datagrams of a host were turned away before the drone saw them.
+   *
+   * @param host the sender's address
+   */
+  record DatagramsDropped(SimTime time, int drone, String host, long count, Phrase reason)
+      implements SimEvent {
+    @Override
+    public Severity severity() {
+      return Severity.WARNING;
+    }
+
+    @Override
+    public Phrase phrase() {
+      return Phrase.of("%,d datagrams from %s turned away: %s", count, host, reason);
+    }
+  }
+
+  /**
+   * Events about what a host sent in vain were left out of a log.
+   *
+   * @param host the sender's address
+   */
+  record Omitted(SimTime time, int drone, String host, long count) implements SimEvent {
+    @Override
+    public Severity severity() {
+      return Severity.WARNING;
+    }
+
+    @Override
+    public Phrase phrase() {
+      return Phrase.of("%,d more from %s are not shown", count, host);
+    }
+  }
+
+  /**
+   * State and video go to another host from now on.
+   *
+   * @param before who operated the drone until then, if anybody
+   */
+  record OperatorChanged(SimTime time, int drone, Peer peer, int statePort, Optional<Peer> before)
+      implements SimEvent {
+    @Override
+    public Severity severity() {
+      return before.isPresent() ? Severity.WARNING : Severity.INFORMATION;
+    }
+
+    @Override
+    public Phrase phrase() {
+      Phrase now =
+          Phrase.of(
+              "is operated by %s now, its state goes to port %d of that host",
+              peer.host(), statePort);
+      return before
+          .map(lost -> Phrase.of("%s; %s, which was silent, has lost it", now, lost.host()))
+          .orElse(now);
     }
   }
 

@@ -1,15 +1,17 @@
 package tellosimulator.sim;
 
+import java.net.InetAddress;
+import java.net.InetSocketAddress;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import java.util.Queue;
-import java.util.concurrent.ArrayBlockingQueue;
 import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.function.IntFunction;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
+import tellosimulator.command.OperatorRule;
 import tellosimulator.command.Peer;
 import tellosimulator.command.ReplyPort;
 import tellosimulator.concurrent.Exceptions;
@@ -32,19 +34,18 @@ import tellosimulator.world.Room;
  */
 public final class Simulation {
 
-  /** Commands that may wait; what comes on top is lost, as in a full socket buffer. */
-  private static final int INBOX_CAPACITY = 4096;
-
   /** Commands that are taken between two steps at the most, so that a flood never stops time. */
   private static final int MOST_AT_ONCE = 256;
 
-  private final Queue<Runnable> commands = new ArrayBlockingQueue<>(INBOX_CAPACITY);
+  private final Inbox inbox = new Inbox();
+  private final Queue<Runnable> notices = new ConcurrentLinkedQueue<>();
   private final Queue<Control> controls = new ConcurrentLinkedQueue<>();
   private final List<Drone> drones = new ArrayList<>();
   private final List<SimEvent> events = new ArrayList<>();
   private final List<SimListener> listeners;
   private final StatePort states;
   private final Surroundings surroundings;
+  private final OperatorRule operators;
   private Clock clock;
   private SimTime now = SimTime.ZERO;
   private volatile SimSnapshot snapshot;
@@ -63,9 +64,10 @@ public final class Simulation {
     this.surroundings = new Surroundings(config.arena(), drones, config.seed());
     this.clock = new Clock(config.timeFactor(), false);
     this.states = states;
+    this.operators = config.rules().operators();
     this.listeners = new CopyOnWriteArrayList<>(listeners);
     Neighbourhood neighbourhood =
-        new Neighbourhood(config.seed(), config.crashSpeed(), surroundings, events::add);
+        new Neighbourhood(config.seed(), config.rules(), surroundings, events::add);
     for (DroneSetup setup : config.drones()) {
       int number = drones.size() + 1;
       drones.add(new Drone(number, setup, replies.apply(number), neighbourhood));
@@ -82,9 +84,36 @@ public final class Simulation {
    */
   public boolean submit(int drone, Peer peer, String text) {
     checkNumber(drone);
-    boolean taken = commands.offer(() -> drone(drone).handle(peer, text));
+    boolean taken = inbox.offer(new Inbox.Datagram(drone, peer, text), operates(drone, peer));
     wake.run();
     return taken;
+  }
+
+  private boolean operates(int drone, Peer peer) {
+    return snapshot.drones().get(drone - 1).link().operator().stream()
+        .anyMatch(operator -> operator.host().equals(peer.host()));
+  }
+
+  /** Hands over that nothing receives where a drone had sent something. For any thread. */
+  public void unreachable(int drone, InetSocketAddress destination) {
+    checkNumber(drone);
+    notices.add(() -> drone(drone).unreachable(destination));
+    wake.run();
+  }
+
+  /** Hands over that datagrams of a host were turned away before they came here. For any thread. */
+  public void dropped(int drone, InetAddress host, long count, Phrase reason) {
+    checkNumber(drone);
+    notices.add(
+        () ->
+            events.add(
+                new SimEvent.DatagramsDropped(now, drone, host.getHostAddress(), count, reason)));
+    wake.run();
+  }
+
+  /** Who may operate the drones. For any thread. */
+  public OperatorRule operators() {
+    return operators;
   }
 
   /**
@@ -131,7 +160,7 @@ public final class Simulation {
 
   /** Whether commands are left that {@link #drain} did not take. */
   boolean pending() {
-    return !commands.isEmpty();
+    return !inbox.isEmpty();
   }
 
   /** Takes what has arrived, between two steps; replies that need no time go out at once. */
@@ -142,12 +171,18 @@ public final class Simulation {
       guarded("A control could not be carried out", () -> apply(taken));
       changed = true;
     }
+    for (Runnable notice = notices.poll(); notice != null; notice = notices.poll()) {
+      guarded("What the network said could not be handled", notice);
+      changed = true;
+    }
     for (int i = 0; i < MOST_AT_ONCE; i++) {
-      Runnable command = commands.poll();
-      if (command == null) {
+      Inbox.Datagram datagram = inbox.poll();
+      if (datagram == null) {
         break;
       }
-      guarded("A command could not be handled", command);
+      guarded(
+          "A command could not be handled",
+          () -> drone(datagram.drone()).handle(datagram.peer(), datagram.text()));
       changed = true;
     }
     if (changed) {

@@ -8,7 +8,6 @@ import java.util.Optional;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 import tellosimulator.command.Link;
-import tellosimulator.command.Peer;
 import tellosimulator.network.DatagramPort;
 import tellosimulator.network.UdpPort;
 import tellosimulator.time.Metronome;
@@ -27,14 +26,36 @@ final class VideoConnection implements AutoCloseable {
   /** How long it is not tried again where there was no socket [ns]. Decided. */
   private static final long RETRY = 1_000_000_000;
 
+  /** The way of a stream: from an address of the drone to a port of its operator's host. */
+  record Route(InetAddress from, InetSocketAddress to) {
+
+    /** That of the operator; empty where there is none. */
+    static Optional<Route> of(Link link) {
+      return link.operator()
+          .map(
+              operator ->
+                  new Route(
+                      operator.via().getAddress(),
+                      new InetSocketAddress(operator.address().getAddress(), link.videoPort())));
+    }
+  }
+
   private final Metronome metronome;
+  private final Runnable unreachable;
   private Optional<DatagramPort> port = Optional.empty();
+  private Route opened;
   private InetAddress refused;
   private long retryNanos;
+  private boolean gone;
 
-  /** Opens nothing yet. */
-  VideoConnection(Metronome metronome) {
+  /**
+   * Opens nothing yet.
+   *
+   * @param unreachable is called when another machine says that nothing receives there
+   */
+  VideoConnection(Metronome metronome, Runnable unreachable) {
     this.metronome = metronome;
+    this.unreachable = unreachable;
   }
 
   /**
@@ -43,33 +64,31 @@ final class VideoConnection implements AutoCloseable {
    *
    * @param nanos from the first datagram to the last [ns]
    */
-  void send(List<byte[]> packets, Link link, long nanos) {
-    if (link.operator().isEmpty()) {
-      return;
-    }
-    Peer operator = link.operator().get();
-    Optional<DatagramPort> from = port(operator.via().getAddress());
+  void send(List<byte[]> packets, Route route, long nanos) {
+    Optional<DatagramPort> from = port(route);
     if (from.isEmpty()) {
       return;
     }
-    InetSocketAddress to = new InetSocketAddress(operator.address().getAddress(), link.videoPort());
+    gone = false;
     long begun = metronome.nanos();
-    for (int i = 0; i < packets.size(); i++) {
+    for (int i = 0; i < packets.size() && !gone; i++) {
       if (i > 0) {
         metronome.pauseUntil(begun + nanos * i / (packets.size() - 1));
       }
       byte[] packet = packets.get(i);
-      from.get().send(packet, to);
+      from.get().send(packet, route.to());
     }
   }
 
-  private Optional<DatagramPort> port(InetAddress address) {
-    if (port.isEmpty() || !port.get().address().getAddress().equals(address)) {
+  private Optional<DatagramPort> port(Route route) {
+    InetAddress address = route.from();
+    if (port.isEmpty() || !route.equals(opened)) {
       close();
       if (address.equals(refused) && metronome.nanos() < retryNanos) {
         return port;
       }
-      port = open(address, DRONES_PORT).or(() -> open(address, 0));
+      opened = route;
+      port = open(route, DRONES_PORT).or(() -> open(route, 0));
       if (port.isEmpty()) {
         refuse(address);
       }
@@ -85,13 +104,23 @@ final class VideoConnection implements AutoCloseable {
     retryNanos = metronome.nanos() + RETRY;
   }
 
-  private static Optional<DatagramPort> open(InetAddress address, int port) {
+  /** A connected socket to another machine, which can say that nothing receives there. */
+  private Optional<DatagramPort> open(Route route, int port) {
+    InetSocketAddress from = new InetSocketAddress(route.from(), port);
     try {
-      return Optional.of(UdpPort.open(new InetSocketAddress(address, port)));
+      return Optional.of(
+          route.to().getAddress().isLoopbackAddress()
+              ? UdpPort.open(from)
+              : UdpPort.connect(from, route.to(), peer -> lost()));
     } catch (IOException e) {
-      LOG.debug("No socket for video at {}:{}: {}", address, port, e.toString());
+      LOG.debug("No socket for video at {}: {}", from, e.toString());
       return Optional.empty();
     }
+  }
+
+  private void lost() {
+    gone = true;
+    unreachable.run();
   }
 
   @Override

@@ -16,6 +16,7 @@ import tellosimulator.model.VideoSettings;
 import tellosimulator.sim.SimSnapshot;
 import tellosimulator.sim.SimSnapshot.DroneSnapshot;
 import tellosimulator.time.Metronome;
+import tellosimulator.video.VideoConnection.Route;
 import tellosimulator.video.codec.EncodedPicture;
 import tellosimulator.video.picture.Picture;
 
@@ -42,6 +43,12 @@ public final class VideoStream implements AutoCloseable {
    */
   private static final long LEAST_SPREAD = 100_000;
 
+  /**
+   * Silence of an operator on another machine after which nothing is sent [ns]. Decided: what
+   * nobody asks for is not sent into a network for ever.
+   */
+  private static final long REST_AFTER = 120_000_000_000L;
+
   /** From picture to picture while people look and nobody takes the stream [ns]. Decided. */
   private static final long PREVIEW_PERIOD = 100_000_000;
 
@@ -49,13 +56,18 @@ public final class VideoStream implements AutoCloseable {
   private final Supplier<SimSnapshot> snapshots;
   private final Films films;
   private final Metronome metronome = new Metronome();
-  private final VideoConnection connection = new VideoConnection(metronome);
+  private final VideoConnection connection = new VideoConnection(metronome, () -> gone = true);
   private final VideoMeter meter = new VideoMeter();
   private final List<VideoWatcher> watchers = new CopyOnWriteArrayList<>();
   private final Worker worker;
   private volatile boolean starved;
   private int starvedAt;
   private int start;
+
+  /** Whether an operator on another machine takes no video, and has sent nothing since. */
+  private volatile boolean gone;
+
+  private volatile long heardNanos;
   private Wish last = Wish.NOTHING;
   private Optional<Film> begun = Optional.empty();
 
@@ -65,11 +77,12 @@ public final class VideoStream implements AutoCloseable {
    * @param sent whether they are to be sent
    * @param encoded whether they are to be encoded
    * @param seen whether they are to be taken
-   * @param link where to
+   * @param route where to
    * @param start which of the operator's requests asked for it
    */
-  private record Wish(boolean sent, boolean encoded, boolean seen, Link link, int start) {
-    static final Wish NOTHING = new Wish(false, false, false, new Link(Optional.empty(), 0, 0), 0);
+  private record Wish(
+      boolean sent, boolean encoded, boolean seen, Optional<Route> route, int start) {
+    static final Wish NOTHING = new Wish(false, false, false, Optional.empty(), 0);
   }
 
   /** Starts to rest at once. */
@@ -91,6 +104,18 @@ public final class VideoStream implements AutoCloseable {
   public void ignore(VideoWatcher watcher) {
     watchers.remove(watcher);
     wake();
+  }
+
+  /** The drone's operator has sent something. */
+  void heard() {
+    heardNanos = metronome.nanos();
+    gone = false;
+  }
+
+  /** Whether its operator is on another machine and takes nothing any more. */
+  private boolean rests(Link link) {
+    boolean remote = link.operator().filter(operator -> !operator.local()).isPresent();
+    return remote && (gone || metronome.nanos() - heardNanos > REST_AFTER);
   }
 
   /** Lets it look at once whether something has changed. */
@@ -176,7 +201,7 @@ public final class VideoStream implements AutoCloseable {
         meter.count(new VideoMeter.Sample(start, bytes, filmed - start, done - filmed));
     if (wish.sent) { // before anybody looks at it, who may take his time
       List<byte[]> packets = Packets.of(encoded.orElseThrow());
-      connection.send(packets, wish.link, spread(packets.size()));
+      connection.send(packets, wish.route.orElseThrow(), spread(packets.size()));
     }
     FilmedPicture filmedPicture = new FilmedPicture(picture, encoded, figures, start);
     watchers.forEach(watcher -> tell(watcher, filmedPicture));
@@ -207,10 +232,10 @@ public final class VideoStream implements AutoCloseable {
   private Wish wish(DroneSnapshot now) {
     VideoSettings video = now.state().video();
     boolean powered = now.state().phase() != FlightPhase.OFF;
-    boolean sent = powered && video.on() && now.link().sdkMode();
+    boolean sent = powered && video.on() && now.link().sdkMode() && !rests(now.link());
     boolean encoded = sent || (powered && watchers.stream().anyMatch(VideoWatcher::needsStream));
     boolean seen = encoded || !watchers.isEmpty();
-    return new Wish(sent, encoded, seen, now.link(), video.starts());
+    return new Wish(sent, encoded, seen, Route.of(now.link()), video.starts());
   }
 
   private DroneSnapshot drone(SimSnapshot snapshot) {

@@ -11,6 +11,7 @@ import tellosimulator.sim.SimSnapshot;
 /** The video of all drones of a simulation, each on a thread of its own. For any thread. */
 public final class VideoStreams implements SimListener, AutoCloseable {
 
+  private final Supplier<SimSnapshot> snapshots;
   private final List<VideoStream> streams;
 
   /**
@@ -21,6 +22,7 @@ public final class VideoStreams implements SimListener, AutoCloseable {
    * @param films makes one for each drone when it films first
    */
   public VideoStreams(Supplier<SimSnapshot> snapshots, Films films) {
+    this.snapshots = snapshots;
     streams =
         IntStream.rangeClosed(1, snapshots.get().drones().size())
             .mapToObj(drone -> new VideoStream(drone, snapshots, films))
@@ -48,9 +50,17 @@ public final class VideoStreams implements SimListener, AutoCloseable {
   public void event(SimEvent event) {
     for (int drone = 1; drone <= streams.size(); drone++) {
       if (event.drone() == drone || event.drone() == 0) {
+        if (event instanceof SimEvent.CommandReceived command && fromOperator(command)) {
+          stream(drone).heard();
+        }
         stream(drone).wake();
       }
     }
+  }
+
+  private boolean fromOperator(SimEvent.CommandReceived command) {
+    return snapshots.get().drones().get(command.drone() - 1).link().operator().stream()
+        .anyMatch(operator -> operator.host().equals(command.peer().host()));
   }
 
   @Override

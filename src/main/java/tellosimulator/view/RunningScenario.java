@@ -11,6 +11,7 @@ import tellosimulator.network.AddressPlan;
 import tellosimulator.network.OnlineSimulation;
 import tellosimulator.scenario.Scenario;
 import tellosimulator.sim.DroneSetup;
+import tellosimulator.sim.LogLimiter;
 import tellosimulator.sim.SimConfig.Outlets;
 import tellosimulator.sim.SimSnapshot;
 import tellosimulator.sim.SimSnapshot.DroneSnapshot;
@@ -59,7 +60,7 @@ final class RunningScenario implements AutoCloseable {
     goals = new GoalWatch(scenario.challenge(), feed::event);
     simulation =
         new OnlineSimulation(
-            scenario.config(), wire.plan(), wire.replyPort(), List.of(feed, goals));
+            scenario.config(), wire.plan(), wire.replyPort(), List.of(new LogLimiter(feed), goals));
     video = WindowVideo.of(simulation, optics, Album.ofUser());
   }
 

@@ -6,6 +6,7 @@ import java.util.Optional;
 import java.util.function.ObjIntConsumer;
 import tellosimulator.network.OnlineSimulation;
 import tellosimulator.network.PortTakenException;
+import tellosimulator.network.Reach;
 import tellosimulator.network.Traffic;
 import tellosimulator.sim.Control;
 
@@ -62,6 +63,16 @@ public final class SimulatorActions {
   /** Where a drone listens while it is on. */
   public List<InetSocketAddress> addresses(int drone) {
     return simulation.addresses(drone);
+  }
+
+  /** Whether other machines of the local networks reach the drones. */
+  public boolean reachableFromNetwork() {
+    return simulation.reach() == Reach.NETWORK;
+  }
+
+  /** Lets other machines reach the drones, or no longer; at once. */
+  public void setReachableFromNetwork(boolean reachable) {
+    simulation.setReach(reachable ? Reach.NETWORK : Reach.THIS_MACHINE);
   }
 
   /** Whether time stands still, even if no frame has shown it yet. */

@@ -28,8 +28,8 @@ class CommandFuzzTest {
       Profile profile, Behaviour behaviour, long seed, int texts) {
     CountingTarget target = new CountingTarget();
     Counts counts = new Counts();
-    OperatorSession session = new OperatorSession(8890, 11_111);
-    session.open(HandlerFixture.OPERATOR, SimTime.ZERO);
+    OperatorSession session = new OperatorSession(OperatorRule.FIRST, 8890, 11_111, link -> {});
+    session.open(HandlerFixture.OPERATOR, SimTime.ZERO, true);
     CommandHandler handler =
         CommandHandler.of(profile, behaviour)
             .target(target)
@@ -87,6 +87,11 @@ class CommandFuzzTest {
 
     @Override
     public void ignored(Peer peer, String text, Phrase reason) {
+      ignored++;
+    }
+
+    @Override
+    public void turnedAway(Peer peer, String text, Phrase reason) {
       ignored++;
     }
 

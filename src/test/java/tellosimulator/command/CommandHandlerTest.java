@@ -483,16 +483,67 @@ class CommandHandlerTest {
   @Test
   void anAnswerGoesToTheSenderOfTheCommandOnly() {
     HandlerFixture drone = HandlerFixture.flying(EDU, REPORT);
-    Peer stranger = peer(3, 50_000);
+    Peer restarted = peer(1, 50_000);
 
-    drone.handle(stranger, "forward 50");
+    drone.handle(restarted, "forward 50");
     drone.after(2);
     drone.responder().reply(Reply.OK);
     drone.after(0);
 
-    assertThat(drone.sent).containsExactly(new HandlerFixture.Sent(stranger, "ok"));
-    verify(drone.observer).received(stranger, "forward 50");
-    verify(drone.observer).replied(stranger, "forward 50", Reply.OK);
+    assertThat(drone.sent).containsExactly(new HandlerFixture.Sent(restarted, "ok"));
+    verify(drone.observer).received(restarted, "forward 50");
+    verify(drone.observer).replied(restarted, "forward 50", Reply.OK);
+  }
+
+  @ParameterizedTest
+  @ValueSource(
+      strings = {
+        "takeoff",
+        "land",
+        "emergency",
+        "stop",
+        "rc 0 0 0 0",
+        "forward 50",
+        "flip l",
+        "speed 50",
+        "streamon",
+        "streamoff",
+        "mon",
+        "ap a b",
+        "wifi a b",
+        "port 9000 9001",
+        "keepalive",
+        "EXT led 1 2 3",
+        "foo",
+        "",
+        "forward",
+        "battery? ?"
+      })
+  void ofAnotherHostNothingHasAnEffectOrAnAnswer(String text) {
+    HandlerFixture drone = HandlerFixture.flying(Profile.TT, REPORT);
+    Peer stranger = peer(3, 50_000);
+
+    drone.handle(stranger, text);
+    drone.after(1);
+
+    assertThat(drone.carriedOut()).isEmpty();
+    assertThat(drone.sent).isEmpty();
+    verify(drone.observer)
+        .turnedAway(stranger, text, Phrase.of("the drone is operated by %s", "127.0.0.1"));
+    verify(drone.target, never()).linkAlive();
+    verify(drone.target, never()).commandArrived();
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"battery?", "sn?", "EXT tof?", "Re0101 height?", "command"})
+  void everyHostMayReadWithoutKeepingTheDroneInTheAir(String text) {
+    HandlerFixture drone = HandlerFixture.flying(Profile.TT, REPORT);
+
+    drone.handle(peer(3, 50_000), text);
+
+    assertThat(drone.carriedOut()).hasSize(1);
+    verify(drone.target, never()).linkAlive();
+    verify(drone.target, never()).commandArrived();
   }
 
   @Test

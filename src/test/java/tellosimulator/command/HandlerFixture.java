@@ -31,7 +31,7 @@ final class HandlerFixture {
 
   final CommandTarget target = mock(CommandTarget.class);
   final CommandObserver observer = mock(CommandObserver.class);
-  final OperatorSession session = new OperatorSession(8890, 11_111);
+  final OperatorSession session = new OperatorSession(OperatorRule.FIRST, 8890, 11_111, link -> {});
   final List<Sent> sent = new ArrayList<>();
   final Outbox outbox = new Outbox((peer, text) -> sent.add(new Sent(peer, text)), () -> 0);
   final CommandHandler handler;
@@ -55,7 +55,7 @@ final class HandlerFixture {
   /** In SDK mode, on the ground. */
   static HandlerFixture grounded(Profile profile, Behaviour behaviour) {
     HandlerFixture fixture = new HandlerFixture(profile, behaviour);
-    fixture.session.open(OPERATOR, SimTime.ZERO);
+    fixture.session.open(OPERATOR, SimTime.ZERO, true);
     return fixture;
   }
 

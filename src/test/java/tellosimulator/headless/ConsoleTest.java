@@ -24,7 +24,8 @@ import tellosimulator.world.Room;
 class ConsoleTest {
 
   private static final String HELP =
-      "type reset [N], power on|off [N], battery PERCENT [N], pause, resume, state, help or quit";
+      "type reset [N], release [N], power on|off [N], battery PERCENT [N], pause, resume, state, help"
+          + " or quit";
 
   private final Simulation simulation =
       new Simulation(

@@ -4,7 +4,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static tellosimulator.testing.SimulatedDrone.address;
 
 import java.net.InetAddress;
-import java.net.InetSocketAddress;
 import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
@@ -12,6 +11,13 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 class AddressPlanTest {
+
+  private static final LocalNetworks MACHINE =
+      new LocalNetworks(
+          List.of(
+              new LocalNetworks.Member(address("127.0.0.1", 0).getAddress(), 8),
+              new LocalNetworks.Member(address("10.0.0.2", 0).getAddress(), 24),
+              new LocalNetworks.Member(address("192.168.1.3", 0).getAddress(), 24)));
 
   private static final InetAddress ONE = address("127.0.0.1", 0).getAddress();
   private static final InetAddress TWO = address("10.0.0.2", 0).getAddress();
@@ -32,7 +38,7 @@ class AddressPlanTest {
   void portsCountUpAndLeaveOutThoseOfOperators(int first, int drones, String ports) {
     AddressPlan plan = AddressPlan.portPerDrone(drones, List.of(ONE), first);
 
-    assertThat(plan.drones().stream().map(drone -> drone.get(0).getPort() + "").toList())
+    assertThat(plan.drones().stream().map(drone -> drone.port() + "").toList())
         .containsExactly(ports.split(" ", -1));
   }
 
@@ -40,27 +46,57 @@ class AddressPlanTest {
   void aPortPerDroneIsTheSameOnAllAddresses() {
     AddressPlan plan = AddressPlan.portPerDrone(2, List.of(ONE, TWO), 8879);
 
-    assertThat(plan.drones())
-        .containsExactly(
-            List.of(address("127.0.0.1", 8879), address("10.0.0.2", 8879)),
-            List.of(address("127.0.0.1", 8880), address("10.0.0.2", 8880)));
+    assertThat(plan.addresses(1, MACHINE))
+        .containsExactly(address("127.0.0.1", 8879), address("10.0.0.2", 8879));
+    assertThat(plan.addresses(2, MACHINE))
+        .containsExactly(address("127.0.0.1", 8880), address("10.0.0.2", 8880));
   }
 
   @Test
   void anAddressADroneOnTheSamePort() {
-    assertThat(AddressPlan.of(List.of(ONE, TWO), 8879).drones())
-        .containsExactly(List.of(address("127.0.0.1", 8879)), List.of(address("10.0.0.2", 8879)));
+    AddressPlan plan = AddressPlan.of(List.of(ONE, TWO), 8879);
+
+    assertThat(plan.addresses(1, MACHINE)).containsExactly(address("127.0.0.1", 8879));
+    assertThat(plan.addresses(2, MACHINE)).containsExactly(address("10.0.0.2", 8879));
   }
 
   @Test
-  void theFirstDroneTakesTheWholeMachineTheOthersLoopbackAddresses() {
+  void unlessAskedForNoDroneListensBeyondLoopback() {
     AddressPlan plan = AddressPlan.ofMachine(3, 8879);
 
-    assertThat(plan.drones()).hasSize(3);
-    assertThat(plan.drones().get(0)).contains(address("127.0.0.1", 8879)).doesNotHaveDuplicates();
-    assertThat(plan.drones().get(0)).extracting(InetSocketAddress::getPort).containsOnly(8879);
-    assertThat(plan.drones().get(1)).containsExactly(address("127.0.0.2", 8879));
-    assertThat(plan.drones().get(2)).containsExactly(address("127.0.0.3", 8879));
+    assertThat(plan.addresses(1, MACHINE)).containsExactly(address("127.0.0.1", 8879));
+    assertThat(plan.addresses(2, MACHINE)).containsExactly(address("127.0.0.2", 8879));
+    assertThat(plan.addresses(3, MACHINE)).containsExactly(address("127.0.0.3", 8879));
+  }
+
+  @Test
+  void reachedFromTheNetworkTheFirstDroneTakesTheWholeMachine() {
+    AddressPlan plan = AddressPlan.ofMachine(2, 8879).withReach(Reach.NETWORK);
+
+    assertThat(plan.addresses(1, MACHINE))
+        .containsExactly(
+            address("127.0.0.1", 8879), address("10.0.0.2", 8879), address("192.168.1.3", 8879));
+    assertThat(plan.addresses(2, MACHINE)).containsExactly(address("127.0.0.2", 8879));
+  }
+
+  @Test
+  void theFirstDroneLeavesAnAddressToTheOneThatHasItForItself() {
+    AddressPlan plan =
+        AddressPlan.ofMachine(List.of(Optional.empty(), Optional.of(TWO)), List.of(8879, 8879))
+            .withReach(Reach.NETWORK);
+
+    assertThat(plan.addresses(1, MACHINE))
+        .containsExactly(address("127.0.0.1", 8879), address("192.168.1.3", 8879));
+  }
+
+  @Test
+  void aScenariosAddressInTheNetworkIsAllowedOnlyIfTheNetworkIs() {
+    AddressPlan scenarios = AddressPlan.ofMachine(List.of(Optional.of(TWO)), List.of(8879));
+
+    assertThat(scenarios.allows(1, TWO)).isFalse();
+    assertThat(scenarios.withReach(Reach.NETWORK).allows(1, TWO)).isTrue();
+    assertThat(AddressPlan.of(List.of(TWO), 8879).allows(1, TWO)).isTrue();
+    assertThat(scenarios.allows(1, ONE)).isTrue();
   }
 
   @Test
@@ -68,12 +104,15 @@ class AddressPlanTest {
     AddressPlan plan =
         AddressPlan.ofMachine(List.of(Optional.empty(), Optional.of(ONE)), List.of(8879, 9000));
 
-    assertThat(plan.drones().get(0)).contains(address("127.0.0.1", 8879));
-    assertThat(plan.drones().get(1)).containsExactly(address("127.0.0.1", 9000));
+    assertThat(plan.addresses(1, MACHINE)).containsExactly(address("127.0.0.1", 8879));
+    assertThat(plan.addresses(2, MACHINE)).containsExactly(address("127.0.0.1", 9000));
   }
 
   @Test
-  void theMachinesAddressesBeginWithLoopback() {
-    assertThat(AddressPlan.machineAddresses()).startsWith(ONE).doesNotHaveDuplicates();
+  void anotherPortIsForOneDroneAlone() {
+    AddressPlan plan = AddressPlan.ofMachine(2, 8879).withPort(2, 9000);
+
+    assertThat(plan.addresses(1, MACHINE)).containsExactly(address("127.0.0.1", 8879));
+    assertThat(plan.addresses(2, MACHINE)).containsExactly(address("127.0.0.2", 9000));
   }
 }

@@ -182,8 +182,7 @@ class DroneNetworkTest {
             .withTimeFactor(new TimeFactor(20))
             .withOutlets(new Outlets(statePort, 11_111));
     Simulation simulation =
-        new Simulation(
-            config, drone -> network.replies(replyPort), network.states(), List.of(listeners));
+        new Simulation(config, network.replies(replyPort), network.states(), List.of(listeners));
     for (int drone = 1; drone <= drones; drone++) {
       simulation.control(new Control.Power(drone, true));
     }
@@ -204,7 +203,10 @@ class DroneNetworkTest {
   }
 
   private static AddressPlan plan(InetSocketAddress... drones) {
-    return new AddressPlan(java.util.Arrays.stream(drones).map(List::of).toList());
+    return new AddressPlan(
+        java.util.Arrays.stream(drones)
+            .map(each -> new AddressPlan.Endpoint(List.of(each.getAddress()), each.getPort(), true))
+            .toList());
   }
 
   private static DatagramSocket client() throws IOException {

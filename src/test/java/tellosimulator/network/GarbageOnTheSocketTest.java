@@ -212,7 +212,7 @@ class GarbageOnTheSocketTest {
             SimConfig.DEFAULT
                 .withTimeFactor(new TimeFactor(20))
                 .withOutlets(new Outlets(statePort, 11_111)),
-            drone -> network.replies(OptionalInt.empty()),
+            network.replies(OptionalInt.empty()),
             network.states(),
             List.of(counter));
     simulation.control(new Control.Power(1, true));

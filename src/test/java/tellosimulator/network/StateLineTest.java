@@ -137,6 +137,6 @@ class StateLineTest {
         sensors,
         pad,
         profile,
-        new tellosimulator.command.OperatorSession(8890, 11_111).link());
+        new tellosimulator.command.Link(java.util.Optional.empty(), 8890, 11_111));
   }
 }

@@ -81,7 +81,8 @@ final class RandomScenario {
             drones,
             random.nextBoolean() ? TimeFactor.MAX : new TimeFactor(number(1, 100)),
             random.nextLong() / 100,
-            random.nextBoolean() ? DroneSpec.CRASH_SPEED : cm(0, 2000));
+            SimConfig.Rules.DEFAULT.withCrashSpeed(
+                random.nextBoolean() ? DroneSpec.CRASH_SPEED : cm(0, 2000)));
     return new Scenario(
         random.nextBoolean() ? "" : pick(NAMES),
         random.nextBoolean() ? "" : pick(NAMES),

@@ -128,7 +128,7 @@ class ScenarioFileTest {
                 0.5, Walls.PLAIN, List.of(new Poster(Surface.LEFT_WALL, -0.2, 1.2, 0.3, picture))));
     assertThat(arena.wind().mean().distanceTo(new Vec3(0, 1.5, 0))).isLessThan(1e-9);
     assertThat(arena.wind().gusts()).isEqualTo(0.4);
-    assertThat(scenario.config().crashSpeed()).isEqualTo(0.8);
+    assertThat(scenario.config().rules().crashSpeed()).isEqualTo(0.8);
     assertThat(arena.pads())
         .containsExactly(
             MissionPad.onFloor(3, new Vec3(1.5, -1.2, 0), Math.PI / 4),
@@ -194,7 +194,7 @@ class ScenarioFileTest {
             DroneSetup.at(
                 new Pose(new Vec3(-2, 1, 0), Attitude.LEVEL), Product.DEFAULT, Outlets.DEFAULT));
     assertThat(scenario.addressPlan(8879).drones())
-        .extracting(addresses -> addresses.get(0).toString())
+        .extracting(drone -> drone.addresses().get(0) + ":" + drone.port())
         .containsExactly("/127.0.0.7:8889", "/127.0.0.2:8879");
   }
 

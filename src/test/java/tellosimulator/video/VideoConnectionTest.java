@@ -15,6 +15,7 @@ import org.junit.jupiter.api.Test;
 import tellosimulator.command.Link;
 import tellosimulator.command.Peer;
 import tellosimulator.time.Metronome;
+import tellosimulator.video.VideoConnection.Route;
 
 class VideoConnectionTest {
 
@@ -24,7 +25,7 @@ class VideoConnectionTest {
   private static final List<byte[]> TEN = Collections.nCopies(10, new byte[] {0, 0, 0, 1, 1});
 
   private final Metronome metronome = new Metronome();
-  private final VideoConnection connection = new VideoConnection(metronome);
+  private final VideoConnection connection = new VideoConnection(metronome, () -> {});
   private VideoReceiver receiver;
 
   @BeforeEach
@@ -38,13 +39,13 @@ class VideoConnectionTest {
     receiver.close();
   }
 
-  private Link link(String drone) throws IOException {
+  private Route link(String drone) throws IOException {
     InetAddress loopback = InetAddress.getLoopbackAddress();
     Peer operator =
         new Peer(
             new InetSocketAddress(loopback, 5000),
             new InetSocketAddress(InetAddress.getByName(drone), 8889));
-    return new Link(Optional.of(operator), 8890, receiver.port());
+    return Route.of(new Link(Optional.of(operator), 8890, receiver.port())).orElseThrow();
   }
 
   @Test

@@ -2,6 +2,7 @@ package tellosimulator.view.controls;
 
 import javafx.beans.property.ReadOnlyStringWrapper;
 import javafx.beans.value.ObservableValue;
+import javafx.scene.control.Button;
 import javafx.scene.control.Label;
 import javafx.scene.layout.HBox;
 import javafx.scene.layout.Priority;
@@ -11,6 +12,7 @@ import org.kordamp.ikonli.feather.Feather;
 import org.kordamp.ikonli.javafx.FontIcon;
 import tellosimulator.model.FlightPhase;
 import tellosimulator.network.Traffic;
+import tellosimulator.sim.Control;
 import tellosimulator.sim.SimSnapshot.DroneSnapshot;
 import tellosimulator.view.FxDroneModel;
 import tellosimulator.view.FxSimulation;
@@ -28,6 +30,7 @@ final class LinkPanel extends VBox {
   private final SimulatorActions actions;
   private final Messages messages;
   private final Label operator = new Label();
+  private final Button release = new Button();
   private final Lamp state;
   private final Lamp video;
   private final ReadOnlyStringWrapper received = new ReadOnlyStringWrapper("0");
@@ -50,6 +53,7 @@ final class LinkPanel extends VBox {
     initializeParts();
     layoutParts();
     setupBindings(drone.map(LinkPanel::describe));
+    release.visibleProperty().bind(drone.map(LinkPanel::linked).orElse(false));
   }
 
   private void initializeSelf() {
@@ -60,6 +64,16 @@ final class LinkPanel extends VBox {
     operator.setId("operator");
     operator.setGraphic(new FontIcon(Feather.LINK));
     operator.getStyleClass().add("operator");
+    operator.setMaxWidth(Double.MAX_VALUE);
+    HBox.setHgrow(operator, Priority.ALWAYS);
+    release.setId("release");
+    release.setGraphic(new FontIcon(Feather.USER_X));
+    release.getStyleClass().add("icon-button");
+    release.setOnAction(
+        pressed -> actions.carryOut(new Control.Release(simulation.selected().number())));
+    release.managedProperty().bind(release.visibleProperty());
+    release.accessibleTextProperty().bind(messages.text("release.hint"));
+    Hint.on(release, messages.text("release.hint"));
   }
 
   private void layoutParts() {
@@ -69,7 +83,9 @@ final class LinkPanel extends VBox {
             packets("packets-in", Feather.ARROW_DOWN, received),
             space(),
             packets("packets-out", Feather.ARROW_UP, sent));
-    getChildren().addAll(operator, lamps, packets);
+    HBox who = new HBox(operator, release);
+    who.getStyleClass().add("row");
+    getChildren().addAll(who, lamps, packets);
   }
 
   private void setupBindings(ObservableValue<Complaint> who) {

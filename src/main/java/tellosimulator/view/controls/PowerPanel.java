@@ -91,6 +91,7 @@ final class PowerPanel extends VBox {
       case TAKEN -> new Complaint("power.taken", port, host);
       case TAKEN_BY_OPERATOR -> new Complaint("power.taken-by-operator", port, host);
       case FORBIDDEN -> new Complaint("power.forbidden", port, host);
+      case OFF_LIMITS -> new Complaint("power.off-limits", host);
       case NO_SUCH_ADDRESS ->
           address.getAddress().isLoopbackAddress()
               ? new Complaint("power.no-loopback", host)

@@ -1,0 +1,126 @@
+package tellosimulator.network;
+
+import java.net.InetAddress;
+import java.net.InetSocketAddress;
+import java.util.LinkedHashMap;
+import java.util.Map;
+import java.util.Optional;
+import tellosimulator.command.OperatorRule;
+import tellosimulator.command.Peer;
+import tellosimulator.command.WireText;
+import tellosimulator.sim.Simulation;
+import tellosimulator.time.TokenBucket;
+import tellosimulator.words.Phrase;
+
+/**
+ * Decides at the receiver whether a datagram may cost the simulation a turn. Commands of the
+ * operator's host always may; everything else is limited by a token bucket for each host, and what
+ * comes from outside the machine's own networks never may. What is turned away is counted, and told
+ * in sums. For any thread.
+ *
+ * <p>This only keeps floods away. Which command has which effect is up to the simulation.
+ */
+final class AdmissionControl {
+
+  /** Datagrams of a host that does not operate the drone [1/s]. Decided: it may only read. */
+  private static final double STRANGERS_RATE = 50;
+
+  private static final double STRANGERS_BURST = 100;
+
+  /** Texts of the operator's host that are no commands [1/s]. Decided: typing errors are fewer. */
+  private static final double UNKNOWN_RATE = 1000;
+
+  private static final double UNKNOWN_BURST = 2000;
+
+  /** Hosts that are remembered. Assumed: more than any class has. */
+  private static final int MOST_HOSTS = 256;
+
+  private static final Phrase TOO_MANY = Phrase.of("too many at once");
+  private static final Phrase FOREIGN =
+      Phrase.of("only hosts of this machine's own networks are listened to");
+
+  private final int drone;
+  private final Simulation simulation;
+  private final Map<InetAddress, Source> sources =
+      new LinkedHashMap<>() {
+        @Override
+        protected boolean removeEldestEntry(Map.Entry<InetAddress, Source> eldest) {
+          return size() > MOST_HOSTS;
+        }
+      };
+
+  private long foreign;
+  private InetAddress lastForeign = AddressPlan.loopback(1);
+
+  /** What came from a host. */
+  private static final class Source {
+    private final TokenBucket stranger = new TokenBucket(STRANGERS_RATE, STRANGERS_BURST);
+    private final TokenBucket unknown = new TokenBucket(UNKNOWN_RATE, UNKNOWN_BURST);
+    private long dropped;
+  }
+
+  /**
+   * @param drone its number, from 1
+   */
+  AdmissionControl(int drone, Simulation simulation) {
+    this.drone = drone;
+    this.simulation = simulation;
+  }
+
+  /**
+   * Whether a datagram is to be taken.
+   *
+   * @param networks of this machine
+   */
+  synchronized boolean admits(Peer peer, String text, LocalNetworks networks) {
+    InetAddress host = peer.address().getAddress();
+    OperatorRule rule = simulation.operators();
+    boolean named = rule.only().filter(host::equals).isPresent();
+    if (!named && !networks.neighbours(peer.via().getAddress(), host)) {
+      foreign++;
+      lastForeign = host;
+      return false;
+    }
+    boolean operates = !rule.exclusive() || operator().filter(host::equals).isPresent();
+    if (operates && WireText.beginsLikeCommand(text)) {
+      return true;
+    }
+    Source source = source(host);
+    TokenBucket bucket = operates ? source.unknown : source.stranger;
+    if (!bucket.tryTake()) {
+      source.dropped++;
+      return false;
+    }
+    return true;
+  }
+
+  /** Tells the simulation how many datagrams were turned away since this was called last. */
+  synchronized void report() {
+    sources.forEach(
+        (host, source) -> {
+          if (source.dropped > 0) {
+            simulation.dropped(drone, host, source.dropped, TOO_MANY);
+            source.dropped = 0;
+          }
+        });
+    if (foreign > 0) {
+      simulation.dropped(drone, lastForeign, foreign, FOREIGN);
+      foreign = 0;
+    }
+  }
+
+  private Source source(InetAddress host) {
+    return sources.computeIfAbsent(host, unseen -> new Source());
+  }
+
+  private Optional<InetAddress> operator() {
+    return simulation
+        .snapshot()
+        .drones()
+        .get(drone - 1)
+        .link()
+        .operator()
+        .map(Peer::address)
+        .map(InetSocketAddress::getAddress);
+  }
+}

@@ -1,0 +1,91 @@
+package tellosimulator.network;
+
+import java.net.Inet4Address;
+import java.net.InetAddress;
+import java.net.InterfaceAddress;
+import java.net.NetworkInterface;
+import java.net.SocketException;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Objects;
+
+/**
+ * This machine's IPv4 addresses and the networks that they are in, at the moment of a look.
+ * Immutable; for any thread.
+ */
+record LocalNetworks(List<Member> members) {
+
+  private static final InetAddress LOOPBACK = AddressPlan.loopback(1);
+
+  /**
+   * An address of this machine in a network.
+   *
+   * @param prefix length of the network's part of the address [bits]
+   */
+  record Member(InetAddress address, int prefix) {
+
+    boolean sameNetwork(InetAddress other) {
+      int mask = prefix == 0 ? 0 : -1 << (Integer.SIZE - prefix);
+      return (bits(address) & mask) == (bits(other) & mask);
+    }
+
+    private static int bits(InetAddress address) {
+      int bits = 0;
+      for (byte part : address.getAddress()) {
+        bits = (bits << Byte.SIZE) | (part & 0xff);
+      }
+      return bits;
+    }
+  }
+
+  LocalNetworks {
+    members = List.copyOf(members);
+  }
+
+  /** Asks the system; loopback alone where it does not answer. */
+  static LocalNetworks look() {
+    List<Member> members = new ArrayList<>();
+    try {
+      NetworkInterface.networkInterfaces()
+          .flatMap(each -> each.getInterfaceAddresses().stream())
+          .filter(each -> each.getAddress() instanceof Inet4Address)
+          .map(LocalNetworks::member)
+          .distinct()
+          .forEach(members::add);
+    } catch (SocketException e) {
+      members.clear();
+    }
+    return new LocalNetworks(members);
+  }
+
+  private static Member member(InterfaceAddress address) {
+    return new Member(address.getAddress(), address.getNetworkPrefixLength());
+  }
+
+  /** All addresses of this machine, loopback first. */
+  List<InetAddress> addresses() {
+    List<InetAddress> addresses = new ArrayList<>(List.of(LOOPBACK));
+    members.stream()
+        .map(Member::address)
+        .filter(address -> !addresses.contains(address))
+        .forEach(addresses::add);
+    return List.copyOf(addresses);
+  }
+
+  /**
+   * Whether a sender is a neighbour: in the same network as the address that it sent to, and with
+   * an address that is private to networks (RFC 1918, RFC 3927). On loopback everybody is.
+   *
+   * @param own the address of this machine that it sent to
+   */
+  boolean neighbours(InetAddress own, InetAddress sender) {
+    if (own.isLoopbackAddress()) {
+      return true;
+    }
+    boolean secluded = sender.isSiteLocalAddress() || sender.isLinkLocalAddress();
+    return secluded
+        && members.stream()
+            .filter(member -> Objects.equals(member.address(), own))
+            .anyMatch(member -> member.sameNetwork(sender));
+  }
+}

@@ -1,0 +1,55 @@
+package tellosimulator.view.controls;
+
+import javafx.scene.control.CheckBox;
+import javafx.scene.control.Label;
+import javafx.scene.layout.VBox;
+import tellosimulator.view.SimulatorActions;
+import tellosimulator.view.ViewContext;
+import tellosimulator.view.text.Messages;
+
+/**
+ * The switch that lets other machines of the network reach the drones, with a sentence that says
+ * what it opens. For the JavaFX thread.
+ */
+final class ReachPanel extends VBox {
+
+  private final SimulatorActions actions;
+  private final Runnable changed;
+  private final CheckBox reachable = new CheckBox();
+  private final Label sentence = new Label();
+
+  /**
+   * @param changed is called when a person has used the switch
+   */
+  ReachPanel(ViewContext context, Runnable changed) {
+    this.actions = context.actions();
+    this.changed = changed;
+    Messages messages = context.language().messages(ReachPanel.class);
+    getStyleClass().addAll("panel-section", "reach-panel");
+    reachable.setId("reachable");
+    reachable.textProperty().bind(messages.text("reach"));
+    sentence.setId("reach-sentence");
+    sentence.getStyleClass().add("caption");
+    sentence.setWrapText(true);
+    sentence.setMinHeight(USE_PREF_SIZE);
+    sentence
+        .textProperty()
+        .bind(
+            reachable
+                .selectedProperty()
+                .flatMap(on -> messages.text(on ? "reach.open" : "reach.closed")));
+    getChildren().addAll(reachable, sentence);
+    reachable.setOnAction(pressed -> use());
+    refresh();
+  }
+
+  private void use() {
+    actions.setReachableFromNetwork(reachable.isSelected());
+    changed.run();
+  }
+
+  /** Shows what holds now. */
+  void refresh() {
+    reachable.setSelected(actions.reachableFromNetwork());
+  }
+}

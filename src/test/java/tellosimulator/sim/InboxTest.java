@@ -1,0 +1,55 @@
+package tellosimulator.sim;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static tellosimulator.testing.SimulatedDrone.address;
+
+import org.junit.jupiter.api.Test;
+import tellosimulator.command.Peer;
+import tellosimulator.sim.Inbox.Datagram;
+
+class InboxTest {
+
+  private final Inbox inbox = new Inbox();
+
+  @Test
+  void whatComesFirstLeavesFirst() {
+    inbox.offer(from(1, "a"), true);
+    inbox.offer(from(2, "b"), false);
+    inbox.offer(from(1, "c"), true);
+
+    assertThat(inbox.poll()).isEqualTo(from(1, "a"));
+    assertThat(inbox.poll()).isEqualTo(from(2, "b"));
+    assertThat(inbox.poll()).isEqualTo(from(1, "c"));
+    assertThat(inbox.poll()).isNull();
+    assertThat(inbox.isEmpty()).isTrue();
+  }
+
+  @Test
+  void oneSenderFillsOnlyItsPart() {
+    int taken = 0;
+    while (inbox.offer(from(1, "battery?"), true)) {
+      taken++;
+    }
+
+    assertThat(taken).isEqualTo(256);
+    assertThat(inbox.offer(from(2, "battery?"), true)).isTrue();
+    inbox.poll();
+    assertThat(inbox.offer(from(1, "battery?"), true)).isTrue();
+    assertThat(inbox.offer(from(1, "battery?"), true)).isFalse();
+  }
+
+  @Test
+  void howeverManyOthersThereAreTheOperatorHasRoom() {
+    int taken = 0;
+    for (int sender = 1; sender <= 10_000; sender++) {
+      taken += inbox.offer(from(sender, "battery?"), false) ? 1 : 0;
+    }
+
+    assertThat(taken).isEqualTo(4096 - 1024);
+    assertThat(inbox.offer(from(20_000, "land"), true)).isTrue();
+  }
+
+  private static Datagram from(int port, String text) {
+    return new Datagram(1, new Peer(address("127.0.0.1", port), address("127.0.0.1", 8879)), text);
+  }
+}
