@@ -7,6 +7,7 @@ import javafx.beans.property.BooleanProperty;
 import javafx.beans.property.DoubleProperty;
 import javafx.beans.property.ReadOnlyObjectProperty;
 import javafx.beans.property.SimpleDoubleProperty;
+import javafx.scene.Parent;
 import javafx.scene.Scene;
 import javafx.scene.input.KeyCombination;
 import javafx.scene.layout.StackPane;
@@ -100,7 +101,8 @@ public final class SimulatorWindow implements AutoCloseable {
     log = new LogBox(context, feed);
     pages = new PageOverlay(context);
     bar = new WindowBar(context, state, world, pages);
-    scene = new Scene(new StackPane(pane(), pages), width(stage), height(stage));
+    Parent root = new StackPane(pane(), pages);
+    scene = scene(stage, root);
     following = stage.fullScreenProperty().subscribe(state.fullScreenProperty()::set);
     setupKeys();
     setupBindings();
@@ -113,9 +115,7 @@ public final class SimulatorWindow implements AutoCloseable {
                     report.good() ? LogLevel.INFO : LogLevel.ERROR,
                     report.drone(),
                     report.phrase()));
-    stage.setScene(scene);
-    following =
-        following.and(context.scenario().fileProperty().subscribe(file -> stage.setTitle(title())));
+    follow(context.scenario().fileProperty().subscribe(file -> stage.setTitle(title())));
     stage.setFullScreenExitHint("");
     stage.setFullScreenExitKeyCombination(KeyCombination.NO_MATCH);
   }
@@ -130,12 +130,22 @@ public final class SimulatorWindow implements AutoCloseable {
     return name.isEmpty() ? "Tello Simulator" : name + " – Tello Simulator";
   }
 
-  private static double width(Stage stage) {
-    return stage.getScene() == null ? FIRST_WIDTH : stage.getScene().getWidth();
+  /**
+   * The stage's only scene, which now shows this. Another scene would bring its own size into a
+   * window that is maximized, and leave full screen.
+   */
+  private static Scene scene(Stage stage, Parent root) {
+    if (stage.getScene() == null) {
+      stage.setScene(new Scene(root, FIRST_WIDTH, FIRST_HEIGHT));
+    } else {
+      stage.getScene().setRoot(root);
+    }
+    return stage.getScene();
   }
 
-  private static double height(Stage stage) {
-    return stage.getScene() == null ? FIRST_HEIGHT : stage.getScene().getHeight();
+  /** Follows something until the window is closed. */
+  private void follow(Subscription subscription) {
+    following = following.and(subscription);
   }
 
   private SimulatorPane pane() {
@@ -150,8 +160,12 @@ public final class SimulatorWindow implements AutoCloseable {
   }
 
   private void setupKeys() {
-    pilot.install(scene); // first, because while it is on its keys go before the window's
-    new WindowKeys()
+    follow(pilot.install(scene)); // first: while it is on, its keys go before the window's
+    follow(keys().install(scene));
+  }
+
+  private WindowKeys keys() {
+    return new WindowKeys()
         .on(WindowKey.HELP, pages::toggleHelp)
         .on(WindowKey.SIMULATOR_CONTROLS, () -> toggle(state.simulatorControlsShownProperty()))
         .on(WindowKey.NETWORK_CONTROLS, () -> toggle(state.networkControlsShownProperty()))
@@ -177,8 +191,7 @@ public final class SimulatorWindow implements AutoCloseable {
         .on(WindowKey.RELOAD_SCENARIO, context.scenario().desk()::reload)
         .on(WindowKey.AGAIN, goals::again)
         .on(WindowKey.SEARCH_LOG, this::searchLog)
-        .on(WindowKey.QUIT, stage::hide)
-        .install(scene);
+        .on(WindowKey.QUIT, stage::hide);
   }
 
   private static void toggle(BooleanProperty property) {
@@ -215,7 +228,7 @@ public final class SimulatorWindow implements AutoCloseable {
     drones.managedProperty().bind(drones.visibleProperty());
     plan.shownProperty().bindBidirectional(state.planShownProperty());
     plan.shownProperty().subscribe(this::giveKeys);
-    state.fullScreenProperty().subscribe(stage::setFullScreen);
+    follow(state.fullScreenProperty().subscribe(stage::setFullScreen));
     simulatorControls
         .droneCameraProperty()
         .subscribe(

@@ -4,9 +4,11 @@ import java.util.EnumMap;
 import java.util.Map;
 import java.util.function.Consumer;
 import java.util.function.Predicate;
+import javafx.event.EventHandler;
 import javafx.scene.Scene;
 import javafx.scene.control.TextInputControl;
 import javafx.scene.input.KeyEvent;
+import javafx.util.Subscription;
 
 /**
  * What the keys of a window do. Those that could be typed into a text field do nothing while one
@@ -22,11 +24,17 @@ public final class WindowKeys {
     return this;
   }
 
-  /** Listens to the keys of a window from now on. */
-  public void install(Scene scene) {
-    scene.addEventFilter(KeyEvent.KEY_PRESSED, event -> act(event, key -> !key.writes()));
-    scene.addEventHandler(
-        KeyEvent.KEY_PRESSED, event -> act(event, key -> key.writes() && !isTyping(scene)));
+  /** Listens to the keys of a scene until the subscription ends. */
+  public Subscription install(Scene scene) {
+    EventHandler<KeyEvent> always = event -> act(event, key -> !key.writes());
+    EventHandler<KeyEvent> unlessTyping =
+        event -> act(event, key -> key.writes() && !isTyping(scene));
+    scene.addEventFilter(KeyEvent.KEY_PRESSED, always);
+    scene.addEventHandler(KeyEvent.KEY_PRESSED, unlessTyping);
+    return () -> {
+      scene.removeEventFilter(KeyEvent.KEY_PRESSED, always);
+      scene.removeEventHandler(KeyEvent.KEY_PRESSED, unlessTyping);
+    };
   }
 
   private void act(KeyEvent event, Predicate<WindowKey> wanted) {

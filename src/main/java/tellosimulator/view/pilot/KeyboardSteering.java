@@ -7,11 +7,13 @@ import javafx.beans.property.BooleanProperty;
 import javafx.beans.property.SimpleBooleanProperty;
 import javafx.collections.FXCollections;
 import javafx.collections.ObservableSet;
+import javafx.event.EventHandler;
 import javafx.scene.Node;
 import javafx.scene.Scene;
 import javafx.scene.control.TextInputControl;
 import javafx.scene.input.KeyEvent;
 import javafx.stage.Window;
+import javafx.util.Subscription;
 import tellosimulator.view.FxDroneModel;
 import tellosimulator.view.ViewContext;
 import tellosimulator.view.pilot.SteeringKey.Push;
@@ -60,16 +62,20 @@ public final class KeyboardSteering {
     context.simulation().selectedProperty().addListener((observed, before, now) -> letGo(before));
   }
 
-  /** Listens to the keys of a window from now on; to be called once. */
-  public void install(Scene newScene) {
+  /** Listens to the keys of a scene until the subscription ends; to be called once. */
+  public Subscription install(Scene newScene) {
     scene = Optional.of(newScene);
-    newScene.addEventFilter(KeyEvent.ANY, this::take);
-    newScene.focusOwnerProperty().addListener(changed -> releaseIfTyping());
-    newScene
-        .windowProperty()
-        .flatMap(Window::focusedProperty)
-        .orElse(true)
-        .addListener((observed, before, focused) -> releaseUnless(focused));
+    EventHandler<KeyEvent> taking = this::take;
+    newScene.addEventFilter(KeyEvent.ANY, taking);
+    Subscription listening = () -> newScene.removeEventFilter(KeyEvent.ANY, taking);
+    return listening
+        .and(newScene.focusOwnerProperty().subscribe(owner -> releaseIfTyping()))
+        .and(
+            newScene
+                .windowProperty()
+                .flatMap(Window::focusedProperty)
+                .orElse(true)
+                .subscribe(this::releaseUnless));
   }
 
   /** Whether keys fly the drone. */

@@ -17,6 +17,7 @@ import javafx.scene.layout.HBox;
 import javafx.scene.layout.Priority;
 import javafx.scene.layout.Region;
 import javafx.scene.layout.VBox;
+import javafx.util.Subscription;
 import org.kordamp.ikonli.feather.Feather;
 import org.kordamp.ikonli.javafx.FontIcon;
 import tellosimulator.model.FlightPhase;
@@ -62,9 +63,12 @@ public final class PilotControls extends VBox implements AutoCloseable {
     setupBindings();
   }
 
-  /** Lets the keys of a window fly, when that is switched on; to be called once. */
-  public void install(Scene scene) {
-    keyboard.install(scene);
+  /**
+   * Lets the keys of a scene fly, when that is switched on, until the subscription ends; to be
+   * called once.
+   */
+  public Subscription install(Scene scene) {
+    return keyboard.install(scene);
   }
 
   public DemoFlight demo() {

@@ -43,7 +43,9 @@ import tellosimulator.view.video.WindowVideo;
  */
 public final class WindowFixture implements BeforeEachCallback, AfterEachCallback {
 
-  private static final int PATIENCE_SECONDS = 10;
+  /** Longest wait for what comes soon on a machine that has nothing else to do [s]. */
+  private static final int PATIENCE_SECONDS = 60;
+
   private static final List<InetAddress> LOOPBACK = List.of(InetAddress.getLoopbackAddress());
 
   /** Nobody listens there, so that test flights disturb nobody. */
@@ -149,7 +151,7 @@ public final class WindowFixture implements BeforeEachCallback, AfterEachCallbac
     return WaitForAsyncUtils.waitForAsyncFx(PATIENCE_SECONDS * 1000L, work);
   }
 
-  /** Waits until something is true, asking on the JavaFX thread; a failure after ten seconds. */
+  /** Waits until something is true, asking on the JavaFX thread; a failure after a minute. */
   public static void waitUntil(Callable<Boolean> condition) {
     try {
       WaitForAsyncUtils.waitFor(PATIENCE_SECONDS, TimeUnit.SECONDS, () -> onFxThread(condition));
