@@ -41,7 +41,7 @@ final class DrawnAids {
   List<Placed> parts(Pose camera) {
     List<Placed> parts = new ArrayList<>();
     if (trailsShown) {
-      trails.forEach(trail -> trail.part().ifPresent(parts::add));
+      trails.forEach(trail -> parts.addAll(trail.parts()));
     }
     plumbLines.forEach(line -> line.part(camera.position()).ifPresent(parts::add));
     numbers.forEach(number -> parts.add(number.part(camera)));

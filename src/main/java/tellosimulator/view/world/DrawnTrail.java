@@ -1,10 +1,12 @@
 package tellosimulator.view.world;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import tellosimulator.math.Attitude;
 import tellosimulator.math.Pose;
 import tellosimulator.math.Vec3;
+import tellosimulator.model.FlightPhase;
 import tellosimulator.scenery.Finish;
 import tellosimulator.scenery.Mesh;
 import tellosimulator.scenery.Part;
@@ -12,23 +14,27 @@ import tellosimulator.scenery.Placed;
 import tellosimulator.scenery.Texture;
 import tellosimulator.view.FxDroneModel;
 
-/** The path that a drone has flown, as the software camera draws it. For the JavaFX thread. */
+/** The paths that a drone has flown, as the software camera draws them. For the JavaFX thread. */
 final class DrawnTrail {
 
   private static final Pose ROOM = new Pose(Vec3.ZERO, Attitude.LEVEL);
 
   private final FxDroneModel drone;
   private final FollowsStart start;
-  private final TrailPath path = new TrailPath(Trail.CAPACITY);
+  private final FlightPaths paths = new FlightPaths(Trail.CAPACITY);
+  private final int argb;
   private final Texture color;
-  private Optional<Placed> part = Optional.empty();
+  private List<Placed> earlier = List.of();
+  private Optional<Placed> present = Optional.empty();
+  private int shownChanges;
   private boolean changed;
   private long lastUpdate;
 
   DrawnTrail(FxDroneModel drone) {
     this.drone = drone;
     start = new FollowsStart(drone);
-    color = new Texture(1, 1, new int[] {drone.livery().color().argb()});
+    argb = drone.livery().color().argb();
+    color = new Texture(1, 1, new int[] {argb});
   }
 
   /**
@@ -38,25 +44,43 @@ final class DrawnTrail {
    */
   void advance(long nanos) {
     if (start.wasReset()) {
-      path.clear();
-      part = Optional.empty();
+      paths.clear();
       lastUpdate = 0;
     }
     Vec3 position = drone.poseProperty().get().position();
-    changed |= path.add(position.plusScaled(Vec3.UP, Trail.MIDDLE));
-    if (changed && path.size() > 1 && nanos - lastUpdate >= Trail.UPDATE_PERIOD) {
+    boolean takingOff = drone.phaseProperty().get() == FlightPhase.TAKING_OFF;
+    changed |= paths.advance(takingOff, position.plusScaled(Vec3.UP, Trail.MIDDLE));
+    if (paths.changes() != shownChanges) {
+      shownChanges = paths.changes();
+      present = Optional.empty();
+      showEarlier();
+    }
+    if (changed && paths.present().size() > 1 && nanos - lastUpdate >= Trail.UPDATE_PERIOD) {
       lastUpdate = nanos;
       changed = false;
-      part = Optional.of(new Placed(new Part(mesh(), color, Finish.PAINTED), ROOM));
+      present =
+          Optional.of(new Placed(new Part(mesh(paths.present()), color, Finish.PAINTED), ROOM));
     }
   }
 
-  /** As it is at present; none where there is no path yet. */
-  Optional<Placed> part() {
-    return part;
+  private void showEarlier() {
+    List<Placed> shown = new ArrayList<>();
+    for (TrailPath path : paths.earlier()) {
+      int alpha = (int) (255 * FlightPaths.opacity(shown.size() + 1));
+      Texture faint = new Texture(1, 1, new int[] {(argb & 0xffffff) | (alpha << 24)});
+      shown.add(new Placed(new Part(mesh(path), faint, Finish.SHEER), ROOM));
+    }
+    earlier = List.copyOf(shown);
   }
 
-  private Mesh mesh() {
+  /** The paths at present; the same ones as long as nothing has changed. */
+  List<Placed> parts() {
+    List<Placed> parts = new ArrayList<>(earlier);
+    present.ifPresent(parts::add);
+    return parts;
+  }
+
+  private static Mesh mesh(TrailPath path) {
     int sides = TrailPath.SIDES;
     float[] points = new float[3 * sides * path.size()];
     for (int i = 0; i < path.size(); i++) {

@@ -1,9 +1,12 @@
 package tellosimulator.view.world;
 
+import java.util.ArrayList;
+import java.util.List;
 import javafx.scene.Group;
 import javafx.scene.paint.Color;
 import javafx.scene.paint.PhongMaterial;
 import tellosimulator.math.Vec3;
+import tellosimulator.model.FlightPhase;
 import tellosimulator.view.FxDroneModel;
 import tellosimulator.view.drone.DroneColors;
 
@@ -11,7 +14,7 @@ import tellosimulator.view.drone.DroneColors;
  * The path that a drone has flown as a thin band in the air. Its last few points are a mesh of
  * their own, which changes some times a second and is small; the long one behind it changes only
  * when these have become many. Measured: with one mesh a path, twenty drones that circle took half
- * of a processor for nothing else. For the JavaFX thread.
+ * of a processor for nothing else. Paths of earlier flights are fainter. For the JavaFX thread.
  */
 final class Trail extends Group {
 
@@ -28,7 +31,8 @@ final class Trail extends Group {
   static final double MIDDLE = 0.02;
 
   private final FxDroneModel drone;
-  private final TrailPath path = new TrailPath(CAPACITY);
+  private final FlightPaths paths = new FlightPaths(CAPACITY);
+  private final List<TrailBand> earlier = new ArrayList<>();
   private final TrailBand past;
   private final TrailBand recent;
   private boolean changed;
@@ -38,20 +42,35 @@ final class Trail extends Group {
   private int settled;
 
   private int sizeBefore;
+  private int shownChanges;
 
   Trail(FxDroneModel drone) {
     this.drone = drone;
-    Color color = DroneColors.of(drone).deriveColor(0, 1, 1, 0.85);
-    PhongMaterial material = new PhongMaterial(color);
+    Color color = DroneColors.of(drone);
+    PhongMaterial material = new PhongMaterial(color.deriveColor(0, 1, 1, 0.85));
     past = new TrailBand(material);
     recent = new TrailBand(material);
     setId("trail-" + drone.number());
+    for (int age = 1; age <= FlightPaths.EARLIER; age++) {
+      earlier.add(new TrailBand(faint(color, FlightPaths.opacity(age))));
+    }
+    getChildren().addAll(earlier);
     getChildren().addAll(past, recent);
   }
 
-  /** Forgets the path; it begins anew where the drone is. */
+  /** Measured: the toolkit adds a material's color to what is behind it, so it is premultiplied. */
+  private static PhongMaterial faint(Color color, double opacity) {
+    return new PhongMaterial(
+        new Color(
+            color.getRed() * opacity,
+            color.getGreen() * opacity,
+            color.getBlue() * opacity,
+            opacity));
+  }
+
+  /** Forgets all paths; the present one begins anew where the drone is. */
   void clear() {
-    path.clear();
+    paths.clear();
     changed = true;
     lastUpdate = 0;
   }
@@ -63,7 +82,8 @@ final class Trail extends Group {
    */
   void advance(long nanos) {
     Vec3 position = drone.poseProperty().get().position();
-    changed |= path.add(position.plusScaled(Vec3.UP, MIDDLE));
+    boolean takingOff = drone.phaseProperty().get() == FlightPhase.TAKING_OFF;
+    changed |= paths.advance(takingOff, position.plusScaled(Vec3.UP, MIDDLE));
     if (changed && isVisible() && nanos - lastUpdate >= UPDATE_PERIOD) {
       lastUpdate = nanos;
       changed = false;
@@ -71,19 +91,36 @@ final class Trail extends Group {
     }
   }
 
-  /** Points of the path at present. */
+  /** Points of the present flight's path. */
   int size() {
-    return path.size();
+    return paths.present().size();
   }
 
   private void update() {
+    boolean anotherFlight = paths.changes() != shownChanges;
+    if (anotherFlight) {
+      showEarlier();
+    }
+    TrailPath path = paths.present();
     int last = path.size() - 1;
-    boolean anew = path.size() < sizeBefore; // cleared, or thinned out
+    boolean anew = anotherFlight || path.size() < sizeBefore; // cleared, or thinned out
     if (anew || last - settled >= RECENT) {
       settled = Math.max(0, last - 1);
       past.show(path, 0, settled);
     }
     recent.show(path, settled, last);
     sizeBefore = path.size();
+  }
+
+  private void showEarlier() {
+    shownChanges = paths.changes();
+    List<TrailPath> shown = paths.earlier();
+    for (int i = 0; i < earlier.size(); i++) {
+      if (i < shown.size()) {
+        earlier.get(i).show(shown.get(i), 0, shown.get(i).size() - 1);
+      } else {
+        earlier.get(i).setVisible(false);
+      }
+    }
   }
 }
