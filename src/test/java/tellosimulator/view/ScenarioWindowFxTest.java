@@ -120,6 +120,15 @@ class ScenarioWindowFxTest {
   }
 
   @Test
+  void aScenarioThatAsksAndSaysNothingHasNoCard() throws IOException {
+    Files.writeString(file, "name: Bare\ndrones:\n  - {start: [0, 0], state-port: 9}\n");
+
+    change(() -> app.open(file));
+
+    assertThat(robot.lookup("#goal-panel").query().isVisible()).isFalse();
+  }
+
+  @Test
   void dronesThatWereOnAreOnAgainAndKeysActOnTheNewOnes() {
     robot.clickOn("#power");
     change(() -> app.open(file));

@@ -27,7 +27,7 @@ import tellosimulator.view.text.Messages;
 
 /**
  * What the scenario teaches, its goals with a tick and a time for each that is reached, the time,
- * and how it ended. Not there if nothing is asked for. For the JavaFX thread.
+ * and how it ended. Not there if nothing is asked for or said. For the JavaFX thread.
  */
 public final class GoalPanel extends VBox {
 
@@ -61,7 +61,7 @@ public final class GoalPanel extends VBox {
     messages = language.messages(GoalPanel.class);
     progress = context.scenario().progressProperty();
     scenario = context.scenario().scenario();
-    initializeSelf(!context.scenario().plain());
+    initializeSelf(!scenario.teaches().isEmpty() || !challenge().goals().isEmpty());
     initializeParts();
     layoutParts();
     setupEventHandlers();

@@ -91,7 +91,8 @@ public final class LogBox extends VBox {
     setId("log");
     getStyleClass().add("log-box");
     getStylesheets().add(LogBox.class.getResource("log.css").toExternalForm());
-    feed.welcome();
+    feed.welcome(
+        context.simulation().drones().stream().allMatch(drone -> drone.onProperty().get()));
   }
 
   private void initializeParts() {

@@ -73,10 +73,14 @@ public final class LogFeed implements SimListener {
     add(new LogLine(now, level, 0, saying::apply));
   }
 
-  /** Greets, the first time. */
-  void welcome() {
+  /**
+   * Greets, the first time.
+   *
+   * @param on whether all drones are on already
+   */
+  void welcome(boolean on) {
     if (welcomed.compareAndSet(false, true)) {
-      note(LogLevel.INFO, "welcome");
+      note(LogLevel.INFO, on ? "welcome.on" : "welcome");
     }
   }
 

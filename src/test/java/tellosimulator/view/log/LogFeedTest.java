@@ -38,6 +38,21 @@ class LogFeedTest {
   }
 
   @Test
+  void theGreetingDoesNotAskForWhatIsDone() {
+    feed.welcome(true);
+    feed.welcome(false);
+
+    assertThat(words(feed.drain())).singleElement().asString().startsWith("Welcome. Start your");
+  }
+
+  @Test
+  void theGreetingAsksToSwitchOn() {
+    feed.welcome(false);
+
+    assertThat(words(feed.drain())).singleElement().asString().contains("Switch the drone on");
+  }
+
+  @Test
   void whatFindsNoRoomIsCountedAndSaid() {
     for (int i = 0; i < LogFeed.CAPACITY + 1234; i++) {
       feed.event(new SimEvent.WorldChanged(SimTime.ZERO, Phrase.of("change %d", i)));
