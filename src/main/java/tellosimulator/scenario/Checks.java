@@ -48,17 +48,29 @@ final class Checks {
         mistakes.add(entry.node(), Phrase.of("there are two obstacles of the name %s", name));
       }
     }
-    Map<String, Integer> counts = new HashMap<>();
+    List<String> given = named(entries.stream().map(Located::value).toList(), names);
     List<Located<Obstacle>> named = new ArrayList<>();
-    for (Located<ObstacleReader.Entry> entry : entries) {
-      Obstacle obstacle = entry.value().obstacle();
-      String name =
-          obstacle.name().isEmpty()
-              ? newName(entry.value().kind(), counts, names)
-              : obstacle.name();
-      named.add(new Located<>(renamed(obstacle, name), entry.node()));
+    for (int i = 0; i < given.size(); i++) {
+      Obstacle obstacle = entries.get(i).value().obstacle();
+      named.add(new Located<>(renamed(obstacle, given.get(i)), entries.get(i).node()));
     }
     return named;
+  }
+
+  /**
+   * The names of obstacles; those without one get one that no other has: {@code box 1}.
+   *
+   * @param taken names of those that have one
+   */
+  static List<String> named(List<ObstacleReader.Entry> entries, Set<String> taken) {
+    Set<String> names = new HashSet<>(taken);
+    Map<String, Integer> counts = new HashMap<>();
+    List<String> given = new ArrayList<>();
+    for (ObstacleReader.Entry entry : entries) {
+      String name = entry.obstacle().name();
+      given.add(name.isEmpty() ? newName(entry.kind(), counts, names) : name);
+    }
+    return given;
   }
 
   /** A name that no other has: {@code box 1}. */
@@ -70,7 +82,7 @@ final class Checks {
     return name;
   }
 
-  private static Obstacle renamed(Obstacle obstacle, String name) {
+  static Obstacle renamed(Obstacle obstacle, String name) {
     return new Obstacle(
         name, obstacle.shape(), obstacle.foot(), obstacle.heading(), obstacle.cover());
   }

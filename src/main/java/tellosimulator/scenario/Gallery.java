@@ -27,6 +27,11 @@ public final class Gallery {
 
   /** The one of a short name, if there is such a one. */
   public static Optional<Scenario> find(String name) {
+    return open(name).map(ScenarioDocument::scenario);
+  }
+
+  /** The same, to change and to save it. */
+  public static Optional<ScenarioDocument> open(String name) {
     return NAMES.contains(name) ? Optional.of(read(name)) : Optional.empty();
   }
 
@@ -35,9 +40,9 @@ public final class Gallery {
     return Spelling.meant(name, NAMES);
   }
 
-  private static Scenario read(String name) {
+  private static ScenarioDocument read(String name) {
     try (InputStream input = Gallery.class.getResourceAsStream(name + ".yaml")) {
-      return ScenarioFile.read(name + ".yaml", input);
+      return ScenarioFile.open(name + ".yaml", input);
     } catch (IOException e) {
       throw new UncheckedIOException(e);
     } catch (ScenarioException e) {

@@ -1,6 +1,5 @@
 package tellosimulator.scenario;
 
-import java.nio.file.Path;
 import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;
@@ -63,20 +62,20 @@ final class ObstacleReader implements Value<ObstacleReader.Entry> {
           point -> new Vec3(point.get(0), point.get(1), 0));
 
   /** Thickness of walls, and of a gate's ring or beams [m]. Decided: wood that one can saw. */
-  private static final double WALL_THICKNESS = 0.1;
+  static final double WALL_THICKNESS = 0.1;
 
   private static final double GATE_THICKNESS = 0.05;
 
   /** What stands for a shape until the mistake is told. */
   private static final Shape UNKNOWN = new Shape.Box(1, 1, 1);
 
-  private final Path folder;
+  private final Pictures images;
 
   /**
-   * @param folder in which pictures are looked for
+   * @param images that its pictures name
    */
-  ObstacleReader(Path folder) {
-    this.folder = folder;
+  ObstacleReader(Pictures images) {
+    this.images = images;
   }
 
   @Override
@@ -210,7 +209,7 @@ final class ObstacleReader implements Value<ObstacleReader.Entry> {
     Map<Side, String> pictures = new EnumMap<>(Side.class);
     SIDES.forEach(
         (key, side) ->
-            section.read(key, Pictures.in(folder)).ifPresent(file -> pictures.put(side, file)));
+            section.read(key, images.file()).ifPresent(file -> pictures.put(side, file)));
     return Optional.of(pictures);
   }
 }

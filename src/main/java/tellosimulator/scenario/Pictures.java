@@ -6,17 +6,20 @@ import java.nio.file.Path;
 import java.util.Optional;
 import tellosimulator.words.Phrase;
 
-/** Image files that a scenario names; it names them from the folder in which it is. */
-final class Pictures {
+/**
+ * Image files that a scenario names; it names them from the folder in which it is.
+ *
+ * @param folder in which the scenario is
+ * @param looked whether a file that is not there is a mistake
+ */
+record Pictures(Path folder, boolean looked) {
 
-  private Pictures() {}
-
-  /** The name of a file that is there, as the program finds it. */
-  static Value<String> in(Path folder) {
+  /** The name of a file, as the program finds it. */
+  Value<String> file() {
     return (node, mistakes) -> {
       Optional<String> name = Values.text().read(node, mistakes);
-      Optional<Path> file = name.flatMap(written -> resolved(folder, written));
-      if (name.isPresent() && file.filter(Files::isRegularFile).isEmpty()) {
+      Optional<Path> file = name.flatMap(this::resolved);
+      if (name.isPresent() && file.filter(this::isThere).isEmpty()) {
         mistakes.add(
             node,
             Phrase.of("expected the name of an image file, found no file %s", Values.found(node)));
@@ -34,7 +37,11 @@ final class Pictures {
     return (near ? base.relativize(path) : path).toString().replace('\\', '/');
   }
 
-  private static Optional<Path> resolved(Path folder, String written) {
+  private boolean isThere(Path file) {
+    return !looked || Files.isRegularFile(file);
+  }
+
+  private Optional<Path> resolved(String written) {
     try {
       return Optional.of(folder.resolve(written).normalize());
     } catch (InvalidPathException e) {

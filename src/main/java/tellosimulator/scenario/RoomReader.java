@@ -1,6 +1,5 @@
 package tellosimulator.scenario;
 
-import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -67,16 +66,16 @@ final class RoomReader {
   /**
    * A poster.
    *
-   * @param folder in which its picture is looked for
+   * @param images that its picture names
    */
-  static Value<Poster> poster(Path folder) {
+  static Value<Poster> poster(Pictures images) {
     return (node, mistakes) -> {
       Section section = Section.of(Kind.POSTER, node, mistakes);
       Surface wall = section.need("wall", Values.word(SURFACES), Surface.FRONT_WALL);
       double along = section.read("along", OFFSET, 0.0);
       double height = section.need("height", OFFSET, 1.0);
       double width = section.need("width", Values.length(Poster.NARROWEST * 100, LONGEST_CM), 1.0);
-      Optional<String> picture = section.need("picture", Pictures.in(folder));
+      Optional<String> picture = section.need("picture", images.file());
       return section.sound()
           ? Optional.of(new Poster(wall, along, height, width, picture.orElseThrow()))
           : Optional.empty();

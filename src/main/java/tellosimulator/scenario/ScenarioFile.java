@@ -1,16 +1,28 @@
 package tellosimulator.scenario;
 
+import static java.nio.file.StandardCopyOption.ATOMIC_MOVE;
+import static java.nio.file.StandardCopyOption.REPLACE_EXISTING;
+import static java.nio.file.StandardOpenOption.CREATE;
+import static java.nio.file.StandardOpenOption.TRUNCATE_EXISTING;
+import static java.nio.file.StandardOpenOption.WRITE;
+
 import java.io.IOException;
 import java.io.InputStream;
+import java.nio.ByteBuffer;
+import java.nio.channels.FileChannel;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.AccessDeniedException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.StandardCopyOption;
+import java.util.Arrays;
 import java.util.Optional;
 import org.snakeyaml.engine.v2.nodes.Node;
 
 /** A scenario as a YAML file. For any thread. */
 public final class ScenarioFile {
+
+  /** Tells files that are being written by several programs apart. */
+  private static final long PROCESS = ProcessHandle.current().pid();
 
   private ScenarioFile() {}
 
@@ -20,46 +32,107 @@ public final class ScenarioFile {
    * @throws ScenarioException with all that is wrong with it
    */
   public static Scenario read(Path file) throws ScenarioException {
+    return open(file).scenario();
+  }
+
+  /**
+   * Reads a file, to change and to save it.
+   *
+   * @throws ScenarioException with all that is wrong with it
+   */
+  public static ScenarioDocument open(Path file) throws ScenarioException {
     Mistakes mistakes = new Mistakes(file.toString());
     Optional<byte[]> bytes = new Source(file.toString(), mistakes).bytes(file);
     mistakes.check();
-    return read(file.toString(), bytes.orElseThrow(), folder(file));
+    return open(file.toString(), bytes.orElseThrow(), folder(file));
   }
 
   /** Reads what came with the program. */
-  static Scenario read(String name, InputStream input) throws IOException, ScenarioException {
-    return read(name, input.readAllBytes(), Path.of(""));
+  static ScenarioDocument open(String name, InputStream input)
+      throws IOException, ScenarioException {
+    return open(name, input.readAllBytes(), Path.of(""));
   }
 
-  private static Scenario read(String name, byte[] bytes, Path folder) throws ScenarioException {
+  private static ScenarioDocument open(String name, byte[] bytes, Path folder)
+      throws ScenarioException {
     Mistakes mistakes = new Mistakes(name);
     Source source = new Source(name, mistakes);
     Optional<String> text = source.text(bytes);
     Optional<Node> root = text.isPresent() ? source.root(text.get()) : Optional.empty();
     mistakes.check();
-    Scenario scenario = new ScenarioReader(root.orElseThrow(), folder, mistakes).read();
+    Pictures images = new Pictures(folder, true);
+    Scenario scenario = new ScenarioReader(root.orElseThrow(), images, mistakes).read();
     mistakes.check();
-    return scenario;
+    return ScenarioDocument.read(scenario, new String(bytes, StandardCharsets.UTF_8), folder);
   }
 
   /**
-   * Writes a file that reads back as an equal scenario, but for lengths and angles below a
-   * millionth of a centimetre and a degree. Comments of a file that was there are lost.
+   * What a text says whose parts need not go together: a goal may name a gate that is not there.
+   *
+   * @return empty if it is no scenario at all
+   */
+  static Optional<Scenario> understood(String text, Path folder) {
+    Mistakes mistakes = new Mistakes("");
+    return new Source("", mistakes)
+        .root(text)
+        .map(root -> new ScenarioReader(root, new Pictures(folder, false), mistakes).read());
+  }
+
+  /** The folder of a file. */
+  public static Path folder(Path file) {
+    return Optional.ofNullable(file.getParent()).orElse(Path.of(""));
+  }
+
+  /**
+   * Whether a file holds what a document says; also if it is not there, because then nothing of it
+   * can be lost.
+   *
+   * @throws IOException if it cannot be read
+   */
+  public static boolean holds(Path file, ScenarioDocument document) throws IOException {
+    return Files.notExists(file)
+        || Arrays.equals(Files.readAllBytes(file), document.bytes().orElse(new byte[0]));
+  }
+
+  /**
+   * Writes a file anew that reads back as an equal scenario, but for lengths and angles below a
+   * millionth of a centimetre and a degree.
    *
    * @throws IOException if it cannot be written
    */
-  public static void write(Scenario scenario, Path file) throws IOException {
-    String text = new ScenarioWriter(folder(file)).text(scenario);
-    Path beside = Files.createTempFile(file.toAbsolutePath().getParent(), "scenario", ".tmp");
+  static void write(Scenario scenario, Path file) throws IOException {
+    write(ScenarioDocument.of(scenario).changedTo(scenario, folder(file)), file);
+  }
+
+  /**
+   * Writes all of a document to a file, or leaves the file as it is.
+   *
+   * @throws IOException if it cannot be written
+   */
+  public static void write(ScenarioDocument document, Path file) throws IOException {
+    Path target = Files.exists(file) ? file.toRealPath() : file.toAbsolutePath();
+    if (Files.exists(target) && !Files.isWritable(target)) {
+      throw new AccessDeniedException(file.toString());
+    }
+    Path beside = target.resolveSibling("." + target.getFileName() + "." + PROCESS);
     try {
-      Files.writeString(beside, text, StandardCharsets.UTF_8);
-      Files.move(beside, file, StandardCopyOption.REPLACE_EXISTING); // all of it, or nothing
+      try (FileChannel channel = FileChannel.open(beside, CREATE, TRUNCATE_EXISTING, WRITE)) {
+        ByteBuffer bytes = ByteBuffer.wrap(document.bytes().orElseThrow());
+        while (bytes.hasRemaining()) {
+          channel.write(bytes);
+        }
+        channel.force(true); // or a power cut could leave an empty file under the name
+      }
+      keepPermissions(target, beside);
+      Files.move(beside, target, ATOMIC_MOVE, REPLACE_EXISTING);
     } finally {
       Files.deleteIfExists(beside);
     }
   }
 
-  private static Path folder(Path file) {
-    return Optional.ofNullable(file.getParent()).orElse(Path.of(""));
+  private static void keepPermissions(Path from, Path to) throws IOException {
+    if (Files.exists(from) && Files.getFileStore(from).supportsFileAttributeView("posix")) {
+      Files.setPosixFilePermissions(to, Files.getPosixFilePermissions(from));
+    }
   }
 }

@@ -1,6 +1,5 @@
 package tellosimulator.scenario;
 
-import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
@@ -43,15 +42,15 @@ final class ScenarioReader {
   static final String MAX = "max";
 
   private final Section scenario;
-  private final Path folder;
+  private final Pictures images;
   private final Mistakes mistakes;
 
   /**
-   * @param folder in which pictures are looked for
+   * @param images that it names
    */
-  ScenarioReader(Node root, Path folder, Mistakes mistakes) {
+  ScenarioReader(Node root, Pictures images, Mistakes mistakes) {
     this.scenario = Section.of(Kind.SCENARIO, root, mistakes);
-    this.folder = folder;
+    this.images = images;
     this.mistakes = mistakes;
   }
 
@@ -61,7 +60,7 @@ final class ScenarioReader {
     Checks checks = new Checks(room, mistakes);
     int before = mistakes.count();
     List<Located<Obstacle>> obstacles =
-        checks.named(scenario.list("obstacles", MOST_OBSTACLES, new ObstacleReader(folder)));
+        checks.named(scenario.list("obstacles", MOST_OBSTACLES, new ObstacleReader(images)));
     boolean allObstacles = mistakes.count() == before;
     checks.obstacles(obstacles);
     before = mistakes.count();
@@ -96,7 +95,7 @@ final class ScenarioReader {
   /** All that is in the room but obstacles and mission pads. */
   private Arena furnished(Room room, Checks checks) {
     List<Located<Poster>> posters =
-        scenario.list("posters", MOST_OTHERS, RoomReader.poster(folder));
+        scenario.list("posters", MOST_OTHERS, RoomReader.poster(images));
     checks.posters(posters);
     return Arena.empty(room, RoomReader.decor(scenario, values(posters)))
         .withWind(scenario.read("wind", RoomReader::wind, Wind.CALM));

@@ -10,6 +10,7 @@ import org.snakeyaml.engine.v2.nodes.Tag;
 import tellosimulator.goal.Challenge;
 import tellosimulator.goal.Goal;
 import tellosimulator.goal.Spot;
+import tellosimulator.math.Frames;
 import tellosimulator.math.Vec3;
 import tellosimulator.model.DroneSpec;
 import tellosimulator.profile.Behaviour;
@@ -23,12 +24,13 @@ import tellosimulator.time.TimeFactor;
 import tellosimulator.world.Arena;
 import tellosimulator.world.Decor;
 import tellosimulator.world.MissionPad;
+import tellosimulator.world.Obstacle;
 import tellosimulator.world.Poster;
 import tellosimulator.world.Room;
 import tellosimulator.world.Surface;
 import tellosimulator.world.Wind;
 
-/** Writes a whole scenario; what is as usual is left out. */
+/** Writes a whole scenario. */
 final class ScenarioWriter {
 
   private final Path folder;
@@ -40,14 +42,25 @@ final class ScenarioWriter {
     this.folder = folder;
   }
 
+  /** A text in which what is as usual is left out. */
   String text(Scenario scenario) {
+    List<Notation> notations =
+        scenario.config().arena().obstacles().stream().map(Notation::usual).toList();
+    return Yaml.text(node(scenario, notations));
+  }
+
+  /**
+   * All that a file can say of a scenario.
+   *
+   * @param notations how its obstacles are written, in their order
+   */
+  Node node(Scenario scenario, List<Notation> notations) {
     SimConfig config = scenario.config();
     Arena arena = config.arena();
     Yaml file = Yaml.block();
     file.put("name", scenario.name(), "").put("teaches", scenario.teaches(), "");
     room(file, arena);
-    file.list(
-        "obstacles", arena.obstacles().stream().map(new ObstacleWriter(folder)::written).toList());
+    obstacles(file, arena.obstacles(), notations);
     file.list("pads", arena.pads().stream().map(ScenarioWriter::pad).toList());
     drones(file, scenario);
     wind(file, arena.wind());
@@ -57,11 +70,19 @@ final class ScenarioWriter {
     } else {
       file.put("time-factor", config.timeFactor().value(), TimeFactor.REAL_TIME.value());
     }
-    if (config.seed() != SimConfig.DEFAULT.seed()) {
-      file.plain("seed", Tag.INT, Long.toString(config.seed()));
-    }
+    String usualSeed = Long.toString(SimConfig.DEFAULT.seed());
+    file.plain("seed", Tag.INT, Long.toString(config.seed()), usualSeed);
     challenge(file, scenario.challenge());
-    return file.text();
+    return file.node();
+  }
+
+  private void obstacles(Yaml file, List<Obstacle> obstacles, List<Notation> notations) {
+    ObstacleWriter writer = new ObstacleWriter(folder);
+    List<Yaml> written = new ArrayList<>();
+    for (int i = 0; i < obstacles.size(); i++) {
+      written.add(writer.written(obstacles.get(i), notations.get(i)));
+    }
+    file.list("obstacles", written);
   }
 
   private void room(Yaml file, Arena arena) {
@@ -130,28 +151,24 @@ final class ScenarioWriter {
   }
 
   private static void wind(Yaml file, Wind wind) {
-    if (wind.equals(Wind.CALM)) {
-      return;
-    }
     Vec3 mean = wind.mean();
-    double towardsDeg = degrees(StrictMath.atan2(mean.y(), mean.x()));
-    file.put(
-        "wind",
+    double speed = mean.norm();
+    double towardsDeg = speed == 0 ? 0 : degrees(StrictMath.atan2(mean.y(), mean.x()));
+    Node written =
         Yaml.line()
             .put("towards", towardsDeg, 0)
-            .put("speed", mean.norm() * 100, 0)
-            .put("gusts", wind.gusts() * 100, 0));
+            .put("speed", speed * 100, 0)
+            .put("gusts", wind.gusts() * 100, 0)
+            .node();
+    file.put("wind", Yaml.marked(written, wind.equals(Wind.CALM)));
   }
 
   private static void challenge(Yaml file, Challenge challenge) {
     file.list("goals", challenge.goals().stream().map(ScenarioWriter::goal).toList());
-    if (challenge.inOrder()) {
-      file.plain("in-order", Tag.BOOL, "true");
-    }
+    file.plain("in-order", Tag.BOOL, Boolean.toString(challenge.inOrder()), "false");
     challenge.timeLimit().ifPresent(limit -> file.put("time-limit", limit));
-    if (challenge.untouched()) {
-      file.put("touch", key(ScenarioReader.TOUCH, true));
-    }
+    String allowed = key(ScenarioReader.TOUCH, false);
+    file.put("touch", key(ScenarioReader.TOUCH, challenge.untouched()), allowed);
   }
 
   private static Yaml goal(Goal goal) {
@@ -192,12 +209,19 @@ final class ScenarioWriter {
     return Yaml.numbers(place.x() * 100, place.y() * 100, place.z() * 100);
   }
 
+  /** Above -180 and up to 180, as they are read. */
   static double degrees(double radians) {
-    return StrictMath.toDegrees(radians);
+    double degrees = Values.rounded(StrictMath.toDegrees(Frames.wrapped(radians)));
+    return degrees == -180 ? 180 : degrees;
   }
 
+  /** By its name, if it has one. */
   static String colour(int rgb) {
-    return String.format(Locale.ROOT, "#%06x", rgb);
+    return Colours.BY_NAME.entrySet().stream()
+        .filter(named -> named.getValue() == rgb)
+        .map(Map.Entry::getKey)
+        .findFirst()
+        .orElseGet(() -> String.format(Locale.ROOT, "#%06x", rgb));
   }
 
   /** The word for a value. */

@@ -19,10 +19,16 @@ import org.snakeyaml.engine.v2.nodes.ScalarNode;
 import org.snakeyaml.engine.v2.nodes.SequenceNode;
 import org.snakeyaml.engine.v2.nodes.Tag;
 
-/** A mapping of a scenario file while it is written. */
+/**
+ * A mapping of a scenario file while it is written. Its {@link #node} holds all keys; what is as
+ * usual is marked, and left out of a text.
+ */
 final class Yaml {
 
   private static final int WIDTH = 100;
+
+  /** The property of a node whose value is as usual. */
+  private static final String USUAL = "usual";
 
   /** Texts that are more than text in YAML 1.1, which many editors read, or look like it. */
   private static final Pattern NEEDS_QUOTES =
@@ -62,28 +68,23 @@ final class Yaml {
     return put(key, number(value));
   }
 
-  /** Only what is not as usual is written. */
   Yaml put(String key, double value, double usual) {
-    return Values.rounded(value) == Values.rounded(usual) ? this : put(key, value);
+    return put(key, marked(number(value), Values.rounded(value) == Values.rounded(usual)));
   }
 
-  /** Only what is not as usual is written. */
   Yaml put(String key, String value, String usual) {
-    return value.equals(usual) ? this : put(key, value);
+    return put(key, marked(text(value), value.equals(usual)));
   }
 
   /** A value that is no text, as it is written. */
-  Yaml plain(String key, Tag tag, String value) {
-    return put(key, new ScalarNode(tag, value, ScalarStyle.PLAIN));
+  Yaml plain(String key, Tag tag, String value, String usual) {
+    return put(key, marked(new ScalarNode(tag, value, ScalarStyle.PLAIN), value.equals(usual)));
   }
 
-  /** A list below its key; an empty one is not written. */
+  /** A list below its key; an empty one is as usual. */
   Yaml list(String key, List<Yaml> items) {
-    return items.isEmpty()
-        ? this
-        : put(
-            key,
-            new SequenceNode(Tag.SEQ, items.stream().map(Yaml::node).toList(), FlowStyle.BLOCK));
+    Node list = new SequenceNode(Tag.SEQ, items.stream().map(Yaml::node).toList(), FlowStyle.BLOCK);
+    return put(key, marked(list, items.isEmpty()));
   }
 
   Node node() {
@@ -94,6 +95,37 @@ final class Yaml {
     return tuples.isEmpty();
   }
 
+  /** The same node, marked if its value is as usual. */
+  static Node marked(Node node, boolean usual) {
+    if (usual) {
+      node.setProperty(USUAL, true);
+    }
+    return node;
+  }
+
+  /** Whether a value is what it would be without its key. */
+  static boolean isUsual(Node node) {
+    return node.getProperty(USUAL) != null;
+  }
+
+  /** The same without what is as usual. */
+  private static Node lean(Node node, Optional<FlowStyle> style) {
+    if (node instanceof MappingNode mapping) {
+      List<NodeTuple> kept = new ArrayList<>();
+      for (NodeTuple tuple : mapping.getValue()) {
+        if (!isUsual(tuple.getValueNode())) {
+          kept.add(new NodeTuple(tuple.getKeyNode(), lean(tuple.getValueNode(), style)));
+        }
+      }
+      return new MappingNode(Tag.MAP, kept, style.orElse(mapping.getFlowStyle()));
+    }
+    if (node instanceof SequenceNode sequence) {
+      List<Node> items = sequence.getValue().stream().map(item -> lean(item, style)).toList();
+      return new SequenceNode(Tag.SEQ, items, style.orElse(sequence.getFlowStyle()));
+    }
+    return node;
+  }
+
   /** Numbers in one line. */
   static Node numbers(double... values) {
     List<Node> nodes = new ArrayList<>();
@@ -101,9 +133,10 @@ final class Yaml {
     return new SequenceNode(Tag.SEQ, nodes, FlowStyle.FLOW);
   }
 
-  /** The whole file, with an empty line before each list and mapping. */
-  String text() {
-    for (NodeTuple tuple : tuples) {
+  /** The text of a whole file, with an empty line before each list and mapping. */
+  static String text(Node file) {
+    MappingNode root = (MappingNode) lean(file, Optional.empty());
+    for (NodeTuple tuple : root.getValue()) {
       if (!(tuple.getValueNode() instanceof ScalarNode)) {
         tuple
             .getKeyNode()
@@ -113,18 +146,30 @@ final class Yaml {
                         Optional.empty(), Optional.empty(), "", CommentType.BLANK_LINE)));
       }
     }
+    return dumped(root, WIDTH);
+  }
+
+  /** A value in one line, good within braces and brackets, too. */
+  static String inline(Node value) {
+    Node flow = lean(value, Optional.of(FlowStyle.FLOW));
+    Node list = new SequenceNode(Tag.SEQ, List.of(flow), FlowStyle.FLOW);
+    String text = dumped(list, Integer.MAX_VALUE).strip();
+    return text.substring(1, text.length() - 1);
+  }
+
+  private static String dumped(Node node, int width) {
     DumpSettings settings =
         DumpSettings.builder()
             .setIndent(2)
             .setIndicatorIndent(2)
             .setIndentWithIndicator(true)
-            .setWidth(WIDTH)
+            .setWidth(width)
             .setDumpComments(true)
             .build();
     StringBuilder text = new StringBuilder();
     new Dump(settings)
         .dumpNode(
-            node(),
+            node,
             new StreamDataWriter() {
               @Override
               public void write(String piece) {

@@ -16,6 +16,7 @@ import tellosimulator.network.PortTakenException;
 import tellosimulator.scenario.Gallery;
 import tellosimulator.scenario.Mistake;
 import tellosimulator.scenario.Scenario;
+import tellosimulator.scenario.ScenarioDocument;
 import tellosimulator.scenario.ScenarioException;
 import tellosimulator.scenario.ScenarioFile;
 import tellosimulator.video.camera.DroneOptics;
@@ -164,7 +165,10 @@ public final class SimulatorApp implements AutoCloseable, ScenarioDesk {
   @Override
   public void save(Path file) {
     try {
-      ScenarioFile.write(running.present(), file);
+      ScenarioFile.write(
+          ScenarioDocument.of(running.present())
+              .changedTo(running.present(), ScenarioFile.folder(file)),
+          file);
       feed.say(
           LogLevel.INFO,
           language -> language.messages(SimulatorApp.class).now("scenario-saved", file));

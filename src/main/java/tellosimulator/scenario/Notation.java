@@ -1,0 +1,71 @@
+package tellosimulator.scenario;
+
+import java.util.Optional;
+import tellosimulator.math.Vec3;
+import tellosimulator.world.Obstacle;
+import tellosimulator.world.Shape;
+
+/**
+ * How a file writes an obstacle where it has a choice. Immutable.
+ *
+ * @param kind its key: a {@code wall} is a box, too
+ * @param named whether it has a name of its own, rather than one such as {@code box 1}
+ * @param wall its ends as they were read; empty for what is no wall, or was not read
+ */
+record Notation(String kind, boolean named, Optional<Wall> wall) {
+
+  private static final String WALL = "wall";
+
+  /** The ends of a wall, on the floor [m]. */
+  record Ends(Vec3 from, Vec3 to) {}
+
+  /** A wall as it was read: where its ends are written to be, and what became of it. */
+  record Wall(Ends ends, Obstacle obstacle) {}
+
+  /** Of an obstacle that no file has yet. */
+  static Notation usual(Obstacle obstacle) {
+    return new Notation(kind(obstacle.shape()), true, Optional.empty());
+  }
+
+  private static String kind(Shape shape) {
+    if (shape instanceof Shape.Box) {
+      return "box";
+    }
+    return shape instanceof Shape.Cylinder ? "cylinder" : "gate";
+  }
+
+  boolean isWall() {
+    return kind.equals(WALL);
+  }
+
+  /** Whether an obstacle can be written so. */
+  boolean fits(Obstacle obstacle) {
+    String usual = kind(obstacle.shape());
+    return kind.equals(usual) || (isWall() && usual.equals("box"));
+  }
+
+  Notation withName() {
+    return new Notation(kind, true, wall);
+  }
+
+  /**
+   * The ends of a wall. One that was only moved has its ends moved, because those that follow from
+   * its middle, length and heading differ by millionths.
+   */
+  Ends ends(Obstacle obstacle) {
+    Optional<Wall> moved =
+        wall.filter(
+            read ->
+                read.obstacle().shape().equals(obstacle.shape())
+                    && read.obstacle().heading() == obstacle.heading());
+    if (moved.isPresent()) {
+      Ends ends = moved.get().ends();
+      Vec3 way = obstacle.foot().minus(moved.get().obstacle().foot());
+      return new Ends(ends.from().plus(way), ends.to().plus(way));
+    }
+    double half = ((Shape.Box) obstacle.shape()).width() / 2;
+    double heading = obstacle.heading();
+    Vec3 along = new Vec3(-StrictMath.sin(heading) * half, StrictMath.cos(heading) * half, 0);
+    return new Ends(obstacle.foot().minus(along), obstacle.foot().plus(along));
+  }
+}

@@ -1,0 +1,223 @@
+package tellosimulator.scenario;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Optional;
+import java.util.SplittableRandom;
+import org.junit.jupiter.api.Test;
+import tellosimulator.goal.Challenge;
+import tellosimulator.scenario.ScenarioDocument.Kept;
+import tellosimulator.sim.SimConfig;
+import tellosimulator.world.Obstacle;
+
+/** A thousand random edits of many texts, each of which may change only a few lines. */
+class RandomEditsTest {
+
+  private static final int EDITS = 1000;
+
+  /** After so many edits of a text, another one is taken. */
+  private static final int EDITS_OF_ONE = 20;
+
+  private static final String BLOCKS =
+      """
+      # yaml-language-server: $schema=scenario.schema.json
+
+      ---
+      # comment at the top
+      name: "Blocks"    # said twice
+
+      room:             # of the school
+        depth: 6.0e2    # x
+        # y
+        width:   800
+      time-limit: 60
+
+      obstacles:        # from the left
+      # a group of two
+
+      - box:
+          # the teacher's
+          name: desk
+          at:
+            - 100       # x
+            - -0050.50  # y
+          size: [60,
+                 120,   # wide
+                 75]
+          colour: brown
+          # end of the desk
+      -   wall:
+            to: [200, 0]
+            from: [0, 0.25]
+            height: 100 # low
+      # - box: {at: [0, 0], size: [1, 1, 1]}
+
+      - gate: {name: 'first', shape: ring, at: [0, 150], diameter: 80, # wide
+          centre: 120}
+
+      drones:
+        -
+          start: [-150, 0]
+          battery: 50.0
+        - colour: "#FF0000"
+          start: [-150, 100]
+
+      pads:
+          - {id: 1, at: [0, -150]}  # here
+          # and there
+          - {id: 7, wall: left, height: 100}
+      goals:
+        - pass: {gate: first}       # through
+        - land-on: {pad: 1}
+      # the end""";
+
+  private static final String FLOW =
+      """
+      {name: Flow, # all in braces
+       obstacles: [
+         {box: {at: [100, 0], size: [50, 50, 50]}}, # a
+         {cylinder: {at: [-100, 0], radius: 10, height: 100}},
+         # before the last
+         {gate: {at: [0, 100], shape: frame, width: 90, height: 90, centre: 100}} # c
+       ],
+       pads: [{id: 2, at: [0, -100]}, {id: 3, at: [50, -100], heading: 90},],
+       wind: {speed: 50, towards: 90,},
+       drones: [ { start: [ 0 , 0 ] } ] }
+      """;
+
+  private static final String CRLF = "\uFEFF" + BLOCKS.replace("\n", "\r\n");
+
+  private static final String EMPTY = "{}\n";
+
+  private static final String SMALL = "# 🚁 nothing but a name\nname: Übung 🚁 # ok";
+
+  private static final String UNNAMED =
+      """
+      obstacles:
+        - gate: {at: [100, 0], shape: ring, diameter: 80, centre: 100}   # 1
+        - gate: {at: [0, 100], shape: ring, diameter: 80, centre: 100}   # 2
+
+        - wall: {from: [-100, -100], to: [-200, -175], height: 80}       # 3
+        - wall: {from: [-100, 100], to: [-200, 175], height: 80}         # 4
+        - box: {at: [0, -100], size: [20, 20, 20], heading: -90}         # 5
+        - box: {at: [50, -100], size: [20, 20, 20], heading: 12.5}       # 6
+      goals:
+        - pass: {gate: gate 2}
+      """;
+
+  @Test
+  void eachEditChangesOnlyItsOwnLines() throws Exception {
+    List<ScenarioDocument> documents = new ArrayList<>();
+    for (String name : Gallery.NAMES) {
+      documents.add(Gallery.open(name).orElseThrow());
+    }
+    for (String text : List.of(BLOCKS, FLOW, CRLF, EMPTY, SMALL, UNNAMED)) {
+      documents.add(document(text));
+    }
+    SplittableRandom random = new SplittableRandom(17);
+    int done = 0;
+    for (int i = 0; done < EDITS; i++) {
+      ScenarioDocument document = documents.get(i % documents.size());
+      for (int j = 0; j < EDITS_OF_ONE; j++) {
+        RandomEdit edit = RandomEdit.of(document.scenario(), random);
+        document = checked(document, edit);
+        done += edit.what().equals("nothing") ? 0 : 1;
+      }
+    }
+  }
+
+  private static ScenarioDocument checked(ScenarioDocument before, RandomEdit edit) {
+    ScenarioDocument after = before.changedTo(edit.changed(), Path.of(""));
+    String old = text(before);
+    String now = text(after);
+    String what = edit.what() + " in\n" + old + "\ngave\n" + now;
+    assertThat(after.kept()).as(what).isEqualTo(Kept.ALL);
+    Scenario read = ScenarioFile.understood(now.replace("\uFEFF", ""), Path.of("")).orElseThrow();
+    assertSame(read, edit.changed(), what);
+    List<String> oldLines = lines(old);
+    List<String> newLines = lines(now);
+    int common = common(oldLines, newLines);
+    assertThat(oldLines.size() - common).as(what).isLessThanOrEqualTo(edit.linesGone());
+    assertThat(newLines.size() - common).as(what).isLessThanOrEqualTo(edit.linesNew());
+    if (!edit.what().startsWith("remove")) {
+      assertThat(comments(now)).as(what).isEqualTo(comments(old));
+    }
+    return after;
+  }
+
+  /** Equal, but for millionths, and the names of those that have none in the file. */
+  private static void assertSame(Scenario read, Scenario wanted, String what) {
+    List<Obstacle> found = read.config().arena().obstacles();
+    List<Obstacle> obstacles = wanted.config().arena().obstacles();
+    assertThat(found).as(what).hasSameSizeAs(obstacles);
+    List<Obstacle> named = new ArrayList<>();
+    for (int i = 0; i < found.size(); i++) {
+      Obstacle each = found.get(i);
+      String name = obstacles.get(i).name();
+      boolean given = each.name().contains(" ") && name.contains(" ");
+      named.add(
+          new Obstacle(
+              given ? name : each.name(), each.shape(), each.foot(), each.heading(), each.cover()));
+    }
+    SimConfig config = read.config().withArena(read.config().arena().withObstacles(named));
+    if (written(read.withConfig(config)).equals(written(wanted))) {
+      return; // the comparison is slow
+    }
+    assertThat(new Content(config, read.challenge(), read.stations()))
+        .as(what)
+        .usingRecursiveComparison()
+        .withComparatorForType(
+            (a, b) -> Math.abs(a - b) < 2e-8 ? 0 : Double.compare(a, b), Double.class)
+        .isEqualTo(new Content(wanted.config(), wanted.challenge(), wanted.stations()));
+  }
+
+  private static String written(Scenario scenario) {
+    return new ScenarioWriter(Path.of("")).text(scenario);
+  }
+
+  private record Content(SimConfig config, Challenge challenge, List<Scenario.Station> stations) {}
+
+  private static List<String> lines(String text) {
+    return Arrays.asList(text.split("(?<=\n)", -1));
+  }
+
+  private static List<String> comments(String text) {
+    return text.lines()
+        .map(
+            line ->
+                line.indexOf('#') < 0 || line.contains("\"#")
+                    ? ""
+                    : line.substring(line.indexOf('#')))
+        .filter(comment -> !comment.isEmpty())
+        .toList();
+  }
+
+  /** Length of the longest common subsequence. */
+  private static int common(List<String> a, List<String> b) {
+    int[][] length = new int[a.size() + 1][b.size() + 1];
+    for (int i = 1; i <= a.size(); i++) {
+      for (int j = 1; j <= b.size(); j++) {
+        length[i][j] =
+            a.get(i - 1).equals(b.get(j - 1))
+                ? length[i - 1][j - 1] + 1
+                : Math.max(length[i - 1][j], length[i][j - 1]);
+      }
+    }
+    return length[a.size()][b.size()];
+  }
+
+  private static ScenarioDocument document(String text) {
+    String unmarked = text.replace("\uFEFF", "");
+    Optional<Scenario> scenario = ScenarioFile.understood(unmarked, Path.of(""));
+    return ScenarioDocument.read(scenario.orElseThrow(), text, Path.of(""));
+  }
+
+  private static String text(ScenarioDocument document) {
+    return new String(document.bytes().orElseThrow(), StandardCharsets.UTF_8);
+  }
+}
