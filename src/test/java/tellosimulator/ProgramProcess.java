@@ -50,11 +50,12 @@ final class ProgramProcess implements AutoCloseable {
                 "--bind",
                 "127.0.0.1",
                 "--command-port",
-                "0",
-                "--state-port",
-                "9")
+                "0")
             .redirectError(errors.toFile());
     builder.command().addAll(List.of(options.split(" ", -1)));
+    if (!options.contains("--state-port")) {
+      builder.command().addAll(List.of("--state-port", "9"));
+    }
     builder.environment().remove(hidden);
     builder
         .environment()

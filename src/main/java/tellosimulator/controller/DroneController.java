@@ -16,6 +16,7 @@ import tellosimulator.model.DroneModel;
 import tellosimulator.model.DroneSpec;
 import tellosimulator.model.FlightPhase;
 import tellosimulator.physics.Setpoint;
+import tellosimulator.time.Demand;
 import tellosimulator.time.SimTime;
 import tellosimulator.words.Phrase;
 import tellosimulator.world.Collision;
@@ -80,9 +81,14 @@ public final class DroneController implements CommandTarget {
     restart.advance(now, this::powerOff, this::powerOn);
   }
 
-  /** Whether something moves, or somebody waits for time to pass. */
-  public boolean busy() {
-    return flight.busy() || restart.pending();
+  /** Whether somebody waits for the answer to a command. */
+  public boolean answers() {
+    return flight.answers();
+  }
+
+  /** Why time must pass for it. */
+  public Demand demand() {
+    return restart.pending() ? Demand.DEBT : flight.demand();
   }
 
   // --- what people do to the drone ---

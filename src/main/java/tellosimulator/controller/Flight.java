@@ -19,6 +19,7 @@ import tellosimulator.model.DroneSpec;
 import tellosimulator.model.FlightPhase;
 import tellosimulator.physics.Setpoint;
 import tellosimulator.profile.Behaviour;
+import tellosimulator.time.Demand;
 import tellosimulator.time.SimTime;
 import tellosimulator.words.Phrase;
 import tellosimulator.world.Collision;
@@ -97,11 +98,20 @@ final class Flight {
             Phrase.of("`%s` is still running, %s", task.text(), autopilot.maneuver().progress()));
   }
 
-  /** Whether something moves, or somebody waits for time to pass. */
-  boolean busy() {
-    boolean moves = flying() && !(rc.atRest() && autopilot.maneuver().atRest());
+  /** Whether somebody waits for the answer to a command. */
+  boolean answers() {
+    return task != Task.NOBODY;
+  }
+
+  /** Why time must pass for it; sticks that are out of the centre steer without end. */
+  Demand demand() {
+    boolean steered = flying() && !rc.sticks().centred();
+    boolean settled = (steered || rc.atRest()) && autopilot.maneuver().atRest();
     boolean falls = !flying() && !model.resting();
-    return task != Task.NOBODY || moves || falls || forcedStop.pending();
+    if (answers() || (flying() && !settled) || falls || forcedStop.pending()) {
+      return Demand.DEBT;
+    }
+    return steered ? Demand.MOTION : Demand.NONE;
   }
 
   Setpoint setpoint() {

@@ -114,7 +114,7 @@ final class RcSteering {
 
   private Vec3 wantedVelocity(Sticks sticks) {
     return new Vec3(
-        level(sticks.forward()), -level(sticks.right()), sticks.up() * behaviour.rcVerticalGain());
+        level(sticks.forward()), level(-sticks.right()), sticks.up() * behaviour.rcVerticalGain());
   }
 
   private double level(double value) {

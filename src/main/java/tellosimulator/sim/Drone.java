@@ -35,6 +35,7 @@ import tellosimulator.sensor.SeededNoise;
 import tellosimulator.sensor.SeededNoise.Channel;
 import tellosimulator.sim.SimConfig.Outlets;
 import tellosimulator.sim.SimConfig.Rules;
+import tellosimulator.time.Demand;
 import tellosimulator.time.Periodic;
 import tellosimulator.time.SimTime;
 import tellosimulator.words.Phrase;
@@ -354,9 +355,14 @@ final class Drone {
     controller.watchOver();
   }
 
-  /** Whether time must pass for it. */
-  boolean busy() {
-    return lineOwed || !outbox.isEmpty() || controller.busy();
+  /** Whether somebody waits for the answer to a command that takes time. */
+  boolean answers() {
+    return controller.answers();
+  }
+
+  /** Why time must pass for it. */
+  Demand demand() {
+    return lineOwed || !outbox.isEmpty() ? Demand.DEBT : controller.demand();
   }
 
   private void setStart(Pose start) {

@@ -19,6 +19,7 @@ import tellosimulator.math.Vec3;
 import tellosimulator.sim.Drone.Neighbourhood;
 import tellosimulator.sim.SimSnapshot.Clock;
 import tellosimulator.sim.SimSnapshot.DroneSnapshot;
+import tellosimulator.time.Demand;
 import tellosimulator.time.SimTime;
 import tellosimulator.time.TimeFactor;
 import tellosimulator.words.Phrase;
@@ -34,6 +35,12 @@ import tellosimulator.world.Room;
  */
 public final class Simulation {
 
+  /**
+   * How long a datagram waits at the most for what earlier ones have caused [s]. Decided: longer
+   * than a drone takes to restart; some things never end, such as a landing on a hovering drone.
+   */
+  private static final double LONGEST_DEBT = 20;
+
   /** Commands that are taken between two steps at the most, so that a flood never stops time. */
   private static final int MOST_AT_ONCE = 256;
 
@@ -48,6 +55,7 @@ public final class Simulation {
   private final OperatorRule operators;
   private Clock clock;
   private SimTime now = SimTime.ZERO;
+  private SimTime lastTaken = SimTime.ZERO;
   private volatile SimSnapshot snapshot;
   private volatile Runnable wake = () -> {};
 
@@ -139,14 +147,36 @@ public final class Simulation {
     return snapshot;
   }
 
-  /** Whether something moves, or somebody waits for time to pass. For the owning thread. */
-  public boolean busy() {
+  /** Why time must pass. For the owning thread. */
+  public Demand demand() {
+    Demand demand = Demand.NONE;
     for (Drone drone : drones) {
-      if (drone.busy()) {
+      demand = demand.or(drone.demand());
+    }
+    boolean late = now.since(lastTaken) >= LONGEST_DEBT && !answers();
+    return demand == Demand.DEBT && late ? Demand.MOTION : demand;
+  }
+
+  private boolean answers() {
+    for (Drone drone : drones) {
+      if (drone.answers()) {
         return true;
       }
     }
     return false;
+  }
+
+  /**
+   * Whether a datagram may be taken now. As fast as possible, when it comes tells nothing about
+   * simulated time, which runs until everything is over that the datagrams before it have caused:
+   * so the next one is taken at a moment that depends on these alone. Only while somebody waits for
+   * an answer anything is taken at once, because it may be meant to interrupt.
+   */
+  private boolean open() {
+    return !clock.factor().unlimited()
+        || clock.paused()
+        || demand() != Demand.DEBT
+        || answers();
   }
 
   /** Sets what {@link #submit} and {@link #control} call to wake the owning thread. */
@@ -175,11 +205,9 @@ public final class Simulation {
       guarded("What the network said could not be handled", notice);
       changed = true;
     }
-    for (int i = 0; i < MOST_AT_ONCE; i++) {
+    for (int i = 0; i < MOST_AT_ONCE && !inbox.isEmpty() && open(); i++) {
       Inbox.Datagram datagram = inbox.poll();
-      if (datagram == null) {
-        break;
-      }
+      lastTaken = now;
       guarded(
           "A command could not be handled",
           () -> drone(datagram.drone()).handle(datagram.peer(), datagram.text()));

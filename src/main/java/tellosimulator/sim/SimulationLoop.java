@@ -68,7 +68,7 @@ public final class SimulationLoop implements AutoCloseable {
       serve(served);
     }
     adopt(simulation.clock());
-    if (pacer.stepDue(simulation::busy)) {
+    if (pacer.stepDue(simulation::demand)) {
       simulation.step();
       return true;
     }

@@ -1,7 +1,7 @@
 package tellosimulator.time;
 
 import java.util.concurrent.locks.LockSupport;
-import java.util.function.BooleanSupplier;
+import java.util.function.Supplier;
 
 /**
  * Decides when the next step may run, by the wall clock or as fast as the machine can.
@@ -14,9 +14,20 @@ public final class Pacer {
   /** Lateness that is caught up by hurrying; what is beyond is given up [ns]. Assumed. */
   private static final long CATCH_UP_NANOS = 250_000_000;
 
+  /**
+   * How long mere motion waits for the next command, as fast as possible [ns]. Decided: long beside
+   * what a program thinks between two commands, short for a person who looks on.
+   */
+  private static final long PATIENCE_NANOS = 1_000_000_000;
+
+  /** What one wait takes away from the patience at the most, however long it was [ns]. */
+  private static final long PATIENCE_SLICE_NANOS = 50_000_000;
+
   private TimeFactor factor;
   private boolean paused;
   private long dueNanos;
+  private long patienceNanos = PATIENCE_NANOS;
+  private boolean waiting;
 
   public Pacer(TimeFactor factor) {
     this.factor = factor;
@@ -46,14 +57,16 @@ public final class Pacer {
   /**
    * Whether a step may run now; if so, it is counted as run.
    *
-   * @param busy whether the simulation needs time to pass; as fast as possible means: only then
+   * @param demand why the simulation needs time to pass, which counts as fast as possible only: for
+   *     a debt time passes at once; mere motion waits for the next command first, for one second in
+   *     which this process really ran
    */
-  public boolean stepDue(BooleanSupplier busy) {
+  public boolean stepDue(Supplier<Demand> demand) {
     if (paused) {
       return false;
     }
     if (factor.unlimited()) {
-      return busy.getAsBoolean();
+      return demanded(demand.get());
     }
     long late = System.nanoTime() - dueNanos;
     if (late < 0) {
@@ -64,8 +77,20 @@ public final class Pacer {
     return true;
   }
 
+  private boolean demanded(Demand demand) {
+    waiting = demand == Demand.MOTION && patienceNanos > 0;
+    if (demand != Demand.MOTION) {
+      patienceNanos = PATIENCE_NANOS;
+    }
+    return demand != Demand.NONE && !waiting;
+  }
+
   /** Blocks until a step is due by the wall clock, or until somebody unparks the thread. */
   public void await() {
+    if (factor.unlimited() && !paused && waiting) {
+      awaitCommand();
+      return;
+    }
     if (paused || factor.unlimited()) {
       LockSupport.park(this);
       return;
@@ -74,5 +99,11 @@ public final class Pacer {
     if (wait > 0) {
       LockSupport.parkNanos(this, wait);
     }
+  }
+
+  private void awaitCommand() {
+    long before = System.nanoTime();
+    LockSupport.parkNanos(this, PATIENCE_SLICE_NANOS);
+    patienceNanos -= Math.min(PATIENCE_SLICE_NANOS, System.nanoTime() - before);
   }
 }

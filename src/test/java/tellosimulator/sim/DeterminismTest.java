@@ -22,7 +22,7 @@ class DeterminismTest {
   @ParameterizedTest
   @ValueSource(strings = {"stepped", "1", "20", "max"})
   void everyPaceInAProcessOfItsOwnGivesTheSameTrace(String pace) throws Exception {
-    assertThat(traceOf(Path.of(System.getProperty("java.home")), pace)).isEqualTo(expected());
+    assertThat(traceOf(Path.of(System.getProperty("java.home")), pace)).isEqualTo(expected(pace));
   }
 
   @ParameterizedTest
@@ -34,16 +34,18 @@ class DeterminismTest {
     }
     assertThat(other).as("a JDK of another version beside this one").isPresent();
 
-    assertThat(traceOf(other.get(), pace)).isEqualTo(expected());
+    assertThat(traceOf(other.get(), pace)).isEqualTo(expected(pace));
   }
 
   @Test
   void anotherSeedGivesAnotherTrace() throws Exception {
-    assertThat(TraceProgram.trace("stepped", 8)).isNotEqualTo(expected());
+    assertThat(TraceProgram.trace("stepped", 8)).isNotEqualTo(expected("stepped"));
   }
 
-  private static String expected() throws Exception {
-    return TraceProgram.trace("stepped", Long.parseLong(SEED));
+  /** As fast as possible, commands are taken later than by the clock; else all paces are alike. */
+  private static String expected(String pace) throws Exception {
+    String stepped = pace.equals("max") ? "stepped-max" : "stepped";
+    return TraceProgram.trace(stepped, Long.parseLong(SEED));
   }
 
   private static String traceOf(Path javaHome, String pace)

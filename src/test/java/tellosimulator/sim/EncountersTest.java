@@ -17,6 +17,7 @@ import tellosimulator.model.FlightPhase;
 import tellosimulator.profile.Behaviour;
 import tellosimulator.profile.Profile;
 import tellosimulator.testing.SimulatedDrone;
+import tellosimulator.time.Demand;
 import tellosimulator.time.SimTime;
 import tellosimulator.world.Room;
 
@@ -89,7 +90,7 @@ class EncountersTest {
         .anyMatch(line -> line.contains("into drone") || line.contains("touched drone"));
     advance(simulation, 3);
     assertThat(position(simulation, 2).z()).as("slipped off and fallen").isZero();
-    assertThat(simulation.busy()).isFalse();
+    assertThat(simulation.demand()).isEqualTo(Demand.NONE);
   }
 
   @Test

@@ -15,6 +15,7 @@ import tellosimulator.math.Vec3;
 import tellosimulator.model.DroneSpec;
 import tellosimulator.model.DroneState;
 import tellosimulator.model.FlightPhase;
+import tellosimulator.time.Demand;
 import tellosimulator.time.SimTime;
 import tellosimulator.time.TimeFactor;
 import tellosimulator.world.Decor;
@@ -258,14 +259,14 @@ class SimulationTest {
   }
 
   @Test
-  void nothingIsBusyBeforeSomebodyFlies() {
-    assertThat(simulation.busy()).isFalse();
+  void timeNeedNotPassBeforeSomebodyFlies() {
+    assertThat(simulation.demand()).isEqualTo(Demand.NONE);
     simulation.control(new Control.Power(1, true));
     simulation.submit(1, PEER, "command");
     simulation.submit(1, PEER, "takeoff");
     simulation.drain();
 
-    assertThat(simulation.busy()).isTrue();
+    assertThat(simulation.demand()).isEqualTo(Demand.DEBT);
   }
 
   private DroneState state(int drone) {

@@ -25,7 +25,7 @@ import tellosimulator.world.Room;
 /**
  * Flies two drones along a fixed script and prints the SHA-256 of everything that came of it: each
  * step's motion, each reply, each state line, each event. Arguments: the pace ({@code stepped},
- * {@code max} or a time factor) and the seed.
+ * {@code stepped-max}, {@code max} or a time factor) and the seed.
  */
 public final class TraceProgram implements SimListener {
 
@@ -78,8 +78,8 @@ public final class TraceProgram implements SimListener {
   }
 
   static String trace(String pace, long seed) throws Exception {
-    boolean stepped = pace.equals("stepped");
-    boolean max = pace.equals("max");
+    boolean stepped = pace.startsWith("stepped");
+    boolean max = pace.endsWith("max");
     double value = stepped || max ? 1 : Double.parseDouble(pace);
     TraceProgram program = new TraceProgram(max ? TimeFactor.MAX : new TimeFactor(value), seed);
     if (stepped) {

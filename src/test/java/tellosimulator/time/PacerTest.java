@@ -15,14 +15,14 @@ class PacerTest {
     Pacer pacer = new Pacer(TimeFactor.MAX);
 
     for (int i = 0; i < 1000; i++) {
-      assertThat(pacer.stepDue(() -> true)).isTrue();
+      assertThat(pacer.stepDue(() -> Demand.DEBT)).isTrue();
     }
-    assertThat(pacer.stepDue(() -> false)).isFalse();
+    assertThat(pacer.stepDue(() -> Demand.NONE)).isFalse();
   }
 
   @Test
   void byTheClockTimePassesAlsoWhileNothingMoves() {
-    assertThat(new Pacer(TimeFactor.REAL_TIME).stepDue(() -> false)).isTrue();
+    assertThat(new Pacer(TimeFactor.REAL_TIME).stepDue(() -> Demand.NONE)).isTrue();
   }
 
   @Test
@@ -31,10 +31,10 @@ class PacerTest {
 
     pacer.setPaused(true);
     assertThat(pacer.paused()).isTrue();
-    assertThat(pacer.stepDue(() -> true)).isFalse();
+    assertThat(pacer.stepDue(() -> Demand.DEBT)).isFalse();
 
     pacer.setPaused(false);
-    assertThat(pacer.stepDue(() -> true)).isTrue();
+    assertThat(pacer.stepDue(() -> Demand.DEBT)).isTrue();
   }
 
   @Test
@@ -44,7 +44,7 @@ class PacerTest {
     pacer.setFactor(TimeFactor.MAX);
 
     assertThat(pacer.factor()).isEqualTo(TimeFactor.MAX);
-    assertThat(pacer.stepDue(() -> false)).isFalse();
+    assertThat(pacer.stepDue(() -> Demand.NONE)).isFalse();
   }
 
   @Test
