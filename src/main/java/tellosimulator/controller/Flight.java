@@ -55,6 +55,7 @@ final class Flight {
   private boolean landingForBattery;
   private boolean stands;
   private final double crashSpeed;
+  private final boolean landsWhenSilent;
 
   /** Height at which the motors stopped in flight [m], while it falls. */
   private OptionalDouble fallFrom = OptionalDouble.empty();
@@ -64,6 +65,7 @@ final class Flight {
     this.behaviour = wiring.behaviour();
     this.observer = wiring.observer();
     this.crashSpeed = wiring.crashSpeed();
+    this.landsWhenSilent = wiring.landsWhenSilent();
     this.rc = new RcSteering(behaviour);
     this.autopilot = new Autopilot(behaviour, rc);
     this.contacts = new Contacts(observer, crashSpeed);
@@ -285,11 +287,12 @@ final class Flight {
       interrupt(Reply.AUTO_LAND, reason);
       land(Task.NOBODY);
       landingForBattery = true;
-      observer.happened(new LandsByItself(reason));
-    } else if (now.since(lastContact) >= SILENCE && !landing()) {
+      observer.happened(new LandsByItself(reason, false));
+    } else if (landsWhenSilent && now.since(lastContact) >= SILENCE && !landing()) {
       land(Task.NOBODY);
       landingForSilence = true;
-      observer.happened(new LandsByItself(Phrase.of("no command came for %.0f s", SILENCE)));
+      observer.happened(
+          new LandsByItself(Phrase.of("no command came for %.0f s", SILENCE), true));
     }
   }
 

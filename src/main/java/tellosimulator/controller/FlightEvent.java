@@ -35,8 +35,9 @@ public sealed interface FlightEvent {
    * It lands by itself.
    *
    * @param reason why, in plain words
+   * @param silence whether because no command came
    */
-  record LandsByItself(Phrase reason) implements FlightEvent {
+  record LandsByItself(Phrase reason, boolean silence) implements FlightEvent {
     @Override
     public Phrase phrase() {
       return Phrase.of("lands by itself: %s", reason);

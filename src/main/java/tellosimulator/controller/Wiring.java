@@ -11,6 +11,7 @@ import tellosimulator.sensor.SeededNoise;
  * A controller's neighbours.
  *
  * @param crashSpeed above which a touch is a crash [m/s]
+ * @param landsWhenSilent whether it lands by itself when no command comes
  * @param observer is told what happens to the drone
  * @param operatorChanged is told when another operator has taken over, before it is answered
  * @param forgetLink called when the power goes
@@ -20,6 +21,7 @@ public record Wiring(
     Profile profile,
     Behaviour behaviour,
     double crashSpeed,
+    boolean landsWhenSilent,
     OperatorSession session,
     SeededNoise noise,
     ReadReplies reads,

@@ -231,7 +231,15 @@ final class Console {
             .map(peer -> "operated by " + peer.host())
             .orElse("waits for `command`"),
         snapshot.time().seconds(),
-        snapshot.clock().paused() ? ", paused" : "");
+        describe(snapshot.clock()));
+  }
+
+  private static String describe(SimSnapshot.Clock clock) {
+    String lost =
+        clock.lostSeconds() > 0
+            ? String.format(Locale.ROOT, ", %.1f s lost", clock.lostSeconds())
+            : "";
+    return lost + (clock.paused() ? ", paused" : "");
   }
 
   /** Rounded, and never minus zero. */

@@ -64,6 +64,14 @@ public sealed interface Control {
    */
   record Configure(int drone, Product product, Outlets outlets) implements ForDrone {}
 
+  /**
+   * Lets time pass where it would stand still, because it runs as fast as possible and nothing
+   * moves.
+   *
+   * @param seconds how long from now on [simulated s]
+   */
+  record PassTime(double seconds) implements Control {}
+
   /** Another room; drones and starts that would be outside move in. */
   record SetRoom(Room room) implements Control {}
 

@@ -139,6 +139,7 @@ final class Drone {
                 profile,
                 behaviour,
                 neighbourhood.rules().crashSpeed(),
+                setup.landsWhenSilent(),
                 session,
                 noise,
                 new ReadReplies(instruments, profile, number),

@@ -217,6 +217,32 @@ public sealed interface SimEvent {
   }
 
   /**
+   * Simulated time was left out, because the machine was too slow.
+   *
+   * @param seconds how much, since it was told the last time [simulated s]
+   * @param clock with all that was lost since the start
+   */
+  record TimeLost(SimTime time, double seconds, SimSnapshot.Clock clock) implements SimEvent {
+    @Override
+    public int drone() {
+      return 0;
+    }
+
+    @Override
+    public Severity severity() {
+      return Severity.WARNING;
+    }
+
+    @Override
+    public Phrase phrase() {
+      return Phrase.of(
+          "this machine is too busy for time factor %s: %.1f s of simulated time were left out,"
+              + " %.1f s since the start; a smaller --time-factor or fewer programs beside it help",
+          clock.factor(), seconds, clock.lostSeconds());
+    }
+  }
+
+  /**
    * A goal of the scenario was reached, or all were, or they cannot be any more.
    *
    * @param drone that reached it; 0 for what concerns all

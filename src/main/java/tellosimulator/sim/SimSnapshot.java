@@ -37,8 +37,31 @@ public record SimSnapshot(SimTime time, Clock clock, Arena arena, List<DroneSnap
     return new SimSnapshot(time, clock, arena, newDrones);
   }
 
-  /** How simulated time relates to the wall clock. */
-  public record Clock(TimeFactor factor, boolean paused) {}
+  /**
+   * How simulated time relates to the wall clock.
+   *
+   * @param lostSeconds what was left out since the start, because the machine was too slow
+   *     [simulated s]
+   */
+  public record Clock(TimeFactor factor, boolean paused, double lostSeconds) {
+
+    /** Nothing is lost yet. */
+    public Clock(TimeFactor factor, boolean paused) {
+      this(factor, paused, 0);
+    }
+
+    Clock withFactor(TimeFactor newFactor) {
+      return new Clock(newFactor, paused, lostSeconds);
+    }
+
+    Clock withPaused(boolean newPaused) {
+      return new Clock(factor, newPaused, lostSeconds);
+    }
+
+    Clock withLost(double newLostSeconds) {
+      return new Clock(factor, paused, newLostSeconds);
+    }
+  }
 
   /**
    * A drone and its link to an operator.

@@ -15,6 +15,7 @@ import tellosimulator.command.OperatorRule;
 import tellosimulator.command.Peer;
 import tellosimulator.command.ReplyPort;
 import tellosimulator.concurrent.Exceptions;
+import tellosimulator.controller.FlightEvent;
 import tellosimulator.math.Vec3;
 import tellosimulator.sim.Drone.Neighbourhood;
 import tellosimulator.sim.SimSnapshot.Clock;
@@ -56,6 +57,11 @@ public final class Simulation {
   private Clock clock;
   private SimTime now = SimTime.ZERO;
   private SimTime lastTaken = SimTime.ZERO;
+  private SimTime passUntil = SimTime.ZERO;
+
+  /** Whether people were told why drones land by themselves as fast as possible. */
+  private boolean explained;
+
   private volatile SimSnapshot snapshot;
   private volatile Runnable wake = () -> {};
 
@@ -75,7 +81,7 @@ public final class Simulation {
     this.operators = config.rules().operators();
     this.listeners = new CopyOnWriteArrayList<>(listeners);
     Neighbourhood neighbourhood =
-        new Neighbourhood(config.seed(), config.rules(), surroundings, events::add);
+        new Neighbourhood(config.seed(), config.rules(), surroundings, this::happened);
     for (DroneSetup setup : config.drones()) {
       int number = drones.size() + 1;
       drones.add(new Drone(number, setup, replies.apply(number), neighbourhood));
@@ -149,12 +155,16 @@ public final class Simulation {
 
   /** Why time must pass. For the owning thread. */
   public Demand demand() {
-    Demand demand = Demand.NONE;
+    Demand demand = now.isBefore(passUntil) ? Demand.DEBT : Demand.NONE;
     for (Drone drone : drones) {
       demand = demand.or(drone.demand());
     }
-    boolean late = now.since(lastTaken) >= LONGEST_DEBT && !answers();
-    return demand == Demand.DEBT && late ? Demand.MOTION : demand;
+    return demand == Demand.DEBT && late() ? Demand.MOTION : demand;
+  }
+
+  /** Whether what datagrams have caused takes longer than others can wait for. */
+  private boolean late() {
+    return now.since(lastTaken) >= LONGEST_DEBT && !answers() && !now.isBefore(passUntil);
   }
 
   private boolean answers() {
@@ -186,6 +196,16 @@ public final class Simulation {
 
   Clock clock() {
     return clock;
+  }
+
+  /** The next snapshot shows how much time was lost since the start [simulated s]. */
+  void noteLost(double seconds) {
+    clock = clock.withLost(seconds);
+  }
+
+  /** People are told that time was lost since they were told the last time [simulated s]. */
+  void tellLost(double seconds) {
+    events.add(new SimEvent.TimeLost(now, seconds, clock));
   }
 
   /** Whether commands are left that {@link #drain} did not take. */
@@ -267,12 +287,14 @@ public final class Simulation {
       furnish(change.arena());
     } else if (control instanceof Control.Decorate change) {
       furnish(surroundings.arena().withDecor(change.decor()));
+    } else if (control instanceof Control.PassTime passing) {
+      passUntil = now.plus(passing.seconds());
     } else if (control instanceof Control.Pause pause) {
-      clock = new Clock(clock.factor(), pause.paused());
+      clock = clock.withPaused(pause.paused());
       tell(pause.paused() ? Phrase.of("time stands still") : Phrase.of("time goes on"));
     } else if (control instanceof Control.SetTimeFactor change) {
       TimeFactor factor = change.factor();
-      clock = new Clock(factor, clock.paused());
+      clock = clock.withFactor(factor);
       tell(Phrase.of("the time factor is %s now", factor));
     }
   }
@@ -298,6 +320,22 @@ public final class Simulation {
     }
     snapshot =
         new SimSnapshot(now, clock, surroundings.arena(), Collections.unmodifiableList(states));
+  }
+
+  private void happened(SimEvent event) {
+    events.add(event);
+    boolean silence =
+        event instanceof SimEvent.DroneFlight flight
+            && flight.event() instanceof FlightEvent.LandsByItself landing
+            && landing.silence();
+    if (silence && clock.factor().unlimited() && !explained) {
+      explained = true;
+      tell(
+          Phrase.of(
+              "with time factor max a drone is soon without commands for 15 s, because they pass"
+                  + " in an instant while another one flies; --no-safety-landing keeps it in the"
+                  + " air"));
+    }
   }
 
   private void tell(Phrase phrase) {

@@ -69,6 +69,7 @@ public final class SimulationLoop implements AutoCloseable {
     }
     adopt(simulation.clock());
     if (pacer.stepDue(simulation::demand)) {
+      tellLost();
       simulation.step();
       return true;
     }
@@ -80,6 +81,13 @@ public final class SimulationLoop implements AutoCloseable {
     for (int i = 0; i < count; i++) {
       waiting.remove().countDown();
     }
+  }
+
+  private void tellLost() {
+    if (pacer.lostSeconds() != simulation.clock().lostSeconds()) {
+      simulation.noteLost(pacer.lostSeconds());
+    }
+    pacer.lossToTell().ifPresent(simulation::tellLost);
   }
 
   private void adopt(Clock clock) {

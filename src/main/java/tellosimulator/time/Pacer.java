@@ -1,6 +1,8 @@
 package tellosimulator.time;
 
+import java.util.OptionalDouble;
 import java.util.concurrent.locks.LockSupport;
+import java.util.function.LongSupplier;
 import java.util.function.Supplier;
 
 /**
@@ -11,7 +13,7 @@ import java.util.function.Supplier;
  */
 public final class Pacer {
 
-  /** Lateness that is caught up by hurrying; what is beyond is given up [ns]. Assumed. */
+  /** Lateness that is caught up by hurrying; what is beyond is lost and told [ns]. Assumed. */
   private static final long CATCH_UP_NANOS = 250_000_000;
 
   /**
@@ -23,15 +25,30 @@ public final class Pacer {
   /** What one wait takes away from the patience at the most, however long it was [ns]. */
   private static final long PATIENCE_SLICE_NANOS = 50_000_000;
 
+  /** Losses are told no more often than this [ns]. Decided: so that no log is full of them. */
+  private static final long TELLING_NANOS = 60_000_000_000L;
+
+  private final LongSupplier clock;
   private TimeFactor factor;
   private boolean paused;
   private long dueNanos;
   private long patienceNanos = PATIENCE_NANOS;
   private boolean waiting;
+  private double lostSeconds;
+  private double toldSeconds;
+  private long toldNanos;
 
   public Pacer(TimeFactor factor) {
+    this(factor, System::nanoTime);
+  }
+
+  /**
+   * @param clock of the wall [ns]; only differences mean something
+   */
+  Pacer(TimeFactor factor, LongSupplier clock) {
+    this.clock = clock;
     this.factor = factor;
-    this.dueNanos = System.nanoTime();
+    this.dueNanos = clock.getAsLong();
   }
 
   public TimeFactor factor() {
@@ -45,13 +62,13 @@ public final class Pacer {
   /** Changes the speed from now on. */
   public void setFactor(TimeFactor newFactor) {
     factor = newFactor;
-    dueNanos = System.nanoTime();
+    dueNanos = clock.getAsLong();
   }
 
   /** Lets time stand still, or go on from here. */
   public void setPaused(boolean newPaused) {
     paused = newPaused;
-    dueNanos = System.nanoTime();
+    dueNanos = clock.getAsLong();
   }
 
   /**
@@ -68,13 +85,45 @@ public final class Pacer {
     if (factor.unlimited()) {
       return demanded(demand.get());
     }
-    long late = System.nanoTime() - dueNanos;
+    long late = clock.getAsLong() - dueNanos;
     if (late < 0) {
       return false;
     }
     long period = Math.round(SimTime.STEP_NANOS / factor.value());
-    dueNanos += late > CATCH_UP_NANOS ? late : period;
+    if (late > CATCH_UP_NANOS) {
+      lose(late - period);
+    }
+    dueNanos += period;
     return true;
+  }
+
+  private void lose(long nanos) {
+    dueNanos += nanos;
+    lostSeconds += nanos * 1e-9 * factor.value();
+  }
+
+  /** What has been given up since the start, because the machine was too slow [simulated s]. */
+  public double lostSeconds() {
+    return lostSeconds;
+  }
+
+  /**
+   * What of it is to be told to people now: nothing if they were told less than a minute ago.
+   *
+   * @return what was lost since they were told the last time [simulated s]; empty if nothing was
+   */
+  public OptionalDouble lossToTell() {
+    if (lostSeconds == toldSeconds) {
+      return OptionalDouble.empty();
+    }
+    long now = clock.getAsLong();
+    if (toldSeconds > 0 && now - toldNanos < TELLING_NANOS) {
+      return OptionalDouble.empty();
+    }
+    double loss = lostSeconds - toldSeconds;
+    toldSeconds = lostSeconds;
+    toldNanos = now;
+    return OptionalDouble.of(loss);
   }
 
   private boolean demanded(Demand demand) {
@@ -95,15 +144,15 @@ public final class Pacer {
       LockSupport.park(this);
       return;
     }
-    long wait = dueNanos - System.nanoTime();
+    long wait = dueNanos - clock.getAsLong();
     if (wait > 0) {
       LockSupport.parkNanos(this, wait);
     }
   }
 
   private void awaitCommand() {
-    long before = System.nanoTime();
+    long before = clock.getAsLong();
     LockSupport.parkNanos(this, PATIENCE_SLICE_NANOS);
-    patienceNanos -= Math.min(PATIENCE_SLICE_NANOS, System.nanoTime() - before);
+    patienceNanos -= Math.min(PATIENCE_SLICE_NANOS, clock.getAsLong() - before);
   }
 }

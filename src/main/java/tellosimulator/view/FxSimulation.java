@@ -32,6 +32,7 @@ public final class FxSimulation {
   private final ReadOnlyObjectWrapper<TimeFactor> timeFactor = new ReadOnlyObjectWrapper<>();
   private final ReadOnlyBooleanWrapper paused = new ReadOnlyBooleanWrapper();
   private final ReadOnlyDoubleWrapper seconds = new ReadOnlyDoubleWrapper();
+  private final ReadOnlyDoubleWrapper lostSeconds = new ReadOnlyDoubleWrapper();
   private SimSnapshot snapshot;
 
   /** Shows a first snapshot, and looks at its first drone. */
@@ -51,6 +52,7 @@ public final class FxSimulation {
     timeFactor.set(newest.clock().factor());
     paused.set(newest.clock().paused());
     seconds.set(newest.time().seconds());
+    lostSeconds.set(newest.clock().lostSeconds());
     for (int i = 0; i < drones.size(); i++) {
       drones.get(i).update(newest.drones().get(i));
     }
@@ -111,5 +113,10 @@ public final class FxSimulation {
   /** Simulated time since the start [s]. */
   public ReadOnlyDoubleProperty secondsProperty() {
     return seconds.getReadOnlyProperty();
+  }
+
+  /** What of simulated time was left out, because the machine was too slow [simulated s]. */
+  public ReadOnlyDoubleProperty lostSecondsProperty() {
+    return lostSeconds.getReadOnlyProperty();
   }
 }

@@ -17,8 +17,10 @@ import tellosimulator.math.Vec3;
 import tellosimulator.model.DroneState;
 import tellosimulator.sim.Control;
 import tellosimulator.sim.SimConfig;
+import tellosimulator.sim.SimSnapshot;
 import tellosimulator.sim.Simulation;
 import tellosimulator.sim.Swarm;
+import tellosimulator.time.TimeFactor;
 import tellosimulator.world.Room;
 
 class ConsoleTest {
@@ -54,6 +56,21 @@ class ConsoleTest {
             drone 1: on the ground, x 0.0 y 30.0 z 0.0 cm, yaw 0.0 degrees, battery 100 %, waits for `command`, 0.000 s
             drone 2: off, x 0.0 y -30.0 z 0.0 cm, yaw 0.0 degrees, battery 100 %, waits for `command`, 0.000 s
             """);
+  }
+
+  @Test
+  void stateTellsTheTimeThatWasLost() throws Exception {
+    SimSnapshot present = simulation.snapshot();
+    SimSnapshot late =
+        new SimSnapshot(
+            present.time(),
+            new SimSnapshot.Clock(TimeFactor.REAL_TIME, true, 12.34),
+            present.arena(),
+            present.drones());
+    BufferedReader in = new BufferedReader(new StringReader("state\n"));
+    new Console(() -> late, control -> {}, in, new PrintStream(printed, true, StandardCharsets.UTF_8)).run();
+
+    assertThat(printed().lines()).allMatch(line -> line.endsWith(", 0.000 s, 12.3 s lost, paused"));
   }
 
   @Test

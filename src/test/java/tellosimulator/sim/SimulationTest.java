@@ -259,6 +259,73 @@ class SimulationTest {
   }
 
   @Test
+  void lostTimeIsInTheNextSnapshotAndToldInSums() {
+    simulation.noteLost(1.5);
+    simulation.tellLost(0.5);
+    simulation.control(new Control.Pause(true));
+    simulation.step();
+
+    assertThat(simulation.snapshot().clock().lostSeconds()).isEqualTo(1.5);
+    assertThat(events.get(0).words())
+        .isEqualTo(
+            "this machine is too busy for time factor 1.0: 0.5 s of simulated time were left out,"
+                + " 1.5 s since the start; a smaller --time-factor or fewer programs beside it"
+                + " help");
+    assertThat(events.get(0).severity()).isEqualTo(Severity.WARNING);
+  }
+
+  @Test
+  void asFastAsPossibleASafetyLandingIsExplainedOnce() {
+    simulation.control(new Control.SetTimeFactor(TimeFactor.MAX));
+    for (int drone = 1; drone <= 2; drone++) {
+      simulation.control(new Control.Power(drone, true));
+      simulation.submit(drone, PEER, "command");
+      simulation.submit(drone, PEER, "takeoff");
+    }
+    for (int i = 0; i < 4500; i++) {
+      simulation.step();
+    }
+
+    assertThat(events).filteredOn(event -> event.words().startsWith("lands by itself")).hasSize(2);
+    assertThat(events)
+        .filteredOn(event -> event.words().contains("--no-safety-landing"))
+        .hasSize(1);
+  }
+
+  @Test
+  void aDroneWithoutSafetyLandingStaysInTheAir() {
+    SimConfig config = SimConfig.DEFAULT;
+    Simulation patient =
+        new Simulation(
+            config.withDrones(List.of(config.drones().get(0).withoutSafetyLanding())),
+            drone -> (peer, text) -> replies.add(text),
+            report -> {},
+            List.of());
+    patient.control(new Control.Power(1, true));
+    patient.submit(1, PEER, "command");
+    patient.submit(1, PEER, "takeoff");
+    for (int i = 0; i < 12_000; i++) {
+      patient.step();
+    }
+
+    assertThat(patient.snapshot().drones().get(0).state().phase()).isEqualTo(FlightPhase.FLYING);
+  }
+
+  @Test
+  void timeCanBeLetPassThoughNothingMoves() {
+    simulation.control(new Control.SetTimeFactor(TimeFactor.MAX));
+    simulation.control(new Control.PassTime(15));
+    simulation.drain();
+    int steps = 0;
+    while (simulation.demand() == Demand.DEBT && steps < 10_000) {
+      simulation.step();
+      steps++;
+    }
+
+    assertThat(steps).isEqualTo(3000);
+  }
+
+  @Test
   void timeNeedNotPassBeforeSomebodyFlies() {
     assertThat(simulation.demand()).isEqualTo(Demand.NONE);
     simulation.control(new Control.Power(1, true));

@@ -1,14 +1,21 @@
 package tellosimulator.time;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.LockSupport;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 
-/** What of the pacer does not depend on the wall clock. */
 class PacerTest {
+
+  /** The clock on the wall, and what it goes on by whenever somebody looks at it [ns]. */
+  private long nanos;
+
+  private long step;
 
   @Test
   void asFastAsPossibleMeansWhileSomethingMoves() {
@@ -56,5 +63,75 @@ class PacerTest {
     pacer.await();
 
     assertThat(pacer.paused()).isFalse();
+  }
+
+  @Test
+  void motionWaitsForTheNextCommandForASecondInWhichThisProcessRuns() {
+    Pacer pacer = new Pacer(TimeFactor.MAX, this::nanos);
+    step = 10_000_000_000L; // as after a halt of the whole machine, each wait takes ten seconds
+    int waits = 0;
+    while (!pacer.stepDue(() -> Demand.MOTION)) {
+      LockSupport.unpark(Thread.currentThread());
+      pacer.await();
+      waits++;
+    }
+
+    assertThat(waits).as("waits of at most 50 ms").isEqualTo(20);
+    assertThat(pacer.stepDue(() -> Demand.MOTION)).isTrue();
+    assertThat(pacer.stepDue(() -> Demand.DEBT)).isTrue();
+    assertThat(pacer.stepDue(() -> Demand.MOTION)).as("waits anew").isFalse();
+  }
+
+  @Test
+  void whatIsCaughtUpIsNotLost() {
+    Pacer pacer = new Pacer(TimeFactor.REAL_TIME, this::nanos);
+    nanos = 200_000_000;
+
+    int steps = 0;
+    while (pacer.stepDue(() -> Demand.NONE)) {
+      steps++;
+    }
+
+    assertThat(steps).isEqualTo(41);
+    assertThat(pacer.lostSeconds()).isZero();
+    assertThat(pacer.lossToTell()).isEmpty();
+  }
+
+  /** A second late: the first step and the last one are made, but not the 199 in between. */
+  @ParameterizedTest
+  @CsvSource({"1, 0.995", "20, 19.995"})
+  void whatIsGivenUpIsLostSimulatedTime(double factor, double lost) {
+    Pacer pacer = new Pacer(new TimeFactor(factor), this::nanos);
+    nanos = 1_000_000_000;
+
+    assertThat(pacer.stepDue(() -> Demand.NONE)).isTrue();
+    assertThat(pacer.lostSeconds()).isCloseTo(lost, within(1e-9));
+    assertThat(pacer.stepDue(() -> Demand.NONE)).as("the one that is due now").isTrue();
+    assertThat(pacer.stepDue(() -> Demand.NONE)).as("the next one, on time").isFalse();
+  }
+
+  @Test
+  void lossesAreToldAtOnceAndThenOnceAMinute() {
+    Pacer pacer = new Pacer(TimeFactor.REAL_TIME, this::nanos);
+    loseASecond(pacer);
+    assertThat(pacer.lossToTell()).hasValueCloseTo(0.995, within(1e-9));
+
+    for (int i = 0; i < 30; i++) {
+      loseASecond(pacer);
+      assertThat(pacer.lossToTell()).isEmpty();
+    }
+    nanos += 60_000_000_000L;
+    assertThat(pacer.lossToTell()).hasValueCloseTo(30 * 0.995, within(0.05));
+    assertThat(pacer.lossToTell()).isEmpty();
+  }
+
+  private void loseASecond(Pacer pacer) {
+    nanos += 1_000_000_000;
+    assertThat(pacer.stepDue(() -> Demand.NONE)).isTrue();
+  }
+
+  private long nanos() {
+    nanos += step;
+    return nanos;
   }
 }

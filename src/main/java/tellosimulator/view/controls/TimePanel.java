@@ -2,6 +2,7 @@ package tellosimulator.view.controls;
 
 import java.util.Comparator;
 import java.util.stream.DoubleStream;
+import javafx.beans.binding.BooleanBinding;
 import javafx.collections.FXCollections;
 import javafx.collections.ObservableList;
 import javafx.geometry.Pos;
@@ -33,6 +34,7 @@ final class TimePanel extends VBox {
   private final Messages messages;
   private final Label heading = new Label();
   private final Label clock = new Label();
+  private final Label lost = new Label();
   private final ComboBox<TimeFactor> factor = new ComboBox<>();
   private final ToggleButton pause = new ToggleButton();
   private final FontIcon pauseIcon = new FontIcon(Feather.PAUSE);
@@ -63,6 +65,8 @@ final class TimePanel extends VBox {
     HBox.setHgrow(heading, Priority.ALWAYS);
     clock.setId("simulated-time");
     clock.getStyleClass().add("number");
+    lost.setId("lost-time");
+    lost.getStyleClass().addAll("sentence", "warning");
     ObservableList<TimeFactor> offered = FXCollections.observableArrayList();
     DoubleStream.of(FACTORS).mapToObj(TimeFactor::new).forEach(offered::add);
     factor.setId("time-factor");
@@ -81,7 +85,7 @@ final class TimePanel extends VBox {
     HBox row = new HBox(8, factor, pause);
     HBox.setHgrow(factor, Priority.ALWAYS);
     HBox.setHgrow(pause, Priority.ALWAYS);
-    getChildren().addAll(head, row);
+    getChildren().addAll(head, row, lost);
   }
 
   private void setupEventHandlers() {
@@ -98,6 +102,11 @@ final class TimePanel extends VBox {
 
   private void setupBindings() {
     heading.textProperty().bind(messages.text("heading.time"));
+    BooleanBinding someLost = simulation.lostSecondsProperty().greaterThan(0);
+    lost.visibleProperty().bind(someLost);
+    lost.managedProperty().bind(someLost);
+    lost.textProperty().bind(messages.text("time.lost", simulation.lostSecondsProperty()));
+    Hint.on(lost, messages.text("time.lost.hint"));
     Hint.on(factor, messages.text("time.factor.hint"));
     factor.accessibleTextProperty().bind(messages.text("time.factor.hint"));
     pause

@@ -18,6 +18,9 @@ import org.testfx.framework.junit5.ApplicationExtension;
 import org.testfx.framework.junit5.Start;
 import tellosimulator.math.Vec3;
 import tellosimulator.model.FlightPhase;
+import javafx.scene.control.Label;
+import tellosimulator.sim.SimSnapshot;
+import tellosimulator.view.FxSimulation;
 import tellosimulator.sim.Control;
 import tellosimulator.time.TimeFactor;
 import tellosimulator.world.Decor;
@@ -65,6 +68,25 @@ class SimulatorControlsFxTest {
     assertThat(accessible(robot, "#compass")).isEqualTo("Heading: yaw 90 degrees");
     assertThat(accessible(robot, "#height-bar")).isEqualTo("Height: 100 of 300 centimetres");
     assertThat(accessible(robot, "#attitude")).contains("pitch 0 degrees");
+  }
+
+  @Test
+  void timeThatWasLostIsShownBesideTheTime(FxRobot robot) {
+    Label lost = robot.lookup("#lost-time").queryAs(Label.class);
+    assertThat(lost.isVisible()).isFalse();
+    FxSimulation simulation = window.context().simulation();
+    robot.interact(
+        () -> {
+          SimSnapshot present = simulation.snapshot();
+          simulation.update(
+              new SimSnapshot(
+                  present.time(),
+                  new SimSnapshot.Clock(TimeFactor.REAL_TIME, false, 12.34),
+                  present.arena(),
+                  present.drones()));
+          assertThat(lost.getText()).isEqualTo("12.3 s lost");
+          assertThat(lost.isVisible()).isTrue();
+        });
   }
 
   @Test
