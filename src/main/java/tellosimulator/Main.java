@@ -157,7 +157,9 @@ public final class Main {
       Charset charset = Charset.defaultCharset();
       BufferedReader in = new BufferedReader(new InputStreamReader(System.in, charset));
       if (options.exitWhenDone()) {
-        return simulator.runUntilDone(in, out) == Status.REACHED ? 0 : GOALS_MISSED;
+        return simulator.runUntilDone(options.timeout(), in, out) == Status.REACHED
+            ? 0
+            : GOALS_MISSED;
       }
       simulator.run(in, out);
       return 0;

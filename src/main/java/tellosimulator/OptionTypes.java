@@ -265,6 +265,21 @@ final class OptionTypes {
     }
   }
 
+  static final class Seconds implements ITypeConverter<Double> {
+
+    /** Longest of them [s]: a day. */
+    private static final double MOST = 86_400;
+
+    @Override
+    public Double convert(String word) {
+      double seconds = word.matches(NUMBER) ? Double.parseDouble(word) : 0;
+      if (!(seconds > 0 && seconds <= MOST)) {
+        throw mistake("a number of seconds from more than 0 to 86400", word);
+      }
+      return seconds;
+    }
+  }
+
   /** A whole number without sign. */
   private static int wholeNumber(String word, int least, int most, String expected) {
     int number = word.matches("[0-9]{1,9}") ? Integer.parseInt(word) : -1;

@@ -154,12 +154,19 @@ final class Options {
                   + " while a drone moves, and waits for your program otherwise. Default: 1.")
           .read(new OptionTypes.Factor(), "1");
 
+  private final Choice<Boolean> noSafetyLanding =
+      choices.flag(
+          "--no-safety-landing",
+          "Let drones stay in the air when no command comes for 15 s, for several drones with"
+              + " --time-factor max.");
+
   private final Choice<Long> seed =
       choices
           .option(
               "--seed",
               "N",
-              "The same seed and the same commands give the same flight. Default: 1.")
+              "The same seed and the same commands give the same flight; with --time-factor max also"
+                  + " to the byte, for a program that waits for each reply. Default: 1.")
           .read(new OptionTypes.Seed(), "1");
 
   private final Choice<String> logLevel =
@@ -205,6 +212,11 @@ final class Options {
     return scenarioOptions.exitWhenDone();
   }
 
+  /** After how much simulated time the goals are missed [s]. */
+  Optional<Double> timeout() {
+    return scenarioOptions.timeout();
+  }
+
   /**
    * Looks whether the options fit together, before anything is started.
    *
@@ -216,6 +228,10 @@ final class Options {
     if (exitWhenDone() && (!headless() || scenario.challenge().goals().isEmpty())) {
       throw new IllegalArgumentException(
           ScenarioOptions.EXIT_WHEN_DONE + " needs --headless and a --scenario with goals");
+    }
+    if (timeout().isPresent() && !exitWhenDone()) {
+      throw new IllegalArgumentException(
+          ScenarioOptions.TIMEOUT + " needs " + ScenarioOptions.EXIT_WHEN_DONE);
     }
     ScenarioOptions.checkPictures(scenario.config().arena());
   }
@@ -297,8 +313,9 @@ final class Options {
       Product product = setup.product();
       Outlets outlets = setup.outlets();
       int port = ports.get(changed.size() % ports.size());
+      DroneSetup patient = noSafetyLanding.value() ? setup.withoutSafetyLanding() : setup;
       changed.add(
-          setup
+          patient
               .withProduct(
                   new Product(profile.or(product.profile()), behaviour.or(product.behaviour())))
               .withOutlets(

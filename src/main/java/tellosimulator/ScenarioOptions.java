@@ -23,10 +23,12 @@ import tellosimulator.world.Poster;
 final class ScenarioOptions {
 
   static final String EXIT_WHEN_DONE = "--exit-when-done";
+  static final String TIMEOUT = "--timeout";
 
   private final Choice<Optional<OpenedScenario>> scenario;
   private final Choice<Boolean> list;
   private final Choice<Boolean> exitWhenDone;
+  private final Choice<Optional<Double>> timeout;
 
   ScenarioOptions(Choices choices) {
     scenario =
@@ -43,7 +45,16 @@ final class ScenarioOptions {
         choices.flag(
             EXIT_WHEN_DONE,
             "End when the goals of the scenario are reached or missed, after a line that says so:"
-                + " exit code 0 if all were reached, 3 if not. Only with --headless.");
+                + " exit code 0 if all were reached, 3 if not. They are missed, too, when all drones"
+                + " have landed and no command came for 15 s. Only with --headless.");
+    timeout =
+        choices
+            .option(
+                TIMEOUT,
+                "SECONDS",
+                "With --exit-when-done: the goals are missed after so many simulated seconds, for"
+                    + " programs that never take off.")
+            .readIfGiven(new OptionTypes.Seconds());
   }
 
   Optional<Scenario> scenario() {
@@ -60,6 +71,11 @@ final class ScenarioOptions {
 
   boolean exitWhenDone() {
     return exitWhenDone.value();
+  }
+
+  /** After how much simulated time the goals are missed [s]. */
+  Optional<Double> timeout() {
+    return timeout.value();
   }
 
   /** Says which scenarios there are. */

@@ -81,6 +81,7 @@ class MainTest {
           --scenario slalom --bind 127.0.0.1,127.0.0.2 | --bind has 2 addresses for 1 drones, but each drone needs one. Try --help.
           --headless --exit-when-done | --exit-when-done needs --headless and a --scenario with goals. Try --help.
           --exit-when-done --scenario slalom | --exit-when-done needs --headless and a --scenario with goals. Try --help.
+          --headless --timeout 20 --scenario slalom | --timeout needs --exit-when-done. Try --help.
           """)
   void wrongOptionsAreOneSentenceAndExitCodeTwo(String line, String sentence) {
     assertThat(run(line)).isEqualTo(2);
@@ -184,6 +185,41 @@ class MainTest {
 
       assertThat(program.line()).matches(result);
       assertThat(program.exitCode()).isEqualTo(code);
+    }
+  }
+
+  @Test
+  @Timeout(2 * ProgramProcess.PATIENCE_SECONDS)
+  void whoLandsWithoutTheGoalsHasMissedThemSoon() throws Exception {
+    try (ProgramProcess program =
+        ProgramProcess.start(
+            Main.class, "--headless --exit-when-done --time-factor max --scenario slalom", "")) {
+      int port = program.port();
+      for (String command : List.of("command", "takeoff", "land")) {
+        assertThat(ProgramProcess.ask(command, port)).isEqualTo("ok");
+      }
+
+      assertThat(program.line())
+          .matches(
+              "goals: 0 of \\d+ reached after .* s:"
+                  + " all drones have landed, and no command came for 15 s");
+      assertThat(program.exitCode()).isEqualTo(3);
+    }
+  }
+
+  @Test
+  @Timeout(2 * ProgramProcess.PATIENCE_SECONDS)
+  void aProgramThatNeverTakesOffIsEndedByTheTimeout() throws Exception {
+    try (ProgramProcess program =
+        ProgramProcess.start(
+            Main.class,
+            "--headless --exit-when-done --time-factor 100 --scenario slalom --timeout 20",
+            "")) {
+      assertThat(program.port()).isPositive();
+
+      assertThat(program.line())
+          .matches("goals: 0 of \\d+ reached after 0.0 s: no drone took off within 20 s");
+      assertThat(program.exitCode()).isEqualTo(3);
     }
   }
 

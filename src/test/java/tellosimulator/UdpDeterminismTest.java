@@ -211,8 +211,7 @@ class UdpDeterminismTest {
 
     private record Line(int port, String text) {}
 
-    private final DatagramSocket socket =
-        new DatagramSocket(0, InetAddress.getLoopbackAddress());
+    private final DatagramSocket socket = new DatagramSocket(0, InetAddress.getLoopbackAddress());
     private final List<Line> lines = new CopyOnWriteArrayList<>();
 
     StateLines() throws IOException {

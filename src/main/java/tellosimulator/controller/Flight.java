@@ -291,8 +291,7 @@ final class Flight {
     } else if (landsWhenSilent && now.since(lastContact) >= SILENCE && !landing()) {
       land(Task.NOBODY);
       landingForSilence = true;
-      observer.happened(
-          new LandsByItself(Phrase.of("no command came for %.0f s", SILENCE), true));
+      observer.happened(new LandsByItself(Phrase.of("no command came for %.0f s", SILENCE), true));
     }
   }
 

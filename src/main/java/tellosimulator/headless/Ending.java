@@ -4,21 +4,28 @@ import java.util.Optional;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicLong;
-import java.util.function.BooleanSupplier;
 import tellosimulator.goal.GoalWatch;
 import tellosimulator.goal.Progress;
 import tellosimulator.goal.Progress.Status;
+import tellosimulator.sim.SimEvent;
 import tellosimulator.sim.SimListener;
 import tellosimulator.sim.SimSnapshot;
 import tellosimulator.time.SimTime;
+import tellosimulator.words.Phrase;
 
 /**
- * Waits until goals are reached or missed, and the drones have come down, so that no program loses
- * its drone on the way to the ground.
+ * Waits for the verdict on a program: until goals are reached or missed, until nobody flies any
+ * more and no command comes, or until the timeout; and then until the drones have come down, so
+ * that no program loses its drone on the way to the ground.
+ *
+ * <p>Hears of steps and events on the simulation thread; the others wait on threads of their own.
  */
 final class Ending implements SimListener {
 
-  /** Longest time that drones may stay in the air [s]. Decided: time to fly back and land. */
+  /** Silence of standing drones that ends it [s]. Decided: as long as one in flight waits. */
+  private static final double SILENCE = 15;
+
+  /** Longest time that drones may stay in the air after the verdict [s]. Decided: to fly back. */
   private static final double LONGEST_FLIGHT = 10;
 
   /** How long the last replies may take after that [s]. Measured: at most 0.05 s. */
@@ -27,19 +34,45 @@ final class Ending implements SimListener {
   /** The same where simulated time stands still, because nothing moves any more [ms]. */
   private static final int REPLIES_MS = 500;
 
+  /** How often it is looked whether simulated time stands still [ms]. */
+  private static final int LOOK_MS = 50;
+
   /**
-   * How long simulated time may stand still after the first takeoff, where it does so because
-   * nothing moves [ms]. Decided: twice as long as a drone waits for a command before it lands.
+   * How long a program may think while time stands still.
+   *
+   * @param standing after all drones have landed [looks]. Decided: 2 s, much longer than from the
+   *     reply to {@code land} to the next command, and short for whoever waits for the verdict
+   * @param flying while one is in the air, or before the first takeoff [looks]. Decided: 30 s, for
+   *     programs that compute between two commands, or start slowly
    */
-  private static final int STANDSTILL_MS = 30_000;
+  record Patience(int standing, int flying) {
+    static final Patience DEFAULT = new Patience(2000 / LOOK_MS, 30_000 / LOOK_MS);
+  }
+
+  /** Simulated time, where it stands still while nothing moves. */
+  interface Standstill {
+
+    /** Whether time passes only while something moves. */
+    boolean possible();
+
+    /** Lets time pass though nothing moves [s]. */
+    void pass(double seconds);
+  }
 
   private final GoalWatch goals;
-  private final int patienceMs;
+  private final Patience patience;
   private final AtomicLong steps = new AtomicLong();
   private final CountDownLatch result = new CountDownLatch(1);
   private final CountDownLatch landed = new CountDownLatch(1);
   private final CountDownLatch answered = new CountDownLatch(1);
   private volatile Optional<Progress> progress = Optional.empty();
+  private volatile Optional<Double> timeout = Optional.empty();
+  private volatile boolean standing = true;
+  private volatile SimTime now = SimTime.ZERO;
+
+  /** When something flew or a command came for the last time. */
+  private SimTime quietSince = SimTime.ZERO;
+
   private Optional<SimTime> resultAt = Optional.empty();
   private Optional<SimTime> landedAt = Optional.empty();
 
@@ -47,30 +80,43 @@ final class Ending implements SimListener {
    * @param goals is told of each step before
    */
   Ending(GoalWatch goals) {
-    this(goals, STANDSTILL_MS);
+    this(goals, Patience.DEFAULT);
   }
 
-  /**
-   * @param patienceMs how long simulated time may stand still [ms]
-   */
-  Ending(GoalWatch goals, int patienceMs) {
+  Ending(GoalWatch goals, Patience patience) {
     this.goals = goals;
-    this.patienceMs = patienceMs;
+    this.patience = patience;
+  }
+
+  /** After how much simulated time the goals are missed, whatever drones do [s]. */
+  void limit(Optional<Double> newTimeout) {
+    timeout = newTimeout;
+  }
+
+  @Override
+  public void event(SimEvent event) {
+    if (event instanceof SimEvent.CommandReceived) {
+      quietSince = event.time();
+    }
   }
 
   @Override
   public void stepped(SimSnapshot snapshot) {
-    SimTime now = snapshot.time();
-    steps.incrementAndGet();
-    if (resultAt.isEmpty() && goals.progress().status() == Status.RUNNING) {
-      return;
+    now = snapshot.time();
+    standing = snapshot.drones().stream().noneMatch(drone -> drone.state().phase().flying());
+    if (!standing) {
+      quietSince = now;
     }
+    steps.incrementAndGet();
     if (resultAt.isEmpty()) {
+      progress = verdict();
+      if (progress.isEmpty()) {
+        return;
+      }
       resultAt = Optional.of(now);
-      progress = Optional.of(goals.progress());
     }
     result.countDown();
-    if (landedAt.isPresent() || down(snapshot) || now.since(resultAt.get()) > LONGEST_FLIGHT) {
+    if (landedAt.isPresent() || standing || now.since(resultAt.get()) > LONGEST_FLIGHT) {
       landedAt = Optional.of(landedAt.orElse(now));
       landed.countDown();
       if (now.since(landedAt.get()) >= REPLIES) {
@@ -79,8 +125,33 @@ final class Ending implements SimListener {
     }
   }
 
-  private static boolean down(SimSnapshot snapshot) {
-    return snapshot.drones().stream().noneMatch(drone -> drone.state().phase().flying());
+  private Optional<Progress> verdict() {
+    Progress present = goals.progress();
+    if (present.status() != Status.RUNNING) {
+      return Optional.of(present);
+    }
+    if (begun() && now.since(quietSince) >= SILENCE) {
+      return Optional.of(
+          missed(Phrase.of("all drones have landed, and no command came for %.0f s", SILENCE)));
+    }
+    return timeout
+        .filter(limit -> now.seconds() >= limit)
+        .map(
+            limit ->
+                missed(
+                    begun()
+                        ? Phrase.of("the timeout of %.0f s is over", limit)
+                        : Phrase.of("no drone took off within %.0f s", limit)));
+  }
+
+  private Progress missed(Phrase reason) {
+    Progress present = goals.progress();
+    return new Progress(
+        present.challenge(), present.reached(), present.elapsed(), Optional.of(reason));
+  }
+
+  private boolean begun() {
+    return goals.progress().elapsed() > 0;
   }
 
   /** Waits no longer. */
@@ -90,38 +161,29 @@ final class Ending implements SimListener {
     answered.countDown();
   }
 
-  /**
-   * Waits for the result, which stays the same whatever happens afterwards. Where nothing moves any
-   * more, it is what was reached until then.
-   *
-   * @param asNeeded whether simulated time passes only while something moves
-   */
-  Progress awaitResult(BooleanSupplier asNeeded) throws InterruptedException {
-    await(result, asNeeded);
+  /** Waits for the verdict, which stays the same whatever happens afterwards. */
+  Progress awaitResult(Standstill standstill) throws InterruptedException {
+    int looks = 0;
+    for (long before = -1; !result.await(LOOK_MS, TimeUnit.MILLISECONDS); before = steps.get()) {
+      looks = steps.get() == before && standstill.possible() ? looks + 1 : 0;
+      boolean waits = begun() || timeout.isPresent();
+      if (waits && looks >= (begun() && standing ? patience.standing() : patience.flying())) {
+        standstill.pass(begun() ? SILENCE : timeout.orElse(SILENCE));
+        looks = 0;
+      }
+    }
     return progress.orElseGet(goals::progress);
   }
 
-  /**
-   * Waits for the drones and their last replies.
-   *
-   * @param asNeeded whether simulated time passes only while something moves
-   */
+  /** Waits for the drones and their last replies, but not where time stands still. */
   @SuppressWarnings("ReturnValueIgnored") // whichever comes first
-  void awaitRest(BooleanSupplier asNeeded) throws InterruptedException {
-    await(landed, asNeeded);
-    answered.await(REPLIES_MS, TimeUnit.MILLISECONDS);
-  }
-
-  /** Waits, but not for a moment to which time never comes. */
-  private void await(CountDownLatch latch, BooleanSupplier asNeeded) throws InterruptedException {
+  void awaitRest(Standstill standstill) throws InterruptedException {
+    int looks = 0;
     long before = -1;
-    while (!latch.await(patienceMs, TimeUnit.MILLISECONDS)) {
-      long count = steps.get();
-      boolean begun = goals.progress().elapsed() > 0;
-      if (begun && count == before && asNeeded.getAsBoolean()) {
-        return;
-      }
-      before = count;
+    while (looks < patience.flying() && !landed.await(LOOK_MS, TimeUnit.MILLISECONDS)) {
+      looks = steps.get() == before && standstill.possible() ? looks + 1 : 0;
+      before = steps.get();
     }
+    answered.await(REPLIES_MS, TimeUnit.MILLISECONDS);
   }
 }

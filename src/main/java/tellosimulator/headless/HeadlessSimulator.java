@@ -3,6 +3,7 @@ package tellosimulator.headless;
 import java.io.BufferedReader;
 import java.io.PrintStream;
 import java.util.List;
+import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.concurrent.CountDownLatch;
 import tellosimulator.concurrent.Worker;
@@ -21,6 +22,7 @@ import tellosimulator.video.VideoStreams;
 public final class HeadlessSimulator implements AutoCloseable {
 
   private final Ending ending;
+  private final Ending.Standstill standstill = new AsFastAsPossible();
   private final OnlineSimulation simulation;
   private final VideoStreams video;
 
@@ -64,24 +66,37 @@ public final class HeadlessSimulator implements AutoCloseable {
 
   /**
    * Takes what is typed, and returns after {@code quit}, or when the goals are reached or missed
-   * and the drones have come down; with time factor {@code max} also after nothing has moved for
-   * half a minute since the first takeoff, because time stands still then.
+   * and the drones have come down. They are missed, too, when all drones have landed and are silent
+   * for 15 s; with time factor {@code max} these pass by themselves when no command has come for a
+   * while of the wall clock.
    *
+   * @param timeout after which the goals are missed in any case [simulated s]
    * @return whether the goals were reached; it still runs after {@code quit}
    */
-  public Progress.Status runUntilDone(BufferedReader in, PrintStream out)
+  public Progress.Status runUntilDone(Optional<Double> timeout, BufferedReader in, PrintStream out)
       throws InterruptedException {
+    ending.limit(timeout);
     startConsole(in, out, ending::now);
-    Progress result = ending.awaitResult(this::passesWhileSomethingMoves);
+    Progress result = ending.awaitResult(standstill);
     out.println(result.phrase());
     out.flush();
-    ending.awaitRest(this::passesWhileSomethingMoves);
+    ending.awaitRest(standstill);
     return result.status();
   }
 
-  private boolean passesWhileSomethingMoves() {
-    SimSnapshot.Clock clock = snapshot().clock();
-    return clock.factor().unlimited() && !clock.paused();
+  /** Time stands still only as fast as possible. */
+  private final class AsFastAsPossible implements Ending.Standstill {
+
+    @Override
+    public boolean possible() {
+      SimSnapshot.Clock clock = snapshot().clock();
+      return clock.factor().unlimited() && !clock.paused();
+    }
+
+    @Override
+    public void pass(double seconds) {
+      simulation.letPass(seconds);
+    }
   }
 
   private void startConsole(BufferedReader in, PrintStream out, Runnable onQuit) {

@@ -117,6 +117,11 @@ public final class OnlineSimulation implements AutoCloseable {
     }
   }
 
+  /** Lets simulated time pass where it would stand still, because nothing moves [s]. */
+  public void letPass(double seconds) {
+    loop.carryOut(new Control.PassTime(seconds));
+  }
+
   /** One at a time, so that whoever is last decides on drone and sockets. */
   private synchronized void switchPower(Control.Power power) throws PortTakenException {
     if (power.on()) {

@@ -183,10 +183,7 @@ public final class Simulation {
    * an answer anything is taken at once, because it may be meant to interrupt.
    */
   private boolean open() {
-    return !clock.factor().unlimited()
-        || clock.paused()
-        || demand() != Demand.DEBT
-        || answers();
+    return !clock.factor().unlimited() || clock.paused() || demand() != Demand.DEBT || answers();
   }
 
   /** Sets what {@link #submit} and {@link #control} call to wake the owning thread. */

@@ -3,7 +3,9 @@ package tellosimulator.headless;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.OptionalInt;
 import org.junit.jupiter.api.Test;
@@ -28,7 +30,9 @@ class EndingTest {
       new GoalWatch(
           new Challenge(List.of(FRONT), false, OptionalDouble.of(60), false), event -> {});
 
-  private final Ending ending = new Ending(goals, 1);
+  private static final Ending.Patience QUICK = new Ending.Patience(2, 4);
+
+  private final Ending ending = new Ending(goals, QUICK);
 
   private final SimulatedDrones drones =
       new SimulatedDrones(SimConfig.DEFAULT, List.of(goals, ending));
@@ -38,29 +42,93 @@ class EndingTest {
     drones.fly("command", "takeoff", "forward 100", "land");
     drones.advance(1);
 
-    Progress result = ending.awaitResult(() -> false);
+    Progress result = ending.awaitResult(NEVER);
     assertThat(result.status()).isEqualTo(Status.REACHED);
-    ending.awaitRest(() -> false);
+    ending.awaitRest(NEVER);
   }
 
   @Test
-  void whoLandsElsewhereWhereTimeStandsStillHasMissedTheGoals() throws InterruptedException {
+  void whoLandsElsewhereHasMissedTheGoalsAfterFifteenSecondsOfSilence()
+      throws InterruptedException {
     drones.fly("command", "takeoff", "land");
+    double landed = goals.progress().elapsed();
+    drones.advance(14.9);
+    drones.fly("battery?");
+    drones.advance(15.1);
 
-    Progress result = ending.awaitResult(() -> true);
-    assertThat(result.status()).isEqualTo(Status.RUNNING);
+    Progress result = ending.awaitResult(NEVER);
+    assertThat(result.status()).isEqualTo(Status.FAILED);
+    assertThat(result.phrase().english())
+        .endsWith(": all drones have landed, and no command came for 15 s");
+    assertThat(result.elapsed() - landed).isCloseTo(29.9, within(0.02));
+    ending.awaitRest(NEVER);
+  }
+
+  @Test
+  void whereTimeStandsStillTheSilenceIsLetPass() throws InterruptedException {
+    drones.fly("command", "takeoff", "land");
+    Standing standing = new Standing();
+
+    Progress result = ending.awaitResult(standing);
+
+    assertThat(result.status()).isEqualTo(Status.FAILED);
     assertThat(result.count()).isZero();
-    ending.awaitRest(() -> true);
+    assertThat(standing.passed).containsExactly(15.0);
+    assertThat(standing.looks).isLessThanOrEqualTo(4);
+    ending.awaitRest(standing);
+  }
+
+  /** It lands by itself in the first 15 s, and is silent for 15 s after that. */
+  @Test
+  void aProgramThatGivesUpInTheAirIsWaitedForLonger() throws InterruptedException {
+    drones.fly("command", "takeoff");
+    Standing standing = new Standing();
+
+    Progress result = ending.awaitResult(standing);
+
+    assertThat(result.phrase().english()).contains("all drones have landed");
+    assertThat(standing.passed).hasSizeBetween(2, 3);
+    assertThat(standing.looks).isGreaterThan(4);
   }
 
   @Test
-  void aPausedTimeIsWaitedFor() throws InterruptedException {
-    drones.fly("command", "takeoff", "land");
-    int[] looks = {0};
+  void beforeTheFirstTakeoffItWaitsForEver() throws InterruptedException {
+    drones.fly("command");
+    Standing standing = new Standing();
+    standing.most = 20;
 
-    ending.awaitResult(() -> ++looks[0] > 3);
+    Progress result = ending.awaitResult(standing);
 
-    assertThat(looks[0]).isEqualTo(4);
+    assertThat(result.status()).isEqualTo(Status.RUNNING);
+    assertThat(standing.passed).isEmpty();
+  }
+
+  @Test
+  void aTimeoutEndsProgramsThatNeverTakeOff() throws InterruptedException {
+    ending.limit(Optional.of(20.0));
+    drones.fly("command");
+    Standing standing = new Standing();
+
+    Progress result = ending.awaitResult(standing);
+
+    assertThat(result.phrase().english())
+        .isEqualTo("goals: 0 of 1 reached after 0.0 s: no drone took off within 20 s");
+    assertThat(standing.passed).containsExactly(20.0);
+  }
+
+  @Test
+  void aTimeoutEndsProgramsThatFlyForEver() throws InterruptedException {
+    ending.limit(Optional.of(20.0));
+    drones.fly("command", "takeoff");
+    for (int i = 0; i < 10; i++) {
+      drones.fly("battery?");
+      drones.advance(2);
+    }
+
+    Progress result = ending.awaitResult(NEVER);
+
+    assertThat(result.status()).isEqualTo(Status.FAILED);
+    assertThat(result.phrase().english()).endsWith(": the timeout of 20 s is over");
   }
 
   @Test
@@ -68,14 +136,51 @@ class EndingTest {
     GoalWatch over =
         new GoalWatch(
             new Challenge(List.of(FRONT), false, OptionalDouble.of(5), false), event -> {});
-    Ending late = new Ending(over, 1);
+    Ending late = new Ending(over, QUICK);
     SimulatedDrones flying = new SimulatedDrones(SimConfig.DEFAULT, List.of(over, late));
     flying.fly("command", "takeoff");
     flying.advance(16);
 
-    Progress result = late.awaitResult(() -> false);
+    Progress result = late.awaitResult(NEVER);
     assertThat(result.status()).isEqualTo(Status.FAILED);
     assertThat(result.elapsed()).isCloseTo(5, within(0.01));
-    late.awaitRest(() -> false);
+    late.awaitRest(NEVER);
+  }
+
+  /** Time that passes by the clock. */
+  private static final Ending.Standstill NEVER =
+      new Ending.Standstill() {
+        @Override
+        public boolean possible() {
+          return false;
+        }
+
+        @Override
+        public void pass(double seconds) {
+          throw new AssertionError("time passes by itself");
+        }
+      };
+
+  /** Time that stands still; counts how often that was asked, and ends the waiting some time. */
+  private final class Standing implements Ending.Standstill {
+
+    private final List<Double> passed = new ArrayList<>();
+    private int most = 100;
+    private int looks;
+
+    @Override
+    public boolean possible() {
+      looks++;
+      if (looks > most) {
+        ending.now();
+      }
+      return true;
+    }
+
+    @Override
+    public void pass(double seconds) {
+      passed.add(seconds);
+      drones.advance(seconds + 0.005);
+    }
   }
 }

@@ -206,8 +206,7 @@ class TakingTest {
   }
 
   private static SimConfig config(Vec3... starts) {
-    List<Pose> poses =
-        Stream.of(starts).map(start -> new Pose(start, Attitude.LEVEL)).toList();
+    List<Pose> poses = Stream.of(starts).map(start -> new Pose(start, Attitude.LEVEL)).toList();
     return SimConfig.DEFAULT.withRoom(Room.DEFAULT, poses).withTimeFactor(TimeFactor.MAX);
   }
 
