@@ -25,6 +25,9 @@ public final class Pacer {
   /** What one wait takes away from the patience at the most, however long it was [ns]. */
   private static final long PATIENCE_SLICE_NANOS = 50_000_000;
 
+  /** Less than this is not told [simulated s]. Decided: a start on a busy machine loses as much. */
+  private static final double WORTH_TELLING = 1;
+
   /** Losses are told no more often than this [ns]. Decided: so that no log is full of them. */
   private static final long TELLING_NANOS = 60_000_000_000L;
 
@@ -108,12 +111,13 @@ public final class Pacer {
   }
 
   /**
-   * What of it is to be told to people now: nothing if they were told less than a minute ago.
+   * What of it is to be told to people now: nothing if it is less than a second, or if they were
+   * told less than a minute ago.
    *
    * @return what was lost since they were told the last time [simulated s]; empty if nothing was
    */
   public OptionalDouble lossToTell() {
-    if (lostSeconds == toldSeconds) {
+    if (lostSeconds - toldSeconds < WORTH_TELLING) {
       return OptionalDouble.empty();
     }
     long now = clock.getAsLong();

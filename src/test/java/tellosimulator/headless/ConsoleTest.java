@@ -68,9 +68,9 @@ class ConsoleTest {
             present.arena(),
             present.drones());
     BufferedReader in = new BufferedReader(new StringReader("state\n"));
-    new Console(
-            () -> late, control -> {}, in, new PrintStream(printed, true, StandardCharsets.UTF_8))
-        .run();
+    PrintStream out = new PrintStream(printed, true, StandardCharsets.UTF_8);
+    Agent console = new Console(() -> late, control -> {}, in, out).agent(() -> {});
+    assertThat(console.doWork()).isEqualTo(Agent.Outcome.WORKED);
 
     assertThat(printed().lines()).allMatch(line -> line.endsWith(", 0.000 s, 12.3 s lost, paused"));
   }

@@ -113,21 +113,26 @@ class PacerTest {
   @Test
   void lossesAreToldAtOnceAndThenOnceAMinute() {
     Pacer pacer = new Pacer(TimeFactor.REAL_TIME, this::nanos);
-    loseASecond(pacer);
-    assertThat(pacer.lossToTell()).hasValueCloseTo(0.995, within(1e-9));
+    lose(pacer, 0.9);
+    assertThat(pacer.lossToTell()).as("too little").isEmpty();
+    lose(pacer, 0.9);
+    assertThat(pacer.lossToTell()).hasValueCloseTo(1.8, within(1e-6));
 
     for (int i = 0; i < 30; i++) {
-      loseASecond(pacer);
+      lose(pacer, 1);
       assertThat(pacer.lossToTell()).isEmpty();
     }
-    nanos += 60_000_000_000L;
-    assertThat(pacer.lossToTell()).hasValueCloseTo(30 * 0.995, within(0.05));
+    lose(pacer, 30);
+    assertThat(pacer.lossToTell()).hasValueCloseTo(60.0, within(1e-6));
     assertThat(pacer.lossToTell()).isEmpty();
   }
 
-  private void loseASecond(Pacer pacer) {
-    nanos += 1_000_000_000;
+  /** Comes so late that all but the two steps are lost that are made then. */
+  private void lose(Pacer pacer, double seconds) {
+    nanos += Math.round((seconds + SimTime.STEP) * 1e9);
     assertThat(pacer.stepDue(() -> Demand.NONE)).isTrue();
+    assertThat(pacer.stepDue(() -> Demand.NONE)).isTrue();
+    nanos += SimTime.STEP_NANOS;
   }
 
   private long nanos() {

@@ -8,6 +8,7 @@ import java.net.DatagramSocket;
 import java.util.List;
 import java.util.Locale;
 import javafx.scene.control.ComboBox;
+import javafx.scene.control.Label;
 import javafx.scene.control.ToggleButton;
 import javafx.scene.input.Clipboard;
 import javafx.scene.input.KeyCode;
@@ -23,7 +24,9 @@ import tellosimulator.profile.Behaviour;
 import tellosimulator.profile.Profile;
 import tellosimulator.sim.Control;
 import tellosimulator.sim.SimConfig.Product;
+import tellosimulator.sim.SimSnapshot;
 import tellosimulator.time.TimeFactor;
+import tellosimulator.view.FxSimulation;
 
 @ExtendWith(ApplicationExtension.class)
 class NetworkControlsFxTest {
@@ -38,6 +41,25 @@ class NetworkControlsFxTest {
   @AfterEach
   void close() {
     window.close();
+  }
+
+  @Test
+  void timeThatWasLostIsShownBesideTheTime(FxRobot robot) {
+    Label lost = robot.lookup("#lost-time").queryAs(Label.class);
+    assertThat(lost.isVisible()).isFalse();
+    FxSimulation simulation = window.context().simulation();
+    robot.interact(
+        () -> {
+          SimSnapshot present = simulation.snapshot();
+          simulation.update(
+              new SimSnapshot(
+                  present.time(),
+                  new SimSnapshot.Clock(TimeFactor.REAL_TIME, false, 12.34),
+                  present.arena(),
+                  present.drones()));
+          assertThat(lost.getText()).isEqualTo("12.3 s lost");
+          assertThat(lost.isVisible()).isTrue();
+        });
   }
 
   @Test

@@ -6,7 +6,6 @@ import java.io.IOException;
 import java.util.List;
 import java.util.Locale;
 import javafx.scene.AccessibleAttribute;
-import javafx.scene.control.Label;
 import javafx.scene.control.Slider;
 import javafx.scene.control.ToggleButton;
 import javafx.scene.input.KeyCode;
@@ -20,9 +19,7 @@ import org.testfx.framework.junit5.Start;
 import tellosimulator.math.Vec3;
 import tellosimulator.model.FlightPhase;
 import tellosimulator.sim.Control;
-import tellosimulator.sim.SimSnapshot;
 import tellosimulator.time.TimeFactor;
-import tellosimulator.view.FxSimulation;
 import tellosimulator.world.Decor;
 import tellosimulator.world.Room;
 
@@ -68,25 +65,6 @@ class SimulatorControlsFxTest {
     assertThat(accessible(robot, "#compass")).isEqualTo("Heading: yaw 90 degrees");
     assertThat(accessible(robot, "#height-bar")).isEqualTo("Height: 100 of 300 centimetres");
     assertThat(accessible(robot, "#attitude")).contains("pitch 0 degrees");
-  }
-
-  @Test
-  void timeThatWasLostIsShownBesideTheTime(FxRobot robot) {
-    Label lost = robot.lookup("#lost-time").queryAs(Label.class);
-    assertThat(lost.isVisible()).isFalse();
-    FxSimulation simulation = window.context().simulation();
-    robot.interact(
-        () -> {
-          SimSnapshot present = simulation.snapshot();
-          simulation.update(
-              new SimSnapshot(
-                  present.time(),
-                  new SimSnapshot.Clock(TimeFactor.REAL_TIME, false, 12.34),
-                  present.arena(),
-                  present.drones()));
-          assertThat(lost.getText()).isEqualTo("12.3 s lost");
-          assertThat(lost.isVisible()).isTrue();
-        });
   }
 
   @Test
