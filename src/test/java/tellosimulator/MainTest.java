@@ -41,7 +41,7 @@ class MainTest {
             .commandLine(() -> new String[0]).getCommandSpec().options().stream()
                 .map(OptionSpec::longestName)
                 .toList();
-    assertThat(options).hasSize(27);
+    assertThat(options).hasSize(29);
     assertThat(lines(out)).contains(options).contains("--help", "--version");
     assertThat(lines(out).lines()).allMatch(printed -> printed.length() <= 80);
     assertThat(lines(err)).isEmpty();

@@ -139,12 +139,13 @@ class TakingTest {
     simulation = simulation(calm.withArena(stormy).withDrones(List.of(patient)));
     fly(1, "command", "takeoff", "stop");
     double last = seconds();
-
-    submit(1, "time?");
     runWhile(Demand.DEBT);
-
     assertThat(seconds() - last).isCloseTo(20, within(0.01));
     assertThat(simulation.demand()).isEqualTo(Demand.MOTION);
+
+    submit(1, "sdk?");
+    simulation.drain();
+    assertThat(replies.get(replies.size() - 1)).isEqualTo("20");
   }
 
   @ParameterizedTest
