@@ -49,11 +49,12 @@ final class SmallHeapTrial {
       if (simulator.program().process().isAlive()) {
         operator.expect("streamoff", "ok");
         drain(video);
+        operator.expect("setresolution low", "ok");
         operator.expect("streamon", "ok");
         boolean pictures = comes(video);
         rows.add(
             new Row(
-                "… after the next `streamon`",
+                "… after the next `streamon`, of smaller pictures",
                 "pictures",
                 pictures ? "pictures" : "none",
                 pictures));
@@ -84,7 +85,7 @@ final class SmallHeapTrial {
 
   private static SimulatorProcess start(String heap, String videoPort) throws IOException {
     return SimulatorProcess.tryToStart(
-        List.of(heap), "--command-port", "0", "--video-port", videoPort);
+        List.of(heap), "--command-port", "0", "--profile", "tt", "--video-port", videoPort);
   }
 
   private static void drain(DatagramSocket socket) throws IOException {
