@@ -26,7 +26,8 @@ final class Stranger {
    * Prints {@code sending} after the first datagram and {@code sent N in S s} after the last.
    *
    * @param arguments address and port of the drone, datagrams a second, seconds, addresses to send
-   *     from with commas between them, and what to send: {@code garbage}, or a text
+   *     from with commas between them, and what to send: {@code garbage}, {@code nonsense} (in
+   *     which there are no commands), or a text
    */
   public static void main(String[] arguments) throws IOException {
     InetSocketAddress drone = new InetSocketAddress(arguments[0], Integer.parseInt(arguments[1]));
@@ -58,7 +59,12 @@ final class Stranger {
     List<ByteBuffer> texts = new ArrayList<>();
     GarbageSource garbage = new GarbageSource(TEXTS);
     for (int i = 0; i < TEXTS; i++) {
-      String text = what.equals("garbage") ? garbage.next() : what;
+      String text =
+          switch (what) {
+            case "garbage" -> garbage.next();
+            case "nonsense" -> "nonsense " + i;
+            default -> what;
+          };
       byte[] bytes = text.getBytes(StandardCharsets.ISO_8859_1);
       texts.add(ByteBuffer.allocateDirect(bytes.length).put(bytes));
     }
