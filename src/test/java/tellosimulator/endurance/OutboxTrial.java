@@ -3,6 +3,7 @@ package tellosimulator.endurance;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import tellosimulator.benchmark.Operator;
 import tellosimulator.benchmark.Row;
 
@@ -11,7 +12,6 @@ final class OutboxTrial {
 
   private static final int RATE = 50_000;
   private static final double LARGEST_HEAP_MB = 10;
-  private static final double LARGEST_RESIDENT_MB = 30;
   private static final double SHORTEST_SECONDS = 10;
   private static final double SECONDS_A_MINUTE = 2;
   private static final double PATIENCE_SECONDS = 20;
@@ -48,7 +48,10 @@ final class OutboxTrial {
               LARGEST_HEAP_MB,
               heapGrowth,
               "MB"));
-      rows.add(Row.atMost("… resident memory", LARGEST_RESIDENT_MB, residentGrowth, "MB"));
+      rows.add(
+          Row.beside(
+              "… resident memory, with what the collector has not looked at yet",
+              String.format(Locale.ROOT, "%.0f MB", residentGrowth)));
       rows.add(Health.row("… after that", simulator));
       return rows;
     }
