@@ -35,6 +35,9 @@ final class DeterminismTrial {
 
   private static final int REPLY_MS = 60_000;
 
+  /** What {@code stop} makes a drone send beside its reply. */
+  private static final String UNASKED = "forced stop";
+
   private static final String SCENARIO =
       """
       room: {width: 900, depth: 900, height: 400}
@@ -157,7 +160,7 @@ final class DeterminismTrial {
         String command = line.substring(2);
         send(socket, command, ports.get(drone - 1));
         if (!command.startsWith("rc ") && !command.equals("emergency")) {
-          received.add(line + ": " + receive(socket, ports));
+          received.add(line + ": " + reply(socket, ports));
         }
       }
       over.complete(null);
@@ -180,6 +183,15 @@ final class DeterminismTrial {
     socket.send(
         new DatagramPacket(
             bytes, bytes.length, new InetSocketAddress(InetAddress.getLoopbackAddress(), port)));
+  }
+
+  /** The next reply, and before it those that nobody waits for. */
+  private static String reply(DatagramSocket socket, List<Integer> ports) throws IOException {
+    String replies = receive(socket, ports);
+    while (replies.endsWith(UNASKED)) {
+      replies += ", " + receive(socket, ports);
+    }
+    return replies;
   }
 
   private static String receive(DatagramSocket socket, List<Integer> ports) throws IOException {
