@@ -1,6 +1,8 @@
 package tellosimulator.view;
 
+import java.util.stream.IntStream;
 import javafx.scene.transform.Affine;
+import javafx.scene.transform.MatrixType;
 import tellosimulator.math.Attitude;
 import tellosimulator.math.Frames;
 import tellosimulator.math.Pose;
@@ -20,37 +22,40 @@ public final class FxFrames {
 
   /** From the room frame to the axes of JavaFX. */
   public static Affine ofRoom() {
-    Affine transform = new Affine();
-    set(transform, Frames.toScreen(X), Frames.toScreen(Y), Frames.toScreen(Z));
-    return transform;
+    return affine(Frames.toScreen(X), Frames.toScreen(Y), Frames.toScreen(Z), Vec3.ZERO);
   }
 
   /** Makes of a transform the one from a body's frame to the room frame. */
   public static void place(Affine transform, Pose pose) {
     Attitude attitude = pose.attitude();
-    set(transform, attitude.toRoom(X), attitude.toRoom(Y), attitude.up());
-    move(transform, pose.position());
+    change(
+        transform,
+        affine(attitude.toRoom(X), attitude.toRoom(Y), attitude.up(), pose.position()));
   }
 
   /** Makes of a transform the one of a camera that looks along its body's x axis, in the room. */
   public static void aim(Affine transform, Pose pose) {
     Attitude attitude = pose.attitude();
-    set(
+    change(
         transform,
-        attitude.toRoom(Frames.fromScreen(X)),
-        attitude.toRoom(Frames.fromScreen(Y)),
-        attitude.toRoom(Frames.fromScreen(Z)));
-    move(transform, pose.position());
+        affine(
+            attitude.toRoom(Frames.fromScreen(X)),
+            attitude.toRoom(Frames.fromScreen(Y)),
+            attitude.toRoom(Frames.fromScreen(Z)),
+            pose.position()));
   }
 
-  private static void set(Affine transform, Vec3 x, Vec3 y, Vec3 z) {
-    transform.setToTransform(
-        x.x(), y.x(), z.x(), 0, x.y(), y.y(), z.y(), 0, x.z(), y.z(), z.z(), 0);
+  /** Only if it is another one: the toolkit draws a whole scene anew for each that is set. */
+  private static void change(Affine transform, Affine wanted) {
+    double[] before = transform.toArray(MatrixType.MT_3D_3x4);
+    double[] now = wanted.toArray(MatrixType.MT_3D_3x4);
+    if (IntStream.range(0, now.length).anyMatch(i -> before[i] != now[i])) {
+      transform.setToTransform(wanted);
+    }
   }
 
-  private static void move(Affine transform, Vec3 position) {
-    transform.setTx(position.x());
-    transform.setTy(position.y());
-    transform.setTz(position.z());
+  private static Affine affine(Vec3 x, Vec3 y, Vec3 z, Vec3 at) {
+    return new Affine(
+        x.x(), y.x(), z.x(), at.x(), x.y(), y.y(), z.y(), at.y(), x.z(), y.z(), z.z(), at.z());
   }
 }
