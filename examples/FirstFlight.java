@@ -36,7 +36,7 @@ public final class FirstFlight {
       socket.setSoTimeout(PATIENCE_MS);
       new FirstFlight(socket).fly();
     } catch (PortUnreachableException e) {
-      fail("Nothing listens at %s:%d. Is the simulator running?", host, port);
+      fail("Nothing listens at %s:%d. Does the simulator run, and is the drone on?", host, port);
     } catch (SocketTimeoutException e) {
       fail("No reply from %s:%d. Is the drone on, and are host and port right?", host, port);
     } catch (IOException e) {

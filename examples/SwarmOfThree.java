@@ -122,7 +122,8 @@ public final class SwarmOfThree {
         socket.send(new DatagramPacket(bytes, bytes.length));
         socket.receive(reply);
       } catch (PortUnreachableException e) {
-        throw new IOException("nothing listens at " + address + "; is the simulator running?", e);
+        throw new IOException(
+            "nothing listens at " + address + "; does the simulator run, is the drone on?", e);
       } catch (SocketTimeoutException e) {
         throw new IOException("no reply from " + address + "; is the drone on?", e);
       }

@@ -3,9 +3,11 @@ import java.awt.image.BufferedImage;
 import java.io.ByteArrayOutputStream;
 import java.io.File;
 import java.io.IOException;
+import java.io.InterruptedIOException;
 import java.net.DatagramPacket;
 import java.net.DatagramSocket;
 import java.net.InetSocketAddress;
+import java.net.PortUnreachableException;
 import java.net.SocketTimeoutException;
 import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
@@ -30,11 +32,17 @@ import org.jcodec.common.model.Picture;
  * <p>Without arguments it shows a window with the video of the simulator on this machine
  * (127.0.0.1, port 8879, video on port 11111). With a folder it saves pictures there instead, and
  * ends after 5 of them or as many as asked for. A real Tello has host 192.168.10.1 and port 8889.
- * Meanwhile fly the drone with another program, such as FirstFlight.
+ * Meanwhile fly the drone with another program, such as FirstFlight. While a command of that one
+ * runs, the drone takes no other, so this one waits for its turn.
  */
 public final class WatchVideo {
 
   private static final int PATIENCE_MS = 5_000;
+
+  /** What the drone answers while it carries out another command, and how long that may take. */
+  private static final String BUSY = "error Not joystick";
+
+  private static final int BUSY_SECONDS = 60;
 
   /** A datagram that is not as long as this is the last one of its NAL unit. */
   private static final int FULL = 1460;
@@ -76,8 +84,14 @@ public final class WatchVideo {
       commands.setSoTimeout(PATIENCE_MS);
       command(commands, "command");
       command(commands, "streamon");
-      new WatchVideo(video).watch(args.length > 3 ? saver(args[3], pictures) : window());
-      command(commands, "streamoff");
+      try {
+        new WatchVideo(video).watch(args.length > 3 ? saver(args[3], pictures) : window());
+      } finally {
+        command(commands, "streamoff"); // whatever went wrong: never leave a stream on
+      }
+    } catch (PortUnreachableException e) {
+      fail(
+          "Nothing listens at " + host + ":" + port + ". Does the simulator run, is the drone on?");
     } catch (SocketTimeoutException e) {
       fail("Nothing came from " + host + ":" + port + ". Is the drone on?");
     } catch (IOException e) {
@@ -201,6 +215,17 @@ public final class WatchVideo {
   }
 
   private static void command(DatagramSocket commands, String text) throws IOException {
+    String answer = ask(commands, text);
+    for (int i = 0; i < BUSY_SECONDS && answer.equals(BUSY); i++) {
+      pause();
+      answer = ask(commands, text);
+    }
+    if (!answer.equals("ok")) {
+      throw new IOException("the drone answered `" + answer + "` to `" + text + "`");
+    }
+  }
+
+  private static String ask(DatagramSocket commands, String text) throws IOException {
     byte[] bytes = text.getBytes(StandardCharsets.US_ASCII);
     commands.send(new DatagramPacket(bytes, bytes.length));
     DatagramPacket reply = new DatagramPacket(new byte[1500], 1500);
@@ -208,8 +233,16 @@ public final class WatchVideo {
     String answer =
         new String(reply.getData(), 0, reply.getLength(), StandardCharsets.US_ASCII).strip();
     System.out.println(text + " -> " + answer);
-    if (!answer.equals("ok")) {
-      throw new IOException("the drone answered `" + answer + "` to `" + text + "`");
+    return answer;
+  }
+
+  /** For a second. */
+  private static void pause() throws IOException {
+    try {
+      Thread.sleep(1000);
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+      throw new InterruptedIOException("interrupted");
     }
   }
 

@@ -29,18 +29,20 @@ NEAR_ENOUGH = 1  # degrees
 SEARCH_STEP = 30  # degrees; the camera sees 55 from left to right
 MOST_TURNS = 20
 LATE_PICTURES = 10  # so many are on their way when a turn ends
+LOOKS = 5  # pictures to look at; in one that is damaged the marker may be missed
+PATIENCE = 5  # seconds until the next picture
 
 
-def next_picture(video):
-    """A picture that was taken after this call."""
-    patience = time.monotonic() + 5
-    for _ in range(LATE_PICTURES):
-        last = video.frame
-        while video.frame is last:
-            if time.monotonic() > patience:
-                raise RuntimeError("no pictures come")
-            time.sleep(0.01)
-    return video.frame
+def next_picture(video, last):
+    """The first picture after another one."""
+    patience = time.monotonic() + PATIENCE
+    while True:
+        picture = video.frame
+        if picture is not last:
+            return picture
+        if time.monotonic() > patience:
+            raise RuntimeError("no pictures come")
+        time.sleep(0.01)
 
 
 def angle_to_marker(picture):
@@ -50,6 +52,19 @@ def angle_to_marker(picture):
         if number == MARKER:
             across = square[0].mean(axis=0)[0] - picture.shape[1] / 2
             return math.degrees(math.atan(across / FOCAL_LENGTH))
+    return None
+
+
+def look(video):
+    """How far to the right the marker is now, in degrees; None if it is in no picture."""
+    picture = video.frame
+    for _ in range(LATE_PICTURES):
+        picture = next_picture(video, picture)
+    for _ in range(LOOKS):
+        angle = angle_to_marker(picture)
+        if angle is not None:
+            return angle
+        picture = next_picture(video, picture)
     return None
 
 
@@ -64,7 +79,7 @@ def turn(tello, degrees):
 def face_marker(tello, video):
     """Whether the drone looks at the marker in the end."""
     for _ in range(MOST_TURNS):
-        angle = angle_to_marker(next_picture(video))
+        angle = look(video)
         if angle is None:
             print("No marker here.")
             turn(tello, SEARCH_STEP)

@@ -2,6 +2,7 @@ package tellosimulator;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
+import static org.assertj.core.api.Assumptions.assumeThat;
 
 import java.awt.Color;
 import java.awt.Graphics2D;
@@ -11,14 +12,20 @@ import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.PrintStream;
 import java.io.StringReader;
+import java.net.DatagramPacket;
 import java.net.DatagramSocket;
 import java.net.InetAddress;
+import java.net.InetSocketAddress;
+import java.net.SocketAddress;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.HashSet;
 import java.util.List;
 import java.util.OptionalInt;
+import java.util.Set;
 import java.util.concurrent.TimeUnit;
 import java.util.regex.MatchResult;
 import java.util.regex.Pattern;
@@ -93,7 +100,10 @@ class ExamplesTest {
     Ended ended = java("FirstFlight", "", "127.0.0.1", port);
 
     assertThat(ended.output())
-        .containsExactly("Nothing listens at 127.0.0.1:" + port + ". Is the simulator running?");
+        .containsExactly(
+            "Nothing listens at 127.0.0.1:"
+                + port
+                + ". Does the simulator run, and is the drone on?");
     assertThat(ended.exitCode()).isEqualTo(1);
   }
 
@@ -173,6 +183,184 @@ class ExamplesTest {
     Color color = new Color(picture.getRGB(480, 20));
     assertThat(color.getRed()).isGreaterThan(150);
     assertThat(List.of(color.getGreen(), color.getBlue())).allMatch(part -> part < 80);
+  }
+
+  @Test
+  void watchVideoWaitsForItsTurnAndNeverLeavesTheStreamOn() throws Exception {
+    try (Flight flight = new Flight(SimConfig.DEFAULT);
+        BusyDrone drone = new BusyDrone(Integer.parseInt(flight.port()))) {
+      Ended ended =
+          java(
+              "WatchVideo",
+              "",
+              flight.host(),
+              drone.port(),
+              flight.videoPort(),
+              scratch.resolve("pictures").toString(),
+              "1");
+
+      assertThat(ended.output())
+          .startsWith(
+              "command -> error Not joystick",
+              "command -> ok",
+              "streamon -> error Not joystick",
+              "streamon -> ok")
+          .endsWith("streamoff -> error Not joystick", "streamoff -> ok");
+      assertThat(ended.exitCode()).isZero();
+    }
+  }
+
+  @Test
+  void watchVideoSaysSoIfNothingListens() throws Exception {
+    String port = Integer.toString(freePort());
+
+    Ended ended = java("WatchVideo", "", "127.0.0.1", port, "0", scratch.toString());
+
+    assertThat(ended.output())
+        .containsExactly(
+            "Nothing listens at 127.0.0.1:" + port + ". Does the simulator run, is the drone on?");
+    assertThat(ended.exitCode()).isEqualTo(1);
+  }
+
+  /** A drone that another program flies: it refuses each command when it comes first. */
+  private static final class BusyDrone implements AutoCloseable {
+    private final DatagramSocket program = socket();
+    private final DatagramSocket drone = socket();
+    private final Thread thread = new Thread(this::serve, "busy drone");
+
+    BusyDrone(int simulator) throws IOException {
+      drone.connect(InetAddress.getLoopbackAddress(), simulator);
+      thread.start();
+    }
+
+    private static DatagramSocket socket() throws IOException {
+      return new DatagramSocket(new InetSocketAddress(InetAddress.getLoopbackAddress(), 0));
+    }
+
+    String port() {
+      return Integer.toString(program.getLocalPort());
+    }
+
+    private void serve() {
+      Set<String> refused = new HashSet<>();
+      DatagramPacket packet = new DatagramPacket(new byte[1500], 1500);
+      try {
+        while (!program.isClosed()) {
+          packet.setLength(1500);
+          program.receive(packet);
+          SocketAddress client = packet.getSocketAddress();
+          byte[] text = Arrays.copyOf(packet.getData(), packet.getLength());
+          byte[] reply = "error Not joystick".getBytes(StandardCharsets.US_ASCII);
+          if (!refused.add(new String(text, StandardCharsets.US_ASCII))) {
+            drone.send(new DatagramPacket(text, text.length));
+            packet.setLength(1500);
+            drone.receive(packet);
+            reply = Arrays.copyOf(packet.getData(), packet.getLength());
+          }
+          program.send(new DatagramPacket(reply, reply.length, client));
+        }
+      } catch (IOException e) {
+        assertThat(program.isClosed()).isTrue();
+      }
+    }
+
+    @Override
+    public void close() {
+      program.close();
+      drone.close();
+      try {
+        thread.join();
+      } catch (InterruptedException e) {
+        Thread.currentThread().interrupt();
+      }
+    }
+  }
+
+  @Test
+  void findMarkerLooksAgainWhereOnePictureMissesTheMarker() throws Exception {
+    // Stands in for OpenCV and djitellopy: what is found in each picture that is looked at.
+    Files.writeString(
+        scratch.resolve("cv2.py"),
+        """
+        COLOR_RGB2GRAY = 0
+        FOUND = [None, 335.6, None, None, None, None, 0]
+
+        def cvtColor(picture, _):
+            return picture
+
+        class Numbers:
+            def ravel(self):
+                return [17]
+
+        class Square:
+            def __init__(self, across):
+                self.across = across
+            def mean(self, axis):
+                return [480 + self.across, 300]
+
+        class aruco:
+            DICT_4X4_50 = 0
+            def getPredefinedDictionary(_):
+                return 0
+            class ArucoDetector:
+                def __init__(self, _):
+                    pass
+                def detectMarkers(self, _):
+                    across = FOUND.pop(0)
+                    if across is None:
+                        return [], None, []
+                    return [[Square(across)]], Numbers(), []
+        """);
+    Files.writeString(
+        scratch.resolve("djitellopy.py"),
+        """
+        class Picture:
+            shape = (720, 960, 3)
+
+        class Video:
+            @property
+            def frame(self):
+                return Picture()
+
+        class Tello:
+            def __init__(self, host):
+                pass
+            def get_frame_read(self):
+                return Video()
+            def __getattr__(self, name):
+                return lambda *values: print(name, *values)
+        """);
+    assumeThat(starts("python3")).isTrue();
+    ProcessBuilder python = new ProcessBuilder("python3", "examples/find_marker.py");
+    python.environment().put("PYTHONPATH", scratch.toString());
+    python.environment().put("PYTHONDONTWRITEBYTECODE", "1");
+    Process process = python.redirectErrorStream(true).start();
+
+    // 335.6 pixels at a focal length of 922 are 20 degrees; four pictures then miss the marker.
+    assertThat(process.inputReader().lines())
+        .containsExactly(
+            "connect",
+            "streamon",
+            "takeoff",
+            "move_up 70",
+            "The marker is 20 degrees to the right.",
+            "rotate_clockwise 20",
+            "The drone looks at the marker.",
+            "land",
+            "streamoff",
+            "Landed.");
+    assertThat(process.waitFor()).isZero();
+  }
+
+  private static boolean starts(String program) {
+    try {
+      return new ProcessBuilder(program, "--version").start().waitFor() == 0;
+    } catch (IOException e) {
+      return false;
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+      return false;
+    }
   }
 
   private Path redPicture() throws IOException {
