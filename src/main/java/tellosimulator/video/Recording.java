@@ -5,53 +5,52 @@ import java.nio.ByteBuffer;
 import java.nio.channels.FileChannel;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.StandardOpenOption;
+import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.List;
 import java.util.Optional;
-import org.jcodec.common.Codec;
-import org.jcodec.common.MuxerTrack;
-import org.jcodec.common.VideoCodecMeta;
-import org.jcodec.common.io.FileChannelWrapper;
-import org.jcodec.common.model.ColorSpace;
-import org.jcodec.common.model.Packet;
-import org.jcodec.common.model.Packet.FrameType;
-import org.jcodec.common.model.Size;
-import org.jcodec.containers.mp4.muxer.MP4Muxer;
+import tellosimulator.video.Mp4File.Format;
+import tellosimulator.video.Mp4File.Sample;
 import tellosimulator.video.codec.EncodedPicture;
 import tellosimulator.video.picture.Picture;
+import tellosimulator.words.IoReason;
 import tellosimulator.words.Phrase;
 
 /**
  * A stream that is kept as an MP4 file, picture by picture as it is sent. It begins with the next
  * key picture, and ends when it is closed, when pictures get another size, or when the file cannot
- * be written. For any thread.
+ * be written. Each second is written when it is over, so that the file plays up to the last one if
+ * the program is killed. For any thread.
  */
 public final class Recording implements VideoWatcher, AutoCloseable {
 
-  /** Ticks a second in the file. Decided: as in RTP, fine enough for any picture rate. */
-  private static final int TIMESCALE = 90_000;
-
   /** How long the last picture is shown [ticks]. Decided: as at 30 pictures a second. */
-  private static final long LAST = TIMESCALE / 30;
+  private static final int LAST = Mp4File.TIMESCALE / 30;
+
+  /** How much is written at a time [ticks]. Decided: what may be lost. */
+  private static final long FRAGMENT = Mp4File.TIMESCALE;
+
+  private static final int START_CODE_LENGTH = 4;
 
   private final Path file;
-  private final FileChannelWrapper channel;
-  private final MP4Muxer muxer;
-  private Optional<MuxerTrack> track = Optional.empty();
+  private final FileChannel channel;
+  private final List<Sample> fragment = new ArrayList<>();
+  private Optional<Mp4File> film = Optional.empty();
   private Optional<Kept> kept = Optional.empty();
   private Optional<Phrase> failure = Optional.empty();
-  private Size size = new Size(0, 0);
+  private int width;
+  private int height;
   private long begun;
+  private long fragmentBegun;
   private int count;
   private boolean ended;
 
   /** A picture whose duration is not known before the next one comes. */
-  private record Kept(ByteBuffer bytes, boolean key, long ticks) {}
+  private record Kept(ByteBuffer unit, boolean key, long ticks) {}
 
-  private Recording(Path file, FileChannelWrapper channel, MP4Muxer muxer) {
+  private Recording(Path file, FileChannel channel) {
     this.file = file;
     this.channel = channel;
-    this.muxer = muxer;
   }
 
   /**
@@ -60,10 +59,7 @@ public final class Recording implements VideoWatcher, AutoCloseable {
    * @throws IOException if it cannot be written
    */
   public static Recording to(Path file) throws IOException {
-    FileChannel opened =
-        FileChannel.open(file, StandardOpenOption.CREATE_NEW, StandardOpenOption.WRITE);
-    FileChannelWrapper channel = new FileChannelWrapper(opened);
-    return new Recording(file, channel, MP4Muxer.createMP4MuxerToChannel(channel));
+    return new Recording(file, Mp4File.create(file));
   }
 
   public Path file() {
@@ -93,46 +89,56 @@ public final class Recording implements VideoWatcher, AutoCloseable {
     try {
       add(filmed.picture(), filmed.encoded().get(), filmed.nanos());
     } catch (IOException e) {
-      fail(Phrase.of("the recording %s ended, because it cannot be written: %s", file, why(e)));
+      fail(
+          Phrase.of(
+              "the recording %s ended, because it cannot be written: %s", file, IoReason.of(e)));
     }
   }
 
   private void add(Picture picture, EncodedPicture encoded, long nanos) throws IOException {
-    if (track.isEmpty()) {
+    if (film.isEmpty()) {
       if (!encoded.key()) {
         return;
       }
-      size = new Size(picture.width(), picture.height());
-      VideoCodecMeta meta = VideoCodecMeta.createSimpleVideoCodecMeta(size, ColorSpace.YUV420);
-      track = Optional.of(muxer.addVideoTrack(Codec.H264, meta));
+      width = picture.width();
+      height = picture.height();
+      Format format = new Format(width, height, unit(encoded, 0), unit(encoded, 1));
+      film = Optional.of(Mp4File.begin(channel, format));
       begun = nanos;
-    } else if (picture.width() != size.getWidth() || picture.height() != size.getHeight()) {
+    } else if (picture.width() != width || picture.height() != height) {
       fail(Phrase.of("the recording %s ended, because the pictures have another size now", file));
       return;
     }
-    long ticks = Math.round((nanos - begun) * 1e-9 * TIMESCALE);
-    write(ticks);
-    ByteBuffer bytes = ByteBuffer.wrap(Arrays.copyOf(encoded.bytes(), encoded.size()));
-    kept = Optional.of(new Kept(bytes, encoded.key(), ticks));
+    long ticks = Math.round((nanos - begun) * 1e-9 * Mp4File.TIMESCALE);
+    keep(ticks);
+    if (ticks - fragmentBegun >= FRAGMENT) {
+      flush(film.get());
+      fragmentBegun = ticks;
+    }
+    ByteBuffer slice = unit(encoded, encoded.units() - 1);
+    kept = Optional.of(new Kept(slice, encoded.key(), ticks));
   }
 
-  /** Writes the picture that was kept, which is shown until now. */
-  private void write(long now) throws IOException {
-    if (kept.isPresent() && track.isPresent()) {
+  /** A NAL unit without its start code. */
+  private static ByteBuffer unit(EncodedPicture encoded, int unit) {
+    int start = encoded.start(unit) + START_CODE_LENGTH;
+    return ByteBuffer.wrap(Arrays.copyOfRange(encoded.bytes(), start, encoded.start(unit + 1)));
+  }
+
+  /** Adds the picture that was kept, which is shown until now, to those that are to be written. */
+  private void keep(long now) {
+    if (kept.isPresent()) {
       Kept picture = kept.get();
-      track
-          .get()
-          .addFrame(
-              Packet.createPacket(
-                  picture.bytes,
-                  picture.ticks,
-                  TIMESCALE,
-                  Math.max(1, now - picture.ticks),
-                  count,
-                  picture.key ? FrameType.KEY : FrameType.INTER,
-                  null));
+      int shown = Math.toIntExact(Math.max(1, now - picture.ticks));
+      fragment.add(new Sample(picture.unit, picture.key, shown));
       count++;
     }
+  }
+
+  private void flush(Mp4File written) throws IOException {
+    List<Sample> samples = List.copyOf(fragment);
+    fragment.clear();
+    written.add(samples);
   }
 
   private void fail(Phrase reason) {
@@ -140,12 +146,9 @@ public final class Recording implements VideoWatcher, AutoCloseable {
     try {
       close();
     } catch (IOException e) {
-      failure = Optional.of(Phrase.of("%s; what was recorded is lost: %s", reason, why(e)));
+      failure =
+          Optional.of(Phrase.of("%s; its last second may be missing: %s", reason, IoReason.of(e)));
     }
-  }
-
-  private static String why(IOException e) {
-    return e.getMessage() == null ? e.toString() : e.getMessage();
   }
 
   /**
@@ -160,12 +163,14 @@ public final class Recording implements VideoWatcher, AutoCloseable {
     }
     ended = true;
     try (channel) {
-      if (kept.isPresent()) {
-        write(kept.get().ticks + LAST);
-        muxer.finish();
+      if (film.isPresent()) {
+        keep(kept.map(Kept::ticks).orElse(0L) + LAST);
+        try (Mp4File written = film.get()) {
+          flush(written);
+        }
       }
     }
-    if (kept.isEmpty()) {
+    if (film.isEmpty()) {
       Files.deleteIfExists(file);
     }
   }

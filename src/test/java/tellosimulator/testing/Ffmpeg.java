@@ -36,13 +36,30 @@ public final class Ffmpeg {
    */
   public static Decoded decode(byte[] stream, int pixels, Path folder, String... options)
       throws IOException, InterruptedException {
-    Path input = Files.write(folder.resolve("stream.h264"), stream);
+    List<String> input = new ArrayList<>(List.of(options));
+    input.addAll(List.of("-f", "h264"));
+    return decode(Files.write(folder.resolve("stream.h264"), stream), pixels, folder, input);
+  }
+
+  /**
+   * Decodes a film in a file.
+   *
+   * @param pixels how many a picture has
+   * @param folder for files in between
+   */
+  public static Decoded decodeFile(Path film, int pixels, Path folder)
+      throws IOException, InterruptedException {
+    return decode(film, pixels, folder, List.of());
+  }
+
+  private static Decoded decode(Path input, int pixels, Path folder, List<String> options)
+      throws IOException, InterruptedException {
     Path output = folder.resolve("pictures.raw");
     Path errors = folder.resolve("errors.txt");
     List<String> command =
         new ArrayList<>(List.of("ffmpeg", "-nostdin", "-hide_banner", "-v", "warning"));
-    command.addAll(List.of(options));
-    command.addAll(List.of("-f", "h264", "-i", input.toString()));
+    command.addAll(options);
+    command.addAll(List.of("-i", input.toString()));
     command.addAll(List.of("-fps_mode", "passthrough", "-f", "rawvideo", "-pix_fmt", "gray"));
     command.addAll(List.of("-y", output.toString()));
     int status;

@@ -9,6 +9,7 @@ import java.nio.file.FileAlreadyExistsException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
+import java.util.List;
 import java.util.Optional;
 import org.assertj.core.data.Offset;
 import org.jcodec.api.FrameGrab;
@@ -20,6 +21,7 @@ import org.jcodec.containers.mp4.demuxer.MP4Demuxer;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import tellosimulator.testing.Ffmpeg;
 import tellosimulator.video.codec.EncodedPicture;
 import tellosimulator.video.codec.H264Encoder;
 import tellosimulator.video.picture.Picture;
@@ -60,6 +62,47 @@ class RecordingTest {
     assertThat(brightness(30)).isCloseTo(130, Offset.offset(4));
     assertThat(recording.pictures()).isEqualTo(50);
     assertThat(recording.failure()).isEmpty();
+  }
+
+  @Test
+  void whatIsWrittenPlaysToTheLastSecondThoughNobodyClosesIt() throws Exception {
+    for (int i = 0; i < 90; i++) { // 3.6 s
+      film(64, 48, 100 + i, i % 25 == 0);
+    }
+
+    // A program that is killed leaves what it has written, and perhaps a part of the next fragment.
+    Path killed = Files.copy(file, folder.resolve("killed.mp4"));
+    byte[] whole = Files.readAllBytes(killed);
+    assertThat(brightnessByFfmpeg(killed)).hasSize(75).last().isEqualTo(174);
+    Path torn = Files.write(folder.resolve("torn.mp4"), Arrays.copyOf(whole, whole.length - 60));
+    assertThat(brightnessByFfmpeg(torn)).hasSizeBetween(50, 75);
+    recording.close();
+    assertThat(brightnessByFfmpeg(file)).hasSize(90).last().isEqualTo(189);
+  }
+
+  @Test
+  void aFilmThatCannotBeEndedStillPlays() throws Exception {
+    for (int i = 0; i < 30; i++) {
+      film(64, 48, 100 + i, i == 0);
+    }
+    Path fragments = Files.copy(file, folder.resolve("fragments.mp4"));
+    recording.close();
+    byte[] closed = Files.readAllBytes(file);
+    byte[] header = Files.readAllBytes(fragments);
+    // The movie at the end was written, but not the 16 bytes that make the fragments its data.
+    System.arraycopy(header, 0, closed, 0, 100);
+    Path between = Files.write(folder.resolve("between.mp4"), closed);
+
+    assertThat(brightnessByFfmpeg(between)).hasSize(30);
+  }
+
+  /** The brightness of each picture, rounded, as a decoder reads it that is not ours. */
+  private List<Integer> brightnessByFfmpeg(Path film) throws IOException, InterruptedException {
+    Ffmpeg.Decoded decoded = Ffmpeg.decodeFile(film, 64 * 48, folder);
+    return decoded.pictures().stream()
+        .map(picture -> (picture[0] & 0xff) * 219.0 / 255 + 16) // it says black as 0, not as 16
+        .map(level -> (int) Math.round(level))
+        .toList();
   }
 
   @Test

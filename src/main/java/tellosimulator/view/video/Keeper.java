@@ -1,8 +1,6 @@
 package tellosimulator.view.video;
 
 import java.io.IOException;
-import java.nio.file.AccessDeniedException;
-import java.nio.file.FileAlreadyExistsException;
 import java.nio.file.Path;
 import java.time.LocalDateTime;
 import java.time.ZoneId;
@@ -20,6 +18,7 @@ import tellosimulator.concurrent.Worker;
 import tellosimulator.video.Recording;
 import tellosimulator.video.VideoStream;
 import tellosimulator.video.picture.Picture;
+import tellosimulator.words.IoReason;
 import tellosimulator.words.Phrase;
 
 /**
@@ -85,7 +84,7 @@ public final class Keeper implements AutoCloseable {
       PngFile.write(picture, file);
       say(true, Phrase.of("a picture was saved: %s", file));
     } catch (IOException e) {
-      say(false, Phrase.of("a picture could not be saved: %s", why(e)));
+      say(false, Phrase.of("a picture could not be saved: %s", IoReason.of(e)));
     }
   }
 
@@ -111,7 +110,7 @@ public final class Keeper implements AutoCloseable {
       source.stream.watch(begun);
       say(true, Phrase.of("is being recorded: %s", begun.file()));
     } catch (IOException e) {
-      say(false, Phrase.of("cannot be recorded: %s", why(e)));
+      say(false, Phrase.of("cannot be recorded: %s", IoReason.of(e)));
     }
   }
 
@@ -159,21 +158,14 @@ public final class Keeper implements AutoCloseable {
         say(true, Phrase.of("was recorded, %d pictures: %s", ended.pictures(), ended.file()));
       }
     } catch (IOException e) {
-      say(false, Phrase.of("the recording %s is lost: %s", ended.file(), why(e)));
+      say(
+          false,
+          Phrase.of(
+              "the end of the recording %s may be missing: %s", ended.file(), IoReason.of(e)));
     }
   }
 
   private void say(boolean good, Phrase phrase) {
     reports.accept(new VideoReport(source.drone, good, phrase));
-  }
-
-  private static Object why(IOException e) {
-    if (e instanceof AccessDeniedException denied) {
-      return Phrase.of("you may not write to %s", denied.getFile());
-    }
-    if (e instanceof FileAlreadyExistsException there) {
-      return Phrase.of("%s is in the way", there.getFile());
-    }
-    return e.getMessage() == null ? e.toString() : e.getMessage();
   }
 }

@@ -1,0 +1,30 @@
+package tellosimulator.words;
+
+import java.io.IOException;
+import java.nio.file.AccessDeniedException;
+import java.nio.file.FileAlreadyExistsException;
+import java.nio.file.FileSystemException;
+import java.nio.file.NoSuchFileException;
+
+/** Why something could not be written, in words for people. */
+public final class IoReason {
+
+  private IoReason() {}
+
+  /** A phrase, or a text that is the same in all languages. */
+  public static Object of(IOException e) {
+    if (e instanceof AccessDeniedException denied) {
+      return Phrase.of("you may not write to %s", denied.getFile());
+    }
+    if (e instanceof FileAlreadyExistsException there) {
+      return Phrase.of("%s is in the way", there.getFile());
+    }
+    if (e instanceof NoSuchFileException missing) {
+      return Phrase.of("there is no folder for %s", missing.getFile());
+    }
+    if (e instanceof FileSystemException system && system.getReason() != null) {
+      return system.getReason();
+    }
+    return e.getMessage() == null ? Phrase.of("the system does not say why") : e.getMessage();
+  }
+}

@@ -1,0 +1,30 @@
+package tellosimulator.words;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.channels.ClosedChannelException;
+import java.nio.file.AccessDeniedException;
+import java.nio.file.FileAlreadyExistsException;
+import java.nio.file.FileSystemException;
+import java.nio.file.NoSuchFileException;
+import org.junit.jupiter.api.Test;
+
+class IoReasonTest {
+
+  @Test
+  void eachIsAClauseForPeople() {
+    assertThat(clause(new AccessDeniedException("/a"))).isEqualTo("you may not write to /a");
+    assertThat(clause(new FileAlreadyExistsException("/a"))).isEqualTo("/a is in the way");
+    assertThat(clause(new NoSuchFileException("/a"))).isEqualTo("there is no folder for /a");
+    assertThat(clause(new FileSystemException("/a", null, "No space left on device")))
+        .isEqualTo("No space left on device");
+    assertThat(clause(new IOException("No space left on device")))
+        .isEqualTo("No space left on device");
+    assertThat(clause(new ClosedChannelException())).isEqualTo("the system does not say why");
+  }
+
+  private static String clause(IOException e) {
+    return IoReason.of(e).toString();
+  }
+}
