@@ -21,6 +21,12 @@ enum NoWindow {
           + " libxxf86vm1; on Fedora: sudo dnf install gtk3 libglvnd-glx mesa-dri-drivers libXtst"
           + " libXxf86vm."),
 
+  /** JavaFX unpacks libraries before it opens a window; see {@link NativeCache}. */
+  NO_ROOM(
+      "The window needs some megabytes for its libraries, but neither your home folder nor the folder"
+          + " for temporary files has them or may be written to, so the simulator runs without a"
+          + " window. Make room and start it again."),
+
   /** The jar holds the native libraries of the system on which it was built, and no others. */
   OTHER_SYSTEM(
       "This program was built on another kind of computer, so the simulator runs without a window."

@@ -32,6 +32,9 @@ public final class Toolkit {
     if (System.getProperty(FORCE_GPU) == null) {
       System.setProperty(FORCE_GPU, "true");
     }
+    if (nativesAreThere() && !NativeCache.ofThisUser().prepare()) {
+      return Optional.of(NoWindow.NO_ROOM.sentence());
+    }
     Platform.setImplicitExit(false); // or it would end at once, as it has no window yet
     CountDownLatch running = new CountDownLatch(1);
     try {

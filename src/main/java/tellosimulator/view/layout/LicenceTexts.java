@@ -10,6 +10,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.regex.Pattern;
+import tellosimulator.words.IoReason;
 
 /** The notice of the program and the licences that it names, as they lie in the jar. */
 final class LicenceTexts {
@@ -53,7 +54,7 @@ final class LicenceTexts {
       }
       return Optional.empty();
     } catch (IOException e) {
-      return Optional.of(e.toString());
+      return Optional.of(IoReason.of(e).toString());
     }
   }
 

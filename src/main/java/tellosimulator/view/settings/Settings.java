@@ -11,6 +11,7 @@ import java.util.TreeMap;
 import javafx.beans.property.Property;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
+import tellosimulator.words.IoReason;
 
 /**
  * Keeps properties in a file. What differs from its default is written soon after it changed; the
@@ -139,7 +140,7 @@ public final class Settings {
   private void complainOnce(IOException e) {
     if (!complained) {
       complained = true;
-      LOG.warn("The settings cannot be kept in {}: {}.", file.path(), e.toString());
+      LOG.warn("The settings cannot be kept in {}: {}.", file.path(), IoReason.of(e));
     }
   }
 }
