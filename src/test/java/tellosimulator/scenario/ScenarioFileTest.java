@@ -39,6 +39,7 @@ import tellosimulator.sim.DroneSetup;
 import tellosimulator.sim.SimConfig;
 import tellosimulator.sim.SimConfig.Outlets;
 import tellosimulator.sim.SimConfig.Product;
+import tellosimulator.testing.ForPeople;
 import tellosimulator.time.TimeFactor;
 import tellosimulator.world.Arena;
 import tellosimulator.world.Cover;
@@ -609,7 +610,7 @@ class ScenarioFileTest {
         ScenarioFile.read(file(bytes));
       } catch (ScenarioException e) {
         assertThat(e.mistakes()).isNotEmpty();
-        assertThat(e.getMessage()).doesNotContain("Exception").doesNotContain("java.");
+        ForPeople.check(e.getMessage());
       }
     }
   }
