@@ -36,12 +36,24 @@ final class ProgramProcess implements AutoCloseable {
    * @param hidden a variable of the environment that it does not get to see
    */
   static ProgramProcess start(Class<?> main, String options, String hidden) throws IOException {
+    return start(main, options, hidden, "-XX:+IgnoreUnrecognizedVMOptions");
+  }
+
+  /**
+   * Starts it.
+   *
+   * @param hidden a variable of the environment that it does not get to see
+   * @param heap an option of the Java machine
+   */
+  static ProgramProcess start(Class<?> main, String options, String hidden, String heap)
+      throws IOException {
     String java = Path.of(System.getProperty("java.home"), "bin", "java").toString();
     Path errors = Files.createTempFile("program", ".err");
     ProcessBuilder builder =
         new ProcessBuilder(
                 java,
                 "-XX:+IgnoreUnrecognizedVMOptions",
+                heap,
                 "--enable-native-access=ALL-UNNAMED",
                 "--sun-misc-unsafe-memory-access=allow",
                 "-cp",
@@ -90,6 +102,10 @@ final class ProgramProcess implements AutoCloseable {
   /** Asks it to end, as {@code kill} does. */
   void terminate() {
     process.destroy();
+  }
+
+  boolean isAlive() {
+    return process.isAlive();
   }
 
   /** Waits for its end. */

@@ -22,7 +22,7 @@ public final class Worker implements AutoCloseable {
   private static final long BACK_OFF_NANOS = 10_000_000;
 
   /** Between two sentences about failures of the same worker [ns]. Decided. */
-  private static final long QUIET_NANOS = 10_000_000_000L;
+  private static final long QUIET_NANOS = 1_000_000_000;
 
   /** What a failure adds to the leaky bucket; each piece of work that succeeds takes 1 away. */
   private static final int FAILURE = 10;

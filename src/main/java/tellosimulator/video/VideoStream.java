@@ -161,7 +161,7 @@ public final class VideoStream implements AutoCloseable {
     DroneSnapshot now = drone(snapshots.get());
     Wish wish = wish(now);
     start = wish.start;
-    if (!wish.seen || resting(now)) {
+    if (resting(now) || !wish.seen) {
       last = wish;
       connection.close();
       return false;

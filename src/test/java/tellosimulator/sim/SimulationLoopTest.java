@@ -1,6 +1,7 @@
 package tellosimulator.sim;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static tellosimulator.testing.SimulatedDrone.address;
 
 import java.util.ArrayList;
@@ -8,10 +9,17 @@ import java.util.List;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicReference;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
 import tellosimulator.command.Peer;
+import tellosimulator.concurrent.Exceptions;
+import tellosimulator.concurrent.Uncaught;
+import tellosimulator.concurrent.Verdict;
 import tellosimulator.time.SimTime;
+import tellosimulator.testing.CapturedLog;
 import tellosimulator.time.TimeFactor;
 
 /**
@@ -156,6 +164,80 @@ class SimulationLoopTest {
 
     assertThat(simulation.snapshot().time()).isEqualTo(end);
     assertThat(replies).isEmpty();
+  }
+
+  @ParameterizedTest
+  @MethodSource("errors")
+  void anErrorInAPortDoesNotEndTheThread(Error error) throws InterruptedException {
+    AtomicReference<Error> replyFailure = new AtomicReference<>(error);
+    AtomicReference<Error> stateFailure = new AtomicReference<>(error);
+    Simulation simulation =
+        new Simulation(
+            SimConfig.DEFAULT.withTimeFactor(TimeFactor.MAX),
+            drone ->
+                (peer, text) -> {
+                  replies.add(text);
+                  throwOnce(replyFailure);
+                },
+            report -> throwOnce(stateFailure),
+            List.of());
+    simulation.control(new Control.Power(1, true));
+
+    try (CapturedLog commands = CapturedLog.of(Simulation.class);
+        CapturedLog steps = CapturedLog.of(Verdict.class);
+        SimulationLoop loop = new SimulationLoop(simulation)) {
+      assertThat(loop).isNotNull();
+      assertThat(ask(simulation, "command")).isEqualTo("ok");
+      assertThat(ask(simulation, "takeoff")).isEqualTo("ok");
+      assertThat(stateFailure).hasNullValue();
+      assertThat(steps.next()).startsWith("A step of the simulation failed");
+      assertThat(commands.isEmpty()).isEqualTo(Exceptions.isFatal(error));
+    }
+  }
+
+  static List<Error> errors() {
+    return List.of(
+        new OutOfMemoryError("broken on purpose"),
+        new StackOverflowError("broken on purpose"),
+        new NoClassDefFoundError("broken/on/purpose"));
+  }
+
+  @Test
+  void whoWaitsForASimulationThatCannotGoOnIsTold() throws InterruptedException {
+    OutOfMemoryError failure = new OutOfMemoryError("broken on purpose");
+    AtomicReference<Error> failing = new AtomicReference<>();
+    SimListener listener =
+        new SimListener() {
+          @Override
+          public void stepped(SimSnapshot snapshot) {
+            if (failing.get() != null) {
+              throw failing.get();
+            }
+          }
+        };
+    Simulation simulation =
+        new Simulation(
+            SimConfig.DEFAULT, drone -> (peer, text) -> {}, report -> {}, List.of(listener));
+    try (Uncaught uncaught = new Uncaught();
+        CapturedLog log = CapturedLog.of(Verdict.class);
+        SimulationLoop loop = new SimulationLoop(simulation)) {
+      loop.carryOut(new Control.Power(1, true));
+      failing.set(failure);
+
+      assertThat(uncaught.await()).isSameAs(failure);
+      assertThat(uncaught.thread().getName()).isEqualTo("sim");
+      assertThat(log.next()).startsWith("A step of the simulation failed: memory is full");
+      assertThatThrownBy(() -> loop.carryOut(new Control.Power(1, false)))
+          .isInstanceOf(IllegalStateException.class)
+          .hasMessage("the simulation has ended because of an error");
+    }
+  }
+
+  private static void throwOnce(AtomicReference<Error> error) {
+    Error thrown = error.getAndSet(null);
+    if (thrown != null) {
+      throw thrown;
+    }
   }
 
   private static void failOnce(List<String> broken, String port) {

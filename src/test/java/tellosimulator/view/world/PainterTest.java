@@ -9,6 +9,7 @@ import java.util.OptionalInt;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
+import tellosimulator.concurrent.Verdict;
 import tellosimulator.math.Attitude;
 import tellosimulator.math.Pose;
 import tellosimulator.math.Vec3;
@@ -16,6 +17,7 @@ import tellosimulator.scenery.Stage;
 import tellosimulator.sim.SimConfig;
 import tellosimulator.sim.SimSnapshot;
 import tellosimulator.sim.Simulation;
+import tellosimulator.testing.CapturedLog;
 import tellosimulator.time.SimTime;
 import tellosimulator.video.camera.Lens;
 import tellosimulator.video.camera.Viewpoint;
@@ -82,6 +84,21 @@ class PainterTest {
     }
 
     assertThat(painter.busy()).isFalse();
+  }
+
+  @Test
+  void aPictureForWhichMemoryIsNotEnoughCostsThatPictureAlone() throws InterruptedException {
+    // 41706 x 51491 = 2^31 - 2: more elements than any array of the Java machine may have
+    Viewpoint huge =
+        new Viewpoint(
+            new Pose(Vec3.ZERO, Attitude.LEVEL), new Lens(41_706, 51_491, Math.PI / 3), 0.02);
+    try (CapturedLog log = CapturedLog.of(Verdict.class)) {
+      assertThat(painted(new Painter.View(snapshot, OptionalInt.empty(), huge, List.of())))
+          .isEmpty();
+
+      assertThat(log.next()).startsWith("The room could not be drawn: memory is full");
+    }
+    assertThat(painted(view(snapshot, 0))).isPresent();
   }
 
   private Optional<Painter.Painted> painted(Painter.View view) {

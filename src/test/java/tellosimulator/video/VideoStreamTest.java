@@ -1,0 +1,158 @@
+package tellosimulator.video;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static tellosimulator.testing.SimulatedDrone.address;
+
+import java.util.List;
+import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.LinkedBlockingQueue;
+import java.util.concurrent.Semaphore;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicInteger;
+import java.util.concurrent.atomic.AtomicReference;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import tellosimulator.command.Peer;
+import tellosimulator.concurrent.Verdict;
+import tellosimulator.sim.Control;
+import tellosimulator.sim.SimConfig;
+import tellosimulator.sim.SimConfig.Outlets;
+import tellosimulator.sim.SimSnapshot;
+import tellosimulator.sim.Simulation;
+import tellosimulator.testing.CapturedLog;
+import tellosimulator.video.camera.FrameSource;
+import tellosimulator.video.codec.H264Encoder;
+
+/** What becomes of a stream whose pictures fail. */
+@Timeout(value = 60, unit = TimeUnit.SECONDS, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
+class VideoStreamTest {
+
+  private static final Peer OPERATOR =
+      new Peer(address("127.0.0.1", 50_000), address("127.0.0.1", 8879));
+
+  private static final String RESTS = "The video of drone 1 rests until the next streamon: ";
+
+  private final Simulation simulation =
+      new Simulation(
+          SimConfig.DEFAULT.withDrones(
+              SimConfig.DEFAULT.drones().stream()
+                  .map(drone -> drone.withOutlets(new Outlets(9, 9)))
+                  .toList()),
+          drone -> (peer, text) -> {},
+          report -> {},
+          List.of());
+  private final AtomicReference<Error> failure = new AtomicReference<>();
+  private final BlockingQueue<String> filmed = new LinkedBlockingQueue<>();
+  private final AtomicInteger films = new AtomicInteger();
+  private final Semaphore looks = new Semaphore(0);
+  private final CapturedLog log = CapturedLog.of(Verdict.class);
+  private final VideoStream stream =
+      new VideoStream(1, this::look, new Films(this::source, H264Encoder::new));
+
+  private SimSnapshot look() {
+    looks.release();
+    return simulation.snapshot();
+  }
+
+  private FrameSource source() {
+    films.incrementAndGet();
+    return (snapshot, shot, picture) -> {
+      Error broken = failure.get();
+      filmed.add(broken == null ? "picture" : "failure");
+      if (broken != null) {
+        throw broken;
+      }
+    };
+  }
+
+  @AfterEach
+  void close() {
+    stream.close();
+    log.close();
+  }
+
+  @Test
+  void withoutMemoryItRestsUntilTheNextStreamon() throws InterruptedException {
+    failure.set(new OutOfMemoryError("broken on purpose"));
+    switchOn();
+    tell("streamon");
+    assertThat(filmed.take()).isEqualTo("failure");
+    assertThat(log.next()).startsWith(RESTS + "memory is full");
+    failure.set(null);
+    lookAgain();
+    assertThat(filmed).as("a picture that nobody asked for").isEmpty();
+
+    tell("streamon");
+
+    assertThat(filmed.take()).isEqualTo("picture");
+    assertThat(films).as("the first film has given its memory back").hasValue(2);
+  }
+
+  @Test
+  void withoutMemoryItRestsUntilPowerWasOff() throws InterruptedException {
+    failure.set(new OutOfMemoryError("broken on purpose"));
+    switchOn();
+    tell("streamon");
+    assertThat(log.next()).startsWith(RESTS);
+    failure.set(null);
+    filmed.clear();
+    simulation.control(new Control.Power(1, false));
+    simulation.drain();
+    lookAgain();
+    switchOn();
+
+    tell("streamon");
+
+    assertThat(filmed.take()).isEqualTo("picture");
+  }
+
+  @Test
+  void withoutMemoryItRestsUntilSomebodyElseLooks() throws InterruptedException {
+    failure.set(new OutOfMemoryError("broken on purpose"));
+    switchOn();
+    tell("streamon");
+    assertThat(log.next()).startsWith(RESTS);
+    failure.set(null);
+    filmed.clear();
+
+    stream.watch(picture -> {});
+
+    assertThat(filmed.take()).isEqualTo("picture");
+  }
+
+  @Test
+  void otherErrorsCostOnePictureEach() throws InterruptedException {
+    failure.set(new StackOverflowError("broken on purpose"));
+    switchOn();
+    tell("streamon");
+    assertThat(filmed.take()).isEqualTo("failure");
+    assertThat(log.next()).startsWith("A picture of drone 1 failed; please report this: ");
+    failure.set(null);
+
+    while (!filmed.take().equals("picture")) {
+      assertThat(films).hasValue(1);
+    }
+  }
+
+  /** Lets it look twice, so that at least one look is later than this. */
+  private void lookAgain() throws InterruptedException {
+    for (int i = 0; i < 2; i++) {
+      looks.drainPermits();
+      stream.wake();
+      looks.acquire();
+    }
+  }
+
+  private void switchOn() {
+    simulation.control(new Control.Power(1, true));
+    simulation.drain();
+    tell("command");
+  }
+
+  private void tell(String text) {
+    simulation.submit(1, OPERATOR, text);
+    simulation.drain();
+    stream.wake();
+  }
+}
