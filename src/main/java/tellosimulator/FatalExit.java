@@ -33,16 +33,19 @@ final class FatalExit implements Thread.UncaughtExceptionHandler {
   private final AtomicBoolean ending = new AtomicBoolean();
   private final Runnable deadline;
   private final IntConsumer exit;
+  private final IntConsumer halt;
 
   /**
    * Does nothing yet.
    *
    * @param deadline is told that the end has begun
    * @param exit ends the process with an exit code
+   * @param halt does so at once, and needs nothing for it
    */
-  FatalExit(Runnable deadline, IntConsumer exit) {
+  FatalExit(Runnable deadline, IntConsumer exit, IntConsumer halt) {
     this.deadline = deadline;
     this.exit = exit;
+    this.halt = halt;
   }
 
   /** Ends the process from now on when no memory is left or a worker cannot go on. */
@@ -50,17 +53,22 @@ final class FatalExit implements Thread.UncaughtExceptionHandler {
     // a class that is loaded only when memory is full cannot be loaded any more
     Exceptions.isFatal(new StackOverflowError());
     ExitDeadline deadline = new ExitDeadline(CODE, PATIENCE_NANOS);
-    FatalExit installed = new FatalExit(deadline::begin, FatalExit::flushAndExit);
+    FatalExit installed = new FatalExit(deadline::begin, FatalExit::flushAndExit, Runtime.getRuntime()::halt);
     Thread.setDefaultUncaughtExceptionHandler(installed);
     return installed;
   }
 
   @Override
   public void uncaughtException(Thread thread, Throwable failure) {
-    if (Worker.owns(thread) || Exceptions.isFatal(failure)) {
-      end(thread, failure);
-    } else {
-      LoggerFactory.getLogger(FatalExit.class).error("Unexpected, please report it", failure);
+    try {
+      if (Worker.owns(thread) || Exceptions.isFatal(failure)) {
+        end(thread, failure);
+      } else {
+        LoggerFactory.getLogger(FatalExit.class).error("Unexpected, please report it", failure);
+      }
+    } catch (Throwable another) { // there is no memory even for the end
+      standardError.write(OUT_OF_MEMORY);
+      halt.accept(CODE);
     }
   }
 

@@ -38,6 +38,7 @@ import tellosimulator.sim.SimConfig.Rules;
 import tellosimulator.time.Demand;
 import tellosimulator.time.Periodic;
 import tellosimulator.time.SimTime;
+import tellosimulator.time.TokenBucket;
 import tellosimulator.words.Phrase;
 import tellosimulator.world.Collision;
 import tellosimulator.world.Room;
@@ -86,6 +87,7 @@ final class Drone {
   /** Whether a command came since the last state line, so that the operator waits for the next. */
   private boolean lineOwed;
 
+  private final TokenBucket tellings = new TokenBucket(1, 1);
   private long stateCount;
   private long replyCount;
 
@@ -165,6 +167,14 @@ final class Drone {
     } else {
       handler.handle(peer, text, now);
       lineOwed = stateLines.isPresent();
+      tellDropped();
+    }
+  }
+
+  /** In sums: at most once a second of the wall clock, as simulated time may stand still. */
+  private void tellDropped() {
+    if (outbox.hasDropped() && tellings.tryTake()) {
+      events.accept(new SimEvent.RepliesDropped(now, model.drone(), outbox.takeDropped()));
     }
   }
 
@@ -332,6 +342,7 @@ final class Drone {
   void finish() {
     controller.finish();
     outbox.flush(now);
+    tellDropped();
   }
 
   SimSnapshot.DroneSnapshot publish() {

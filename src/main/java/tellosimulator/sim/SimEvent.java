@@ -117,6 +117,23 @@ public sealed interface SimEvent {
     }
   }
 
+  /**
+   * Replies found no room among those that wait for their time.
+   *
+   * @param count how many, the oldest ones
+   */
+  record RepliesDropped(SimTime time, int drone, long count) implements SimEvent {
+    @Override
+    public Severity severity() {
+      return Severity.WARNING;
+    }
+
+    @Override
+    public Phrase phrase() {
+      return Phrase.of("%,d replies were dropped: too many wait for their time", count);
+    }
+  }
+
   /** Something came from a host that does not operate the drone, and had no effect. */
   record TurnedAway(SimTime time, int drone, Peer peer, String text, Phrase reason)
       implements FromPeer {

@@ -68,6 +68,53 @@ class OutboxTest {
     assertThat(outbox.isEmpty()).isTrue();
   }
 
+  @Test
+  void ofTooManyForOnePeerTheOldestIsDropped() {
+    Outbox still = new Outbox((peer, text) -> sent.add(text), () -> 1);
+    still.add(peer(1), "of another", at(0));
+    for (int i = 0; i < Outbox.MOST_FOR_PEER + 2; i++) {
+      still.add(OPERATOR, "reply " + i, at(0));
+    }
+
+    assertThat(still.hasDropped()).isTrue();
+    assertThat(still.takeDropped()).isEqualTo(2);
+    assertThat(still.hasDropped()).isFalse();
+    still.flush(at(1));
+    assertThat(sent).hasSize(Outbox.MOST_FOR_PEER + 1).startsWith("of another", "reply 2");
+    assertThat(still.isEmpty()).isTrue();
+  }
+
+  @Test
+  void ofTooManyInAllTheOldestIsDropped() {
+    Outbox still = new Outbox((peer, text) -> sent.add(text), () -> 1);
+    for (int i = 0; i < Outbox.MOST + 3; i++) {
+      still.add(peer(i), "reply " + i, at(0));
+    }
+
+    assertThat(still.takeDropped()).isEqualTo(3);
+    still.flush(at(1));
+    assertThat(sent).hasSize(Outbox.MOST).startsWith("reply 3");
+  }
+
+  @Test
+  void whatHasLeftMakesRoom() {
+    Outbox still = new Outbox((peer, text) -> sent.add(text), () -> 1);
+    for (int round = 0; round < 3; round++) {
+      still.flush(at(10 * round));
+      for (int i = 0; i < Outbox.MOST_FOR_PEER; i++) {
+        still.add(OPERATOR, "reply", at(10 * round));
+      }
+      still.flush(at(10 * round + 1));
+    }
+
+    assertThat(still.hasDropped()).isFalse();
+    assertThat(sent).hasSize(3 * Outbox.MOST_FOR_PEER);
+  }
+
+  private static Peer peer(int number) {
+    return HandlerFixture.peer(1, 10_000 + number);
+  }
+
   private static SimTime at(double seconds) {
     return SimTime.ZERO.plus(seconds);
   }

@@ -16,6 +16,9 @@ import tellosimulator.model.DroneSpec;
 import tellosimulator.model.DroneState;
 import tellosimulator.model.FlightPhase;
 import tellosimulator.time.Demand;
+import tellosimulator.profile.Behaviour;
+import tellosimulator.profile.Profile;
+import tellosimulator.sim.SimConfig.Product;
 import tellosimulator.time.SimTime;
 import tellosimulator.time.TimeFactor;
 import tellosimulator.world.Decor;
@@ -58,6 +61,40 @@ class SimulationTest {
 
     assertThat(steps).containsExactly(new SimTime(5_000_000), new SimTime(10_000_000));
     assertThat(simulation.snapshot().time()).isEqualTo(new SimTime(10_000_000));
+  }
+
+  @Test
+  void aFloodOfQueriesWhileTimeStandsStillFillsNoMemory() {
+    Product product = new Product(Profile.EDU, Behaviour.MEASURED);
+    SimConfig config =
+        SimConfig.DEFAULT.withDrones(
+            SimConfig.DEFAULT.drones().stream().map(drone -> drone.withProduct(product)).toList());
+    Simulation measured =
+        new Simulation(
+            config, drone -> (peer, text) -> replies.add(text), report -> {}, List.of(recorder));
+    measured.control(new Control.Power(1, true));
+    int asked = 80 * AT_ONCE;
+    for (int i = 0; i < asked; i++) {
+      assertThat(measured.submit(1, PEER, i == 0 ? "command" : "battery?")).isTrue();
+      if (i % AT_ONCE == AT_ONCE - 1) {
+        measured.drain();
+      }
+    }
+    assertThat(replies).isEmpty();
+    for (int i = 0; i < 200; i++) {
+      measured.step();
+    }
+
+    int mostForPeer = 1024;
+    assertThat(replies).hasSize(mostForPeer);
+    List<SimEvent.RepliesDropped> told =
+        events.stream()
+            .filter(SimEvent.RepliesDropped.class::isInstance)
+            .map(SimEvent.RepliesDropped.class::cast)
+            .toList();
+    assertThat(told).as("in sums").isNotEmpty().hasSizeLessThan(20);
+    assertThat(told.stream().mapToLong(SimEvent.RepliesDropped::count).sum())
+        .isBetween(1L, (long) asked - mostForPeer);
   }
 
   @Test
