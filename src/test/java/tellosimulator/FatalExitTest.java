@@ -17,7 +17,8 @@ import tellosimulator.testing.CapturedLog;
 class FatalExitTest {
 
   private final List<Object> happened = new ArrayList<>();
-  private final FatalExit fatal = new FatalExit(() -> happened.add("deadline"), happened::add);
+  private final FatalExit fatal = new FatalExit(
+          () -> happened.add("deadline"), happened::add, code -> happened.add("halt " + code));
 
   @Test
   void withoutMemoryTheProgramEndsOnceWithACodeOfItsOwnAndADeadline() {
@@ -25,6 +26,21 @@ class FatalExitTest {
     fatal.uncaughtException(Thread.currentThread(), new OutOfMemoryError("broken on purpose"));
 
     assertThat(happened).containsExactly("deadline", 4);
+  }
+
+  @Test
+  void whereEvenTheEndFailsForWantOfMemoryTheProcessIsHalted() {
+    FatalExit starved =
+        new FatalExit(
+            () -> {
+              throw new OutOfMemoryError("broken on purpose");
+            },
+            happened::add,
+            code -> happened.add("halt " + code));
+
+    starved.uncaughtException(Thread.currentThread(), new OutOfMemoryError("broken on purpose"));
+
+    assertThat(happened).containsExactly("halt 4");
   }
 
   @Test
@@ -42,7 +58,7 @@ class FatalExitTest {
   @Test
   void aWorkerThatCannotGoOnEndsTheProgramWhateverItsFailure() throws InterruptedException {
     CountDownLatch ended = new CountDownLatch(1);
-    FatalExit ending = new FatalExit(() -> {}, code -> ended.countDown());
+    FatalExit ending = new FatalExit(() -> {}, code -> ended.countDown(), code -> {});
     Agent failing =
         new Agent() {
           @Override

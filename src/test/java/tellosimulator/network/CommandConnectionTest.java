@@ -128,6 +128,8 @@ class CommandConnectionTest {
 
   private Worker listen(Throwable failure, int failures) {
     FailingPort failing = new FailingPort(port, failure, failures);
-    return new CommandConnection(1, failing, new Ports(), simulation).listen(new Traffic());
+    return new CommandConnection(
+            1, failing, new Ports(), simulation, (peer, text) -> true)
+        .listen(new Traffic());
   }
 }
