@@ -44,6 +44,11 @@ final class Courses {
     return new PathFlight(path, speed, flight.baseHeading());
   }
 
+  /** Whether the drone gets to a place, and not only as low as it hovers. */
+  boolean reaches(Vec3 place) {
+    return wiring.behaviour().answersLowDown() || place.z() >= wiring.behaviour().lowestHover();
+  }
+
   /**
    * Along an arc from here.
    *

@@ -66,15 +66,15 @@ final class PadMissions {
       return;
     }
     Maneuver curve = courses.along(new Command.Curve(arc.orElseThrow(), command.speed()), 0);
-    flight.fly(watching(pad, curve), Task.of(responder));
+    flight.fly(watching(pad, curve, place(pad, command.end())), Task.of(responder));
   }
 
   /** Over the middle of the second pad of a jump. */
   private void cross(PadSighting pad, Command.Jump command, Responder responder) {
-    Vec3 over = new Vec3(0, 0, command.leg().goal().z());
-    Maneuver way = courses.to(place(pad, over), command.leg().speed());
+    Vec3 over = place(pad, new Vec3(0, 0, command.leg().goal().z()));
+    Maneuver way = courses.to(over, command.leg().speed());
     double heading = pad.pad().attitude().heading() + command.heading();
-    flight.fly(watching(pad, way), Task.then(responder, () -> turn(heading, responder)));
+    flight.fly(watching(pad, way, over), Task.then(responder, () -> turn(heading, responder)));
   }
 
   /** Goes on with the pad if it is seen; waits for the first look if there was none yet. */
@@ -109,15 +109,20 @@ final class PadMissions {
   }
 
   private Maneuver way(PadSighting pad, Command.GoToPad command) {
-    return watching(pad, courses.to(place(pad, command.goal()), command.speed()));
+    Vec3 goal = place(pad, command.goal());
+    return watching(pad, courses.to(goal, command.speed()), goal);
   }
 
-  private Maneuver watching(PadSighting pad, Maneuver maneuver) {
-    return new PadWatch(maneuver, pad.id(), () -> sees(pad.id()));
+  /** Flies to a place as long as the pad is in sight. */
+  private Maneuver watching(PadSighting pad, Maneuver maneuver, Vec3 goal) {
+    return courses.reaches(goal)
+        ? PadWatch.over(maneuver, pad.id(), () -> sees(pad.id()))
+        : PadWatch.inVain(maneuver);
   }
 
+  /** Whether it is below; one far ahead of the nose says nothing of where the drone is. */
   private boolean sees(int id) {
-    return model.perception().pads().stream().anyMatch(pad -> pad.id() == id);
+    return model.perception().pads().stream().anyMatch(pad -> pad.id() == id && pad.below());
   }
 
   private static Vec3 place(PadSighting pad, Vec3 inPadFrame) {

@@ -152,6 +152,21 @@ class PadMissionsTest {
     assertThat(drone.state().motion().velocity().norm()).isLessThan(0.01);
   }
 
+  /**
+   * From 1 m up the nose sees the pad again from 1.4 to 1.7 m away, which says nothing of below.
+   */
+  @Test
+  void aPadThatOnlyTheNoseSeesIsOutOfSight() {
+    SimulatedDrone drone = flying(MissionPad.onFloor(1, Vec3.ZERO, 0));
+    drone.ask("mon");
+    drone.ask("up 70");
+    double begin = drone.seconds();
+
+    assertThat(drone.ask("go -350 0 100 10 m1")).isEqualTo("error Run timeout");
+
+    assertThat(drone.seconds() - begin).isBetween(18.0, 23.0);
+  }
+
   @Test
   void minusOneIsThePadSeenFirstAndMinusTwoTheNearest() {
     MissionPad near = MissionPad.onFloor(6, new Vec3(0.35, 0, 0), 0);
