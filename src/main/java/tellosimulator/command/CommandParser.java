@@ -5,13 +5,19 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import tellosimulator.profile.Profile;
 import tellosimulator.words.Phrase;
+import tellosimulator.words.Spelling;
 
 /** Finds the row of the table that a text is written after. Immutable; for any thread. */
 final class CommandParser {
+
+  /** A verb and a number without a blank between them. */
+  private static final Pattern VERB_AND_NUMBER = Pattern.compile("([A-Za-z]+)(-?[0-9].*)");
 
   private final Profile profile;
   private final Map<String, List<CommandSyntax>> byFirstWord;
@@ -75,7 +81,20 @@ final class CommandParser {
         .findFirst()
         .map(verb -> Phrase.of("this command is written `%s`", verb))
         .or(() -> otherProfiles(first))
+        .or(() -> meant(text, first))
         .orElse(Phrase.of("there is no such command"));
+  }
+
+  /** What somebody may have meant who misspelt the verb, or forgot the blank behind it. */
+  private Optional<Phrase> meant(String text, String first) {
+    Matcher parts = VERB_AND_NUMBER.matcher(first);
+    boolean glued = parts.matches();
+    String verb = glued ? parts.group(1) : first;
+    String number = glued ? " " + parts.group(2) : "";
+    return Spelling.meant(verb, byFirstWord.keySet())
+        .map(known -> known + number + text.substring(first.length()))
+        .map(WireText::printable)
+        .map(guess -> Phrase.of("there is no such command, did you mean `%s`?", guess));
   }
 
   /** Which products would know a verb. */

@@ -10,6 +10,7 @@ import static tellosimulator.command.DroneParameters.stick;
 import static tellosimulator.command.GeometryRules.CUBE;
 import static tellosimulator.command.Parameter.choice;
 import static tellosimulator.command.Parameter.number;
+import static tellosimulator.command.Parameter.text;
 import static tellosimulator.command.Parameter.whole;
 import static tellosimulator.command.Parameter.word;
 import static tellosimulator.command.Row.row;
@@ -17,6 +18,7 @@ import static tellosimulator.profile.Sdk.SDK_1_3;
 import static tellosimulator.profile.Sdk.SDK_2_0;
 import static tellosimulator.profile.Sdk.SDK_3_0;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
@@ -217,7 +219,7 @@ public enum CommandSyntax {
   BOARD_MATRIX(board("EXT mled g", "matrix").with(word("pattern")), acknowledge("matrix ok")),
   BOARD_MATRIX_MOVE(
       board("EXT mled", "matrix")
-          .with(choice("direction", "l", "r", "u", "d"), colour(), hertz(), word("text")),
+          .with(choice("direction", "l", "r", "u", "d"), colour(), hertz(), text("text")),
       acknowledge("matrix ok")),
   BOARD_MATRIX_CHARACTER(
       board("EXT mled s", "matrix").with(colour(), word("character")), acknowledge("matrix ok")),
@@ -329,7 +331,8 @@ public enum CommandSyntax {
   }
 
   /** Whether these words are this command with the right number and form of parameters. */
-  boolean matches(List<String> words) {
+  boolean matches(List<String> separate) {
+    List<String> words = joined(separate);
     int verbLength = verbWords.size();
     if (words.size() != verbLength + row.parameters().size()
         || !words.subList(0, verbLength).equals(verbWords)) {
@@ -345,7 +348,20 @@ public enum CommandSyntax {
 
   /** The words after the verb. */
   Arguments arguments(List<String> words) {
-    return new Arguments(words.subList(verbWords.size(), words.size()));
+    List<String> joined = joined(words);
+    return new Arguments(joined.subList(verbWords.size(), joined.size()));
+  }
+
+  /** The words with those of a text that takes the rest as one. */
+  private List<String> joined(List<String> words) {
+    int count = verbWords.size() + row.parameters().size();
+    boolean text = row.parameters().stream().anyMatch(Parameter::takesRest);
+    if (!text || words.size() <= count || words.contains("")) {
+      return words;
+    }
+    List<String> joined = new ArrayList<>(words.subList(0, count - 1));
+    joined.add(String.join(" ", words.subList(count - 1, words.size())));
+    return joined;
   }
 
   /** What is wrong with the values; empty if nothing is. */

@@ -17,6 +17,11 @@ sealed interface Parameter {
   /** Whether there are words of the right form that are not allowed. */
   boolean limited();
 
+  /** Whether it is all that is left of a command, blanks included. */
+  default boolean takesRest() {
+    return false;
+  }
+
   /** Whether a word has the right form at all; if not, the command is unknown. */
   boolean isForm(String word);
 
@@ -45,7 +50,12 @@ sealed interface Parameter {
 
   /** Any word. */
   static Parameter word(String name) {
-    return new Word(name);
+    return new Word(name, false);
+  }
+
+  /** All words that are left, as one text with single blanks; only as the last parameter. */
+  static Parameter text(String name) {
+    return new Word(name, true);
   }
 
   /** A number in decimal digits. */
@@ -146,8 +156,12 @@ sealed interface Parameter {
     }
   }
 
-  /** Any word, but for the empty one between two blanks. */
-  record Word(String name) implements Parameter {
+  /**
+   * Any word, but for the empty one between two blanks.
+   *
+   * @param takesRest whether it goes on to the end of the command, over blanks
+   */
+  record Word(String name, boolean takesRest) implements Parameter {
 
     @Override
     public boolean limited() {
@@ -156,7 +170,7 @@ sealed interface Parameter {
 
     @Override
     public Phrase allowed() {
-      return Phrase.of("any word");
+      return takesRest ? Phrase.of("any text") : Phrase.of("any word");
     }
 
     @Override

@@ -16,6 +16,7 @@ import tellosimulator.model.DroneSpec;
 import tellosimulator.scenario.Scenario.Station;
 import tellosimulator.scenario.Section.Located;
 import tellosimulator.words.Phrase;
+import tellosimulator.words.Spelling;
 import tellosimulator.world.Arena;
 import tellosimulator.world.MissionPad;
 import tellosimulator.world.Obstacle;

@@ -5,6 +5,7 @@ import java.io.InputStream;
 import java.io.UncheckedIOException;
 import java.util.List;
 import java.util.Optional;
+import tellosimulator.words.Spelling;
 
 /** The scenarios that come with the program. For any thread. */
 public final class Gallery {

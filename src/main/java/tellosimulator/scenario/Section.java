@@ -11,6 +11,7 @@ import org.snakeyaml.engine.v2.nodes.NodeTuple;
 import org.snakeyaml.engine.v2.nodes.ScalarNode;
 import org.snakeyaml.engine.v2.nodes.SequenceNode;
 import tellosimulator.words.Phrase;
+import tellosimulator.words.Spelling;
 
 /** A mapping of a scenario file while it is read. */
 final class Section {

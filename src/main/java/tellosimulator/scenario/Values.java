@@ -19,6 +19,7 @@ import org.snakeyaml.engine.v2.resolver.ScalarResolver;
 import tellosimulator.network.AddressPlan;
 import tellosimulator.scenario.Measure.Unit;
 import tellosimulator.words.Phrase;
+import tellosimulator.words.Spelling;
 
 /**
  * How single values are read, and what is said if they cannot be. What is read of each obstacle is

@@ -110,7 +110,7 @@ final class CommandCases {
       BOARD_LED_BREATHE | EXT led br 0.1 0 128 255 | acknowledge Acknowledge[reply=Reply[text=led ok]]
       BOARD_LED_BLINK | EXT led bl 2.5 0 1 2 253 254 255 | acknowledge Acknowledge[reply=Reply[text=led ok]]
       BOARD_MATRIX | EXT mled g rbp0 | acknowledge Acknowledge[reply=Reply[text=matrix ok]]
-      BOARD_MATRIX_MOVE | EXT mled l r 2.5 hello | acknowledge Acknowledge[reply=Reply[text=matrix ok]]
+      BOARD_MATRIX_MOVE | EXT mled l r 2.5 hello world | acknowledge Acknowledge[reply=Reply[text=matrix ok]]
       BOARD_MATRIX_CHARACTER | EXT mled s p A | acknowledge Acknowledge[reply=Reply[text=matrix ok]]
       BOARD_MATRIX_BOOT | EXT mled sg rbp0 | acknowledge Acknowledge[reply=Reply[text=matrix ok]]
       BOARD_MATRIX_CLEAR | EXT mled sc | acknowledge Acknowledge[reply=Reply[text=matrix ok]]

@@ -112,6 +112,14 @@ class CommandHandlerTest {
           motoron|this drone does not know it, it came with SDK 3.0
           fly|there is no such command
           forward|expected `forward x`
+          Command|this command is written `command`
+          foward 50|there is no such command, did you mean `forward 50`?
+          forward100|there is no such command, did you mean `forward 100`?
+          Foward-5 x|there is no such command, did you mean `forward -5 x`?
+          battery|there is no such command, did you mean `battery?`?
+          take off|there is no such command
+          cw90|there is no such command, did you mean `cw 90`?
+          xyzzy 1 2|there is no such command
           """)
   void anUnknownCommandIsExplained(String text, String reason) {
     HandlerFixture drone = HandlerFixture.flying(Profile.EDU, Behaviour.REPORT);

@@ -1,4 +1,4 @@
-package tellosimulator.scenario;
+package tellosimulator.words;
 
 import java.util.Collection;
 import java.util.Comparator;
@@ -6,7 +6,7 @@ import java.util.Locale;
 import java.util.Optional;
 
 /** Guesses what somebody meant who wrote a word that is not known. */
-final class Spelling {
+public final class Spelling {
 
   /** A word is meant if at most about a third of its letters are wrong. Decided. */
   private static final int LETTERS_PER_SLIP = 3;
@@ -17,7 +17,7 @@ final class Spelling {
   private Spelling() {}
 
   /** The known word that is nearest to what was written, if it is near. */
-  static Optional<String> meant(String written, Collection<String> known) {
+  public static Optional<String> meant(String written, Collection<String> known) {
     if (written.length() > LONGEST) {
       return Optional.empty();
     }
