@@ -24,6 +24,11 @@ public sealed interface SimEvent {
   /** For people, one line. */
   Phrase phrase();
 
+  /** Whether the line is a clause about the drone, which lacks its subject: {@code took off}. */
+  default boolean ofDrone() {
+    return false;
+  }
+
   /** The same in English. */
   default String words() {
     return phrase().english();
@@ -143,6 +148,11 @@ public sealed interface SimEvent {
     }
 
     @Override
+    public boolean ofDrone() {
+      return true;
+    }
+
+    @Override
     public Phrase phrase() {
       return Phrase.of("`%s` from %s turned away: %s", WireText.printable(text), peer, reason);
     }
@@ -210,6 +220,11 @@ public sealed interface SimEvent {
   /** Something happened to a drone, other than a command or a reply. */
   record DroneFlight(SimTime time, int drone, FlightEvent event) implements SimEvent {
     @Override
+    public boolean ofDrone() {
+      return true;
+    }
+
+    @Override
     public Severity severity() {
       if (event instanceof FlightEvent.Crashed) {
         return Severity.ERROR;
@@ -266,6 +281,11 @@ public sealed interface SimEvent {
    * @param missed whether it is bad news
    */
   record GoalNews(SimTime time, int drone, Phrase phrase, boolean missed) implements SimEvent {
+    @Override
+    public boolean ofDrone() {
+      return drone > 0;
+    }
+
     @Override
     public Severity severity() {
       return missed ? Severity.WARNING : Severity.INFORMATION;

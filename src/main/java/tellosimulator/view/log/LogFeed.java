@@ -12,6 +12,7 @@ import tellosimulator.sim.SimEvent;
 import tellosimulator.sim.SimListener;
 import tellosimulator.sim.SimSnapshot;
 import tellosimulator.time.SimTime;
+import tellosimulator.view.log.LogLine.About;
 import tellosimulator.view.text.Language;
 import tellosimulator.words.Phrase;
 
@@ -56,12 +57,12 @@ public final class LogFeed implements SimListener {
   }
 
   /**
-   * Writes what the window has to say of a drone.
+   * Writes what the window has to say of a drone, with a subject of its own.
    *
    * @param drone its number, from 1
    */
   public void say(LogLevel level, int drone, Phrase phrase) {
-    add(new LogLine(now, level, drone, language -> language.say(phrase)));
+    add(new LogLine(now, level, new About(drone, false), language -> language.say(phrase)));
   }
 
   /**
@@ -70,7 +71,7 @@ public final class LogFeed implements SimListener {
    * @param saying makes it in each language
    */
   public void say(LogLevel level, Function<Language, String> saying) {
-    add(new LogLine(now, level, 0, saying::apply));
+    add(new LogLine(now, level, About.ALL, saying::apply));
   }
 
   /**
@@ -123,7 +124,10 @@ public final class LogFeed implements SimListener {
 
   private LogLine noted(LogLevel level, int drone, String key, Object... values) {
     return new LogLine(
-        now, level, drone, language -> language.messages(LogFeed.class).now(key, values));
+        now,
+        level,
+        About.subject(drone),
+        language -> language.messages(LogFeed.class).now(key, values));
   }
 
   private void add(LogLine line) {

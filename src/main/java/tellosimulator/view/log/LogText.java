@@ -29,9 +29,11 @@ final class LogText {
     return severalDrones && line.drone() > 0 ? messages.now("drone", line.drone()) : "";
   }
 
-  /** What happened. */
+  /** What happened; where no drone is named, as a sentence with a subject. */
   String words(LogLine line) {
-    return line.words(language);
+    String words = line.words(language);
+    boolean incomplete = line.about().subject() && !severalDrones;
+    return incomplete ? messages.now("sentence", words) : words;
   }
 
   /** What a search looks at: all that is shown but for the time. */

@@ -93,7 +93,7 @@ public final class Keeper implements AutoCloseable {
     if (film.isPresent()) {
       end();
     } else if (!source.powered.getAsBoolean()) {
-      say(false, Phrase.of("is off, so there is nothing to record"));
+      say(false, Phrase.of("the drone is off, so there is nothing to record"));
     } else {
       begin();
     }
@@ -108,9 +108,9 @@ public final class Keeper implements AutoCloseable {
       seconds.set(0);
       recording.set(true);
       source.stream.watch(begun);
-      say(true, Phrase.of("is being recorded: %s", begun.file()));
+      say(true, Phrase.of("the video is being recorded: %s", begun.file()));
     } catch (IOException e) {
-      say(false, Phrase.of("cannot be recorded: %s", IoReason.of(e)));
+      say(false, Phrase.of("the video cannot be recorded: %s", IoReason.of(e)));
     }
   }
 
@@ -155,7 +155,9 @@ public final class Keeper implements AutoCloseable {
       } else if (ended.pictures() == 0) {
         say(false, Phrase.of("no picture came, so nothing was recorded"));
       } else {
-        say(true, Phrase.of("was recorded, %d pictures: %s", ended.pictures(), ended.file()));
+        say(
+            true,
+            Phrase.of("the video was recorded, %d pictures: %s", ended.pictures(), ended.file()));
       }
     } catch (IOException e) {
       say(

@@ -73,7 +73,7 @@ class LogModelTest {
             new LogLine(
                 SimTime.ZERO,
                 LogLevel.INFO,
-                0,
+                LogLine.About.ALL,
                 in -> in.locale().equals(Locale.GERMAN) ? "gelandet" : "landed")));
     model.setText("landed");
     assertThat(words()).containsExactly("landed");
@@ -136,7 +136,7 @@ class LogModelTest {
   }
 
   private static LogLine line(LogLevel level, String words) {
-    return new LogLine(SimTime.ZERO, level, 0, language -> words);
+    return new LogLine(SimTime.ZERO, level, LogLine.About.ALL, language -> words);
   }
 
   private List<String> words() {
