@@ -23,9 +23,6 @@ public final class ReadReplies {
   /** Signal to noise of a link without loss. Report: {@code 90}. */
   private static final String WIFI = "90";
 
-  /** What the board's sensor reports without an echo. Documented: SDK 3.0 User Guide. */
-  private static final String BOARD_TOF_NONE = "tof 8192";
-
   /** What a reply may be made of. */
   private record Facts(SensorReadings sensors, DroneState state, double speed) {}
 
@@ -55,7 +52,7 @@ public final class ReadReplies {
     line(Reading.WIFI_VERSION, f -> "wifiv1.0.0.0");
     line(Reading.JOINED_NETWORK, f -> "");
     line(Reading.OWN_NETWORK, f -> format("RMTT-SIM%03d", drone));
-    table.put(Reading.BOARD_TOF, f -> new Reply(BOARD_TOF_NONE));
+    table.put(Reading.BOARD_TOF, f -> new Reply("tof " + instruments.boardTofMm(f.state())));
     table.put(Reading.BOARD_VERSION, f -> new Reply("esp32v1.0.0.0"));
   }
 

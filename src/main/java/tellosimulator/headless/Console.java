@@ -223,7 +223,7 @@ final class Console {
         tenths(position.x()),
         tenths(position.y()),
         tenths(position.z()),
-        tenths(Frames.yawOfHeading(state.motion().attitude().heading())),
+        tenths(Frames.yawOfHeading(state.reference().turned(state.motion().attitude()))),
         state.energy().battery().percent(),
         drone
             .link()

@@ -37,7 +37,8 @@ public final class DroneModel {
     this.drone = drone;
     this.start = start;
     this.motion = Motion.restingAt(start);
-    this.reference = new Reference(SimTime.ZERO, start.attitude().heading(), 0);
+    this.reference =
+        new Reference(SimTime.ZERO, start.attitude().heading(), 0, start.position().z());
   }
 
   /** An immutable copy of the present state. */
@@ -51,7 +52,7 @@ public final class DroneModel {
     phase = resting ? FlightPhase.GROUNDED : FlightPhase.FALLING;
     temperature = Temperature.COLD;
     motorTime = 0;
-    reference = new Reference(now, motion.attitude().heading(), 0);
+    reference = new Reference(now, motion.attitude().heading(), 0, motion.position().z());
     look(PadMode.OFF);
     video = VideoSettings.DEFAULT;
   }
@@ -61,10 +62,16 @@ public final class DroneModel {
     video = VideoSettings.DEFAULT;
   }
 
-  /** Back to the start, at rest. */
+  /** Back to the start, at rest; instruments count from there. */
   public void reset() {
     motion = Motion.restingAt(start);
     resting = true;
+    reference =
+        new Reference(
+            reference.poweredAt(),
+            start.attitude().heading(),
+            reference.takeoffs(),
+            start.position().z());
     look(PadMode.OFF);
     if (phase != FlightPhase.OFF) {
       phase = FlightPhase.GROUNDED;
@@ -96,7 +103,12 @@ public final class DroneModel {
 
   /** A takeoff begins: height counts anew. */
   public void countTakeoff() {
-    reference = new Reference(reference.poweredAt(), reference.heading(), reference.takeoffs() + 1);
+    reference =
+        new Reference(
+            reference.poweredAt(),
+            reference.heading(),
+            reference.takeoffs() + 1,
+            motion.position().z());
   }
 
   /** Comes to rest where it is: level if it is upright, on its back otherwise. */

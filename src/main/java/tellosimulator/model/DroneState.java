@@ -1,5 +1,7 @@
 package tellosimulator.model;
 
+import tellosimulator.math.Attitude;
+import tellosimulator.math.Frames;
 import tellosimulator.time.SimTime;
 
 /**
@@ -41,8 +43,16 @@ public record DroneState(
    * What instruments count from.
    *
    * @param poweredAt when the power came
-   * @param heading at power-on [rad]; yaw counts from it
-   * @param takeoffs since power-on; each latches height anew
+   * @param heading at power-on or reset [rad]; yaw and velocity count from it
+   * @param takeoffs since power-on
+   * @param height of the feet at power-on, at reset or at the last takeoff, the latest of these
+   *     [m]; {@code h} counts from it
    */
-  public record Reference(SimTime poweredAt, double heading, int takeoffs) {}
+  public record Reference(SimTime poweredAt, double heading, int takeoffs, double height) {
+
+    /** Where the nose points for the drone itself, counter-clockwise, within ±π [rad]. */
+    public double turned(Attitude attitude) {
+      return Frames.wrapped(attitude.heading() - heading);
+    }
+  }
 }

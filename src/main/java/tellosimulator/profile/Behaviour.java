@@ -90,9 +90,21 @@ public enum Behaviour {
     return pick(0.10, 0.28);
   }
 
-  /** Whether a {@code down} that is stopped by {@link #lowestHover} is answered at all. */
+  /**
+   * Whether a move that is stopped by {@link #lowestHover} counts as arrived: if not, {@code down}
+   * is never answered, and a flight by a pad ends with {@code error Run timeout}.
+   */
   public boolean answersLowDown() {
     return pick(true, false);
+  }
+
+  /**
+   * How far the sensor of the extension board looks ahead [m]. SDK 3.0 guide: 8192 mm stands for
+   * nothing within range, so report: up to that. Measured: 2 m at the most, the range of the
+   * VL53L0X that the board has (its firmware, RMTT_TOF; data sheet of ST).
+   */
+  public double boardRange() {
+    return pick(8.191, 2.0);
   }
 
   /** Whether {@code land} is carried out while another command runs, rather than refused. */

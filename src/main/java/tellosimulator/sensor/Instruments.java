@@ -17,7 +17,7 @@ import tellosimulator.time.SimTime;
 /**
  * IMU, barometer, distance sensor and the rest: from the true state to what the drone reports. The
  * same state over the same ground always gives the same readings, noise included. Immutable; for
- * the thread of the ground.
+ * the thread of the echoes.
  */
 public final class Instruments {
 
@@ -47,17 +47,25 @@ public final class Instruments {
 
   private static final double GREATEST_HEIGHT_OFFSET = 0.40;
 
+  /** Reported by the board's sensor where there is no echo [mm]. Documented: SDK 3.0 User Guide. */
+  static final int BOARD_NONE_MM = 8192;
+
+  /** Where that sensor is, body frame [m]. Assumed: on top, as far ahead as the camera. */
+  private static final Vec3 BOARD_SENSOR = new Vec3(0.035, 0, DroneSpec.HULL.height());
+
   private static final double STANDARD_MILLI_G = 1000 / DroneSpec.GRAVITY;
 
   private final boolean noisy;
   private final SeededNoise noise;
-  private final Ground ground;
+  private final double boardRange;
+  private final Echoes echoes;
 
   /**
-   * @param ground what the drone flies over
+   * @param echoes where the beams of the distance sensors come back from
    */
-  public Instruments(Behaviour behaviour, SeededNoise noise, Ground ground) {
-    this.ground = ground;
+  public Instruments(Behaviour behaviour, SeededNoise noise, Echoes echoes) {
+    this.echoes = echoes;
+    this.boardRange = behaviour.boardRange();
     this.noisy = behaviour.noisySensors();
     this.noise = noise;
   }
@@ -77,19 +85,31 @@ public final class Instruments {
 
   private int tofMm(Pose drone, Sample sample) {
     double error = sample.error(Channel.TOF, TOF_NOISE);
-    return TimeOfFlight.read(drone.attitude(), ground.below(drone), error);
+    return TimeOfFlight.read(drone.attitude(), echoes.below(drone), error);
+  }
+
+  /**
+   * What the distance sensor of the extension board reports [mm]: how far it is to what is ahead of
+   * it, or {@link #BOARD_NONE_MM}.
+   */
+  public int boardTofMm(DroneState state) {
+    Pose drone = state.motion().pose();
+    Vec3 sensor = drone.position().plus(drone.attitude().toRoom(BOARD_SENSOR));
+    Vec3 ahead = drone.attitude().toRoom(new Vec3(1, 0, 0));
+    double distance = echoes.along(sensor, ahead);
+    double read = distance + new Sample(state.time()).error(Channel.BOARD_TOF, TOF_NOISE);
+    return distance > boardRange ? BOARD_NONE_MM : (int) Math.max(0, Math.round(read * 1000));
   }
 
   private AttitudeDeg attitude(DroneState state, Sample sample) {
     Attitude attitude = state.motion().attitude();
-    double turned = attitude.heading() - state.reference().heading();
     double drift =
         noisy
             ? YAW_DRIFT
                 * noise.gaussian(Channel.YAW_DRIFT, state.reference().poweredAt().nanos())
                 * state.time().since(state.reference().poweredAt())
             : 0;
-    double yaw = Frames.yawOfHeading(Frames.wrapped(turned)) + drift;
+    double yaw = Frames.yawOfHeading(state.reference().turned(attitude)) + drift;
     double pitch =
         StrictMath.toDegrees(attitude.elevation()) + sample.error(Channel.PITCH, ANGLE_NOISE);
     double roll = StrictMath.toDegrees(attitude.bank()) + sample.error(Channel.ROLL, ANGLE_NOISE);
@@ -106,7 +126,7 @@ public final class Instruments {
 
   private int heightDm(DroneState state) {
     int takeoffs = state.reference().takeoffs();
-    double height = state.motion().position().z();
+    double height = state.motion().position().z() - state.reference().height();
     if (!noisy || takeoffs == 0) {
       return (int) Math.round(height * 10);
     }

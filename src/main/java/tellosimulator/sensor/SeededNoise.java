@@ -26,7 +26,8 @@ public final class SeededNoise {
     MOVE_X,
     MOVE_Y,
     MOVE_Z,
-    MOVE_HEADING
+    MOVE_HEADING,
+    BOARD_TOF
   }
 
   private final long seed;

@@ -123,7 +123,7 @@ final class Drone {
     this.events = neighbourhood.events();
     this.noise = new SeededNoise(neighbourhood.seed(), number);
     this.instruments =
-        new Instruments(behaviour, noise, neighbourhood.surroundings().ground(number));
+        new Instruments(behaviour, noise, neighbourhood.surroundings().echoes(number));
     this.state = model.snapshot(now);
     Outlets outlets = setup.outlets();
     this.session =

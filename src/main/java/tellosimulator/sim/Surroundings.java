@@ -5,7 +5,7 @@ import java.util.Optional;
 import tellosimulator.math.Pose;
 import tellosimulator.math.Vec3;
 import tellosimulator.model.DroneSpec;
-import tellosimulator.sensor.Ground;
+import tellosimulator.sensor.Echoes;
 import tellosimulator.sensor.PadDetector.Card;
 import tellosimulator.time.SimTime;
 import tellosimulator.world.Arena;
@@ -83,21 +83,34 @@ final class Surroundings {
     return obstacles.distance(from, way.normalized(), distance) >= distance - 0.01;
   }
 
-  /** What a drone flies over: floor, obstacles, other drones. */
-  Ground ground(int number) {
-    return drone -> below(drone, number);
+  /** What a drone's distance sensors see: the room, obstacles, other drones. */
+  Echoes echoes(int number) {
+    return new Echoes() {
+      @Override
+      public double below(Pose drone) {
+        double down = drone.attitude().up().z();
+        return down > 0
+            ? nearest(
+                number,
+                drone.position(),
+                drone.attitude().up().times(-1),
+                drone.position().z() / down)
+            : Double.POSITIVE_INFINITY;
+      }
+
+      @Override
+      public double along(Vec3 origin, Vec3 direction) {
+        return nearest(number, origin, direction, arena.room().distance(origin, direction));
+      }
+    };
   }
 
-  private double below(Pose pose, int number) {
-    double floor = Ground.FLOOR.below(pose);
-    if (Double.isInfinite(floor)) {
-      return floor;
-    }
-    Vec3 down = pose.attitude().up().times(-1);
-    double nearest = obstacles.distance(pose.position(), down, floor);
+  /** The distance along a ray to an obstacle or another drone, or {@code limit} [m]. */
+  private double nearest(int number, Vec3 origin, Vec3 direction, double limit) {
+    double nearest = obstacles.distance(origin, direction, limit);
     for (Drone other : drones) {
       if (other.number() != number) {
-        nearest = Math.min(nearest, other.distanceAlong(pose.position(), down));
+        nearest = Math.min(nearest, other.distanceAlong(origin, direction));
       }
     }
     return nearest;

@@ -21,7 +21,7 @@ import tellosimulator.sim.SimSnapshot.DroneSnapshot;
  * by {@link FxSimulation}; for the JavaFX thread only.
  *
  * <p>Positions are in the room frame and in centimetres, angles in degrees with the signs of the
- * wire: yaw clockwise, pitch nose up, roll right side down.
+ * wire: yaw clockwise from the heading at power-on, pitch nose up, roll right side down.
  */
 public final class FxDroneModel {
 
@@ -60,6 +60,8 @@ public final class FxDroneModel {
       pose.set(newPose);
       show(newPose);
     }
+    double turned = newest.state().reference().turned(newPose.attitude());
+    yawDeg.set(Frames.yawOfHeading(turned));
     start.set(newest.start());
     phase.set(newest.state().phase());
     operator.set(newest.link().operator());
@@ -75,7 +77,6 @@ public final class FxDroneModel {
     yCm.set(Frames.centimetres(position.y()));
     zCm.set(Frames.centimetres(position.z()));
     Attitude attitude = newPose.attitude();
-    yawDeg.set(Frames.yawOfHeading(attitude.heading()));
     pitchDeg.set(Math.toDegrees(attitude.elevation()));
     rollDeg.set(Math.toDegrees(attitude.bank()));
   }
@@ -137,7 +138,10 @@ public final class FxDroneModel {
     return zCm.getReadOnlyProperty();
   }
 
-  /** Clockwise seen from above, 0 along x of the room, within ±180. */
+  /**
+   * Clockwise seen from above, within ±180: what the state line says, but for noise. 0 is where the
+   * nose pointed when the power came or the drone was put back to its start.
+   */
   public ReadOnlyDoubleProperty yawDegProperty() {
     return yawDeg.getReadOnlyProperty();
   }

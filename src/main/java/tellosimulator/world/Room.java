@@ -36,6 +36,26 @@ public record Room(double width, double depth, double height) {
         && position.z() <= height - hull.height();
   }
 
+  /**
+   * How far it is from a place inside to the side that a ray leaves through [m].
+   *
+   * @param direction unit vector
+   */
+  public double distance(Vec3 origin, Vec3 direction) {
+    double level =
+        Math.min(
+            way(origin.x(), direction.x(), -depth / 2, depth / 2),
+            way(origin.y(), direction.y(), -width / 2, width / 2));
+    return Math.max(0, Math.min(level, way(origin.z(), direction.z(), 0, height)));
+  }
+
+  private static double way(double origin, double direction, double low, double high) {
+    if (direction == 0) {
+      return Double.POSITIVE_INFINITY;
+    }
+    return ((direction > 0 ? high : low) - origin) / direction;
+  }
+
   /** The position nearest to {@code position} at which the hull fits. */
   public Vec3 nearestInside(Vec3 position, Hull hull) {
     return new Vec3(

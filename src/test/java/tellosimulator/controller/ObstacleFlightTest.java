@@ -127,6 +127,28 @@ class ObstacleFlightTest {
   }
 
   @Test
+  void heightCountsFromThePlaceOfTheLastTakeoff() {
+    SimulatedDrone drone = flying(Behaviour.REPORT, TABLE);
+    drone.ask("up 70");
+    drone.ask("forward 100");
+    drone.ask("land");
+    assertThat(drone.ask("height?")).as("still from the floor").isEqualTo("5dm\r\n");
+
+    drone.ask("takeoff");
+
+    drone.advance(0.2);
+    assertThat(line(drone)).as("30 cm above the table").contains("tof:30;h:30;");
+    assertThat(drone.ask("height?")).isEqualTo("3dm\r\n");
+    drone.ask("back 100");
+    drone.advance(0.2);
+    assertThat(line(drone)).as("80 cm above the floor").contains("tof:80;h:30;");
+    drone.ask("land");
+    assertThat(drone.ask("height?")).as("50 cm below the table").isEqualTo("-5dm\r\n");
+    drone.control(new Control.Reset(1));
+    assertThat(drone.ask("height?")).isEqualTo("0dm\r\n");
+  }
+
+  @Test
   void aDroneWhoseTableIsTakenAwayFalls() {
     SimulatedDrone drone = flying(Behaviour.REPORT, TABLE);
     drone.ask("up 70");

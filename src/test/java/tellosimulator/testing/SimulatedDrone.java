@@ -167,12 +167,12 @@ public final class SimulatedDrone {
 
   /** The drone at the end of the last step. */
   public DroneState state() {
-    return drone().state();
+    return snapshot().state();
   }
 
   /** Where state and video go. */
   public Link link() {
-    return drone().link();
+    return snapshot().link();
   }
 
   /** All replies so far, in order. */
@@ -190,7 +190,8 @@ public final class SimulatedDrone {
     return List.copyOf(events);
   }
 
-  private DroneSnapshot drone() {
+  /** All that a snapshot has of the drone, at the end of the last step. */
+  public DroneSnapshot snapshot() {
     return simulation.snapshot().drones().get(0);
   }
 
