@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.mockito.Mockito.mock;
 import static org.mockito.Mockito.when;
 
+import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.util.Locale;
 import org.junit.jupiter.api.Test;
@@ -63,7 +64,7 @@ class LogTextTest {
     LogFeed feed = new LogFeed();
     PortTakenException refusal = mock(PortTakenException.class);
     when(refusal.obstacle()).thenReturn(PortTakenException.Obstacle.FORBIDDEN);
-    when(refusal.address()).thenReturn(new InetSocketAddress("127.0.0.1", 80));
+    when(refusal.address()).thenReturn(new InetSocketAddress(InetAddress.getLoopbackAddress(), 80));
     feed.cannotSwitchOn(1, refusal);
 
     assertThat(alone.words(feed.drain().get(0))).startsWith("The drone cannot be switched on:");
