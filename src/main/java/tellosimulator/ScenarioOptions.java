@@ -12,6 +12,7 @@ import picocli.CommandLine.ITypeConverter;
 import picocli.CommandLine.TypeConversionException;
 import tellosimulator.scenario.Gallery;
 import tellosimulator.scenario.Scenario;
+import tellosimulator.scenario.ScenarioDocument;
 import tellosimulator.scenario.ScenarioException;
 import tellosimulator.scenario.ScenarioFile;
 import tellosimulator.scenery.room.PictureFile;
@@ -112,12 +113,12 @@ final class ScenarioOptions {
     @Override
     public OpenedScenario convert(String word) throws ScenarioException {
       Path file = path(word);
-      Optional<Scenario> known = Gallery.find(word);
+      Optional<ScenarioDocument> known = Gallery.open(word);
       if (Files.exists(file) || (known.isEmpty() && looksLikeAFile(word))) {
-        return OpenedScenario.of(ScenarioFile.read(file), file);
+        return OpenedScenario.of(ScenarioFile.open(file), file);
       }
       return known
-          .map(scenario -> OpenedScenario.known(scenario, word))
+          .map(document -> OpenedScenario.known(document, word))
           .orElseThrow(() -> new TypeConversionException(unknown(word)));
     }
 

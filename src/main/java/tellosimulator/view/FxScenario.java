@@ -3,6 +3,8 @@ package tellosimulator.view;
 import java.nio.file.Path;
 import java.util.Optional;
 import java.util.function.Supplier;
+import javafx.beans.property.ReadOnlyBooleanProperty;
+import javafx.beans.property.ReadOnlyBooleanWrapper;
 import javafx.beans.property.ReadOnlyObjectProperty;
 import javafx.beans.property.ReadOnlyObjectWrapper;
 import tellosimulator.goal.GoalWatch;
@@ -18,6 +20,7 @@ public final class FxScenario {
 
   private final Scenario scenario;
   private final ReadOnlyObjectWrapper<Optional<Path>> file;
+  private final ReadOnlyBooleanWrapper unsaved = new ReadOnlyBooleanWrapper(this, "unsaved");
   private final ScenarioDesk desk;
   private final Supplier<Progress> newest;
   private final ReadOnlyObjectWrapper<Progress> progress;
@@ -64,6 +67,15 @@ public final class FxScenario {
   /** It has been written to a file. */
   void savedAs(Path newFile) {
     file.set(Optional.of(newFile));
+  }
+
+  /** Whether there is something that no file has. */
+  public ReadOnlyBooleanProperty unsavedProperty() {
+    return unsaved.getReadOnlyProperty();
+  }
+
+  void setUnsaved(boolean newUnsaved) {
+    unsaved.set(newUnsaved);
   }
 
   /** Where other scenarios are had. */

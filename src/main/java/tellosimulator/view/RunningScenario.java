@@ -10,12 +10,15 @@ import tellosimulator.goal.GoalWatch;
 import tellosimulator.network.AddressPlan;
 import tellosimulator.network.OnlineSimulation;
 import tellosimulator.scenario.Scenario;
+import tellosimulator.scenario.ScenarioDocument;
+import tellosimulator.scenario.ScenarioFile;
 import tellosimulator.sim.DroneSetup;
 import tellosimulator.sim.LogLimiter;
 import tellosimulator.sim.SimConfig.Outlets;
 import tellosimulator.sim.SimSnapshot;
 import tellosimulator.sim.SimSnapshot.DroneSnapshot;
 import tellosimulator.video.camera.DroneOptics;
+import tellosimulator.view.layout.Question;
 import tellosimulator.view.layout.WindowState;
 import tellosimulator.view.log.LogFeed;
 import tellosimulator.view.settings.Settings;
@@ -78,6 +81,7 @@ final class RunningScenario implements AutoCloseable {
     FxScenario scenario = new FxScenario(opened.scenario(), opened.file(), goals, desk);
     context = ViewContext.of(simulation, frame.language.linked(), video, scenario);
     context.pulse().onBeat(nanos -> warmUp());
+    context.pulse().onBeat(nanos -> scenario.setUnsaved(unsaved()));
     window = new SimulatorWindow(frame.stage, context, frame.state.linked(), feed);
     window.remember(frame.settings);
     window.show();
@@ -114,7 +118,7 @@ final class RunningScenario implements AutoCloseable {
   }
 
   /** The scenario with room and starts as they are now. */
-  Scenario present() {
+  private Scenario present() {
     SimSnapshot snapshot = simulation.snapshot();
     List<DroneSetup> setups = new ArrayList<>();
     for (DroneSnapshot drone : snapshot.drones()) {
@@ -127,10 +131,37 @@ final class RunningScenario implements AutoCloseable {
         .withConfig(opened.scenario().config().withArena(snapshot.arena()).withDrones(setups));
   }
 
+  /** The document of what is there now, as it would be in a file. */
+  ScenarioDocument toSave(Path file) {
+    Scenario wanted = opened.toSave(present());
+    return opened.document().changedTo(wanted, ScenarioFile.folder(file));
+  }
+
+  /** Whether there is something that no file has. */
+  boolean unsaved() {
+    return opened.unsaved(present());
+  }
+
   /** It has been written to a file, which from now on is the one to open again. */
-  void savedAs(Path file) {
-    opened = OpenedScenario.of(opened.scenario(), file);
+  void savedAs(ScenarioDocument document, Path file) {
+    opened = OpenedScenario.of(document, file).with(present());
     context.scenario().savedAs(file);
+    context.scenario().setUnsaved(unsaved());
+  }
+
+  /** Saves it to its file, or lets somebody choose one. */
+  void save() {
+    window.save();
+  }
+
+  /** Whether a question waits for an answer. */
+  boolean asks() {
+    return window.asks();
+  }
+
+  /** Asks something in the window. */
+  void ask(Question question) {
+    window.ask(question);
   }
 
   /** Ends the window's part of it; the stage stays. */

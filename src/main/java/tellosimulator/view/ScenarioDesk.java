@@ -24,7 +24,7 @@ public interface ScenarioDesk {
         public void save(Path file) {}
       };
 
-  /** Opens a file in place of what is flown. */
+  /** Opens a file in place of what is flown; asks before edits are lost, as those below do. */
   void open(Path file);
 
   /**
@@ -39,6 +39,7 @@ public interface ScenarioDesk {
 
   /**
    * Writes room, drones and goals, as they are now, to a file, which from then on is the opened.
+   * Asks before it loses what another program has written into that file.
    */
   void save(Path file);
 }

@@ -22,6 +22,8 @@ import tellosimulator.scenario.ScenarioFile;
 import tellosimulator.video.camera.DroneOptics;
 import tellosimulator.view.RunningScenario.Frame;
 import tellosimulator.view.RunningScenario.Wire;
+import tellosimulator.view.layout.Question;
+import tellosimulator.view.layout.Question.Answer;
 import tellosimulator.view.layout.WindowState;
 import tellosimulator.view.log.LogFeed;
 import tellosimulator.view.log.LogLevel;
@@ -110,6 +112,13 @@ public final class SimulatorApp implements AutoCloseable, ScenarioDesk {
     Language language = new Language(Locale.getDefault());
     settings.bind("language", language.localeProperty(), Language.codec());
     frame = new Frame(stage, language, state, settings);
+    stage.setOnCloseRequest(
+        event -> {
+          if (running.unsaved()) {
+            event.consume();
+            unlessLost(stage::hide);
+          }
+        });
     stage.setOnHidden(
         hidden -> {
           running.leave();
@@ -128,11 +137,24 @@ public final class SimulatorApp implements AutoCloseable, ScenarioDesk {
 
   private void lookAtFile(long nanos) {
     if (watch.isPresent() && watch.get().changed(nanos)) {
-      feed.say(
-          LogLevel.INFO,
-          language -> language.messages(SimulatorApp.class).now("scenario-changed", name()));
-      Platform.runLater(this::reload); // not within the beat that it ends
+      Platform.runLater(this::fileChanged); // not within the beat that it ends
     }
+  }
+
+  private void fileChanged() {
+    if (running.unsaved() && running.asks()) {
+      return; // one thing after the other; saving looks again
+    }
+    if (running.unsaved()) {
+      ask("file-changed", new Answer("keep", () -> {}), new Answer("read-again", this::readAgain));
+    } else {
+      readAgain();
+    }
+  }
+
+  private void readAgain() {
+    say(LogLevel.INFO, "scenario-changed", name());
+    openAgain();
   }
 
   private String name() {
@@ -143,8 +165,12 @@ public final class SimulatorApp implements AutoCloseable, ScenarioDesk {
 
   @Override
   public void open(Path file) {
+    unlessLost(() -> openFile(file));
+  }
+
+  private void openFile(Path file) {
     try {
-      replaceBy(OpenedScenario.of(ScenarioFile.read(file), file));
+      replaceBy(OpenedScenario.of(ScenarioFile.open(file), file));
     } catch (ScenarioException e) {
       complain(e.mistakes().stream().map(SimulatorApp::saying).toList());
     }
@@ -152,36 +178,93 @@ public final class SimulatorApp implements AutoCloseable, ScenarioDesk {
 
   @Override
   public void openKnown(String name) {
-    Gallery.find(name).ifPresent(known -> replaceBy(OpenedScenario.known(known, name)));
+    unlessLost(() -> openOfProgram(name));
+  }
+
+  private void openOfProgram(String name) {
+    Gallery.open(name).ifPresent(known -> replaceBy(OpenedScenario.known(known, name)));
   }
 
   @Override
   public void reload() {
+    unlessLost(this::openAgain);
+  }
+
+  private void openAgain() {
     OpenedScenario opened = running.opened();
-    opened.file().ifPresent(this::open);
-    opened.known().ifPresent(this::openKnown);
+    opened.file().ifPresent(this::openFile);
+    opened.known().ifPresent(this::openOfProgram);
+  }
+
+  /** Does something, at once or after somebody has said what becomes of unsaved edits. */
+  private void unlessLost(Runnable action) {
+    if (!running.unsaved()) {
+      action.run();
+      return;
+    }
+    Runnable saveFirst =
+        () -> {
+          running.save();
+          if (!running.unsaved()) { // it may not have worked, or no file was chosen
+            action.run();
+          }
+        };
+    ask(
+        "unsaved",
+        new Answer("save", saveFirst),
+        new Answer("do-not-save", action),
+        new Answer("go-on", () -> {}));
+  }
+
+  private void ask(String key, Answer... answers) {
+    running.ask(new Question(key, title(running.opened()), List.of(answers)));
   }
 
   @Override
   public void save(Path file) {
+    boolean ours = running.opened().file().filter(file::equals).isPresent();
     try {
-      ScenarioFile.write(
-          ScenarioDocument.of(running.present())
-              .changedTo(running.present(), ScenarioFile.folder(file)),
-          file);
-      feed.say(
-          LogLevel.INFO,
-          language -> language.messages(SimulatorApp.class).now("scenario-saved", file));
-      running.savedAs(file);
-      watch = Optional.of(new FileWatch(file));
+      if (ours && !ScenarioFile.holds(file, running.opened().document())) {
+        ask(
+            "overwrite",
+            new Answer("go-on", () -> {}),
+            new Answer("overwrite-it", () -> write(file)));
+        return;
+      }
     } catch (IOException e) {
-      feed.say(
-          LogLevel.ERROR,
-          language ->
-              language
-                  .messages(SimulatorApp.class)
-                  .now("scenario-not-saved", file, e.getMessage()));
+      notSaved(file, e);
+      return;
     }
+    write(file);
+  }
+
+  private void write(Path file) {
+    ScenarioDocument document = running.toSave(file);
+    try {
+      ScenarioFile.write(document, file);
+    } catch (IOException e) {
+      notSaved(file, e);
+      return;
+    }
+    say(LogLevel.INFO, "scenario-saved", file);
+    if (document.kept() != ScenarioDocument.Kept.ALL) {
+      say(LogLevel.WARN, "scenario-written-anew", file);
+    }
+    running.savedAs(document, file);
+    watch = Optional.of(new FileWatch(file));
+    try {
+      ScenarioFile.read(file);
+    } catch (ScenarioException e) { // a gate may be gone of which a goal speaks
+      e.mistakes().forEach(mistake -> feed.say(LogLevel.WARN, saying(mistake)));
+    }
+  }
+
+  private void notSaved(Path file, IOException e) {
+    say(LogLevel.ERROR, "scenario-not-saved", file, e.getMessage());
+  }
+
+  private void say(LogLevel level, String key, Object... about) {
+    feed.say(level, language -> language.messages(SimulatorApp.class).now(key, about));
   }
 
   /** Ends what is flown and begins something else, in the same stage. */
@@ -200,9 +283,7 @@ public final class SimulatorApp implements AutoCloseable, ScenarioDesk {
     running.forget();
     running.close();
     running = new RunningScenario(next, wire, optics, feed);
-    feed.say(
-        LogLevel.INFO,
-        language -> language.messages(SimulatorApp.class).now("scenario-opened", title(next)));
+    say(LogLevel.INFO, "scenario-opened", title(next));
     show(running);
     if (on) {
       running.switchOn();

@@ -13,6 +13,7 @@ import javafx.scene.input.KeyCombination;
 import javafx.scene.layout.StackPane;
 import javafx.scene.layout.VBox;
 import javafx.stage.Stage;
+import javafx.stage.WindowEvent;
 import javafx.util.Subscription;
 import tellosimulator.math.Frames;
 import tellosimulator.sim.Control;
@@ -21,6 +22,7 @@ import tellosimulator.view.controls.NetworkControls;
 import tellosimulator.view.controls.SimulatorControls;
 import tellosimulator.view.goal.GoalPanel;
 import tellosimulator.view.layout.PageOverlay;
+import tellosimulator.view.layout.Question;
 import tellosimulator.view.layout.SimulatorPane;
 import tellosimulator.view.layout.WindowBar;
 import tellosimulator.view.layout.WindowKey;
@@ -116,6 +118,7 @@ public final class SimulatorWindow implements AutoCloseable {
                     report.drone(),
                     report.phrase()));
     follow(context.scenario().fileProperty().subscribe(file -> stage.setTitle(title())));
+    follow(context.scenario().unsavedProperty().subscribe(unsaved -> stage.setTitle(title())));
     stage.setFullScreenExitHint("");
     stage.setFullScreenExitKeyCombination(KeyCombination.NO_MATCH);
   }
@@ -127,7 +130,8 @@ public final class SimulatorWindow implements AutoCloseable {
             .file()
             .map(file -> file.getFileName().toString())
             .orElse(scenario.scenario().name());
-    return name.isEmpty() ? "Tello Simulator" : name + " – Tello Simulator";
+    String mark = scenario.unsavedProperty().get() ? "* " : "";
+    return mark + (name.isEmpty() ? "Tello Simulator" : name + " – Tello Simulator");
   }
 
   /**
@@ -187,11 +191,17 @@ public final class SimulatorWindow implements AutoCloseable {
         .on(WindowKey.NEXT_DRONE, () -> context.simulation().selectNext(1))
         .on(WindowKey.PREVIOUS_DRONE, () -> context.simulation().selectNext(-1))
         .on(WindowKey.OPEN_SCENARIO, bar.scenarios()::chooseToOpen)
-        .on(WindowKey.SAVE_SCENARIO, bar.scenarios()::chooseToSave)
+        .on(WindowKey.SAVE_SCENARIO, this::save)
+        .on(WindowKey.SAVE_SCENARIO_AS, bar.scenarios()::chooseToSave)
         .on(WindowKey.RELOAD_SCENARIO, context.scenario().desk()::reload)
         .on(WindowKey.AGAIN, goals::again)
         .on(WindowKey.SEARCH_LOG, this::searchLog)
-        .on(WindowKey.QUIT, stage::hide);
+        .on(WindowKey.QUIT, this::quit);
+  }
+
+  /** As the button of the frame does. */
+  private void quit() {
+    stage.fireEvent(new WindowEvent(stage, WindowEvent.WINDOW_CLOSE_REQUEST));
   }
 
   private static void toggle(BooleanProperty property) {
@@ -302,6 +312,21 @@ public final class SimulatorWindow implements AutoCloseable {
   /** Says what is wrong with a scenario. */
   void show(List<Function<Language, String>> mistakes) {
     pages.show(mistakes);
+  }
+
+  /** Asks something. */
+  void ask(Question question) {
+    pages.ask(question);
+  }
+
+  /** Whether a question waits for an answer. */
+  boolean asks() {
+    return pages.asks();
+  }
+
+  /** Saves the scenario to its file, or lets somebody choose one. */
+  void save() {
+    bar.scenarios().save();
   }
 
   /** Ends what it does beside showing; what its log showed, the next one shows. */

@@ -52,13 +52,28 @@ public final class PageOverlay extends StackPane {
     show(page, page.closeButton());
   }
 
+  /** Asks something. */
+  public void ask(Question question) {
+    QuestionPage page = new QuestionPage(context, question, () -> pane.hide(true));
+    open(page, page.usualButton());
+  }
+
+  /** Whether a question waits for an answer. */
+  public boolean asks() {
+    return pane.isDisplay() && pane.getContent() instanceof QuestionPage;
+  }
+
   private void show(Node page, Button close) {
     close.setOnAction(pressed -> pane.hide(true));
+    open(page, close);
+  }
+
+  private void open(Node page, Button first) {
     if (!pane.isDisplay()) {
       focusedBefore = Optional.ofNullable(getScene().getFocusOwner());
     }
     pane.show(page);
-    close.requestFocus();
+    first.requestFocus();
   }
 
   private void initializeSelf() {

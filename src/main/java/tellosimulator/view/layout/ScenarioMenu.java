@@ -51,10 +51,14 @@ public final class ScenarioMenu extends MenuButton {
     accessibleTextProperty().bind(messages.text("scenarios"));
     MenuItem reload = item("scenario-reload", KeyCode.R, desk::reload);
     reload.setDisable(scenario.plain());
+    MenuItem saveAs = item("scenario-save-as", KeyCode.S, this::chooseToSave);
+    saveAs.setAccelerator(
+        new KeyCodeCombination(KeyCode.S, KeyCombination.SHIFT_DOWN, KeyCombination.SHORTCUT_DOWN));
     getItems()
         .setAll(
             item("scenario-open", KeyCode.O, this::chooseToOpen),
-            item("scenario-save", KeyCode.S, this::chooseToSave),
+            item("scenario-save", KeyCode.S, this::save),
+            saveAs,
             reload,
             new SeparatorMenuItem());
     setOnShowing(event -> listKnown());
@@ -67,9 +71,14 @@ public final class ScenarioMenu extends MenuButton {
     chosen.map(File::toPath).ifPresent(desk::open);
   }
 
+  /** Writes what is there now to the file from which it came, or lets somebody choose one. */
+  public void save() {
+    scenario.file().ifPresentOrElse(desk::save, this::chooseToSave);
+  }
+
   /** Lets somebody choose a file, and writes what is there now to it. */
   public void chooseToSave() {
-    FileChooser chooser = chooser("scenario-save");
+    FileChooser chooser = chooser("scenario-save-as");
     String name =
         scenario.file().map(Path::getFileName).map(Path::toString).orElse(suggestedName());
     chooser.setInitialFileName(name);

@@ -34,26 +34,36 @@ public enum WindowKey {
   PREVIOUS_DRONE(KeyCode.PAGE_UP),
   OPEN_SCENARIO(KeyCombination.SHORTCUT_DOWN, KeyCode.O),
   SAVE_SCENARIO(KeyCombination.SHORTCUT_DOWN, KeyCode.S),
+  SAVE_SCENARIO_AS(KeyCode.S, KeyCombination.SHORTCUT_DOWN, KeyCombination.SHIFT_DOWN),
   RELOAD_SCENARIO(KeyCombination.SHORTCUT_DOWN, KeyCode.R),
   AGAIN(KeyCombination.SHORTCUT_DOWN, KeyCode.N),
   SEARCH_LOG(KeyCombination.SHORTCUT_DOWN, KeyCode.F),
   QUIT(KeyCombination.SHORTCUT_DOWN, KeyCode.Q);
 
   private final boolean withShortcut;
+  private final boolean withShift;
   private final List<KeyCode> codes;
   private final List<KeyCombination> combinations;
 
   WindowKey(KeyCode... codes) {
     this.withShortcut = false;
+    this.withShift = false;
     this.codes = List.of(codes);
     this.combinations =
         Arrays.stream(codes).map(code -> (KeyCombination) new KeyCodeCombination(code)).toList();
   }
 
   WindowKey(KeyCombination.Modifier shortcut, KeyCode code) {
+    this(code, shortcut);
+  }
+
+  WindowKey(KeyCode code, KeyCombination.Modifier shortcut, KeyCombination.Modifier... more) {
     this.withShortcut = true;
+    this.withShift = more.length > 0;
     this.codes = List.of(code);
-    this.combinations = List.of(new KeyCodeCombination(code, shortcut));
+    KeyCombination.Modifier[] modifiers = Arrays.copyOf(more, more.length + 1);
+    modifiers[more.length] = shortcut;
+    this.combinations = List.of(new KeyCodeCombination(code, modifiers));
   }
 
   boolean matches(KeyEvent event) {
@@ -72,7 +82,8 @@ public enum WindowKey {
 
   /** What is written on the keys, for people. */
   public String symbols(Messages messages) {
-    String prefix = withShortcut ? shortcut(messages) : "";
+    String shift = withShift ? messages.now("shift") + "+" : "";
+    String prefix = shift + (withShortcut ? shortcut(messages) : "");
     return codes.stream()
         .filter(code -> !code.isKeypadKey())
         .map(code -> prefix + symbol(code, messages))

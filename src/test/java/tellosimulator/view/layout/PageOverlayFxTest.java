@@ -170,6 +170,7 @@ class PageOverlayFxTest {
         "HELP",
         "OPEN_SCENARIO",
         "SAVE_SCENARIO",
+        "SAVE_SCENARIO_AS",
         "RELOAD_SCENARIO",
         "AGAIN",
         "SEARCH_LOG",
@@ -188,6 +189,7 @@ class PageOverlayFxTest {
   void keysWithControlAct(FxRobot robot) {
     robot.press(KeyCode.CONTROL);
     robot.type(KeyCode.O, KeyCode.S, KeyCode.R, KeyCode.N, KeyCode.F);
+    robot.press(KeyCode.SHIFT).type(KeyCode.S).release(KeyCode.SHIFT);
     robot.release(KeyCode.CONTROL).type(KeyCode.HOME);
 
     assertThat(pressed)
@@ -197,6 +199,7 @@ class PageOverlayFxTest {
             WindowKey.RELOAD_SCENARIO,
             WindowKey.AGAIN,
             WindowKey.SEARCH_LOG,
+            WindowKey.SAVE_SCENARIO_AS,
             WindowKey.RESET_VIEW);
   }
 
