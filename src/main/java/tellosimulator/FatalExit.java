@@ -53,7 +53,8 @@ final class FatalExit implements Thread.UncaughtExceptionHandler {
     // a class that is loaded only when memory is full cannot be loaded any more
     Exceptions.isFatal(new StackOverflowError());
     ExitDeadline deadline = new ExitDeadline(CODE, PATIENCE_NANOS);
-    FatalExit installed = new FatalExit(deadline::begin, FatalExit::flushAndExit, Runtime.getRuntime()::halt);
+    FatalExit installed =
+        new FatalExit(deadline::begin, FatalExit::flushAndExit, Runtime.getRuntime()::halt);
     Thread.setDefaultUncaughtExceptionHandler(installed);
     return installed;
   }

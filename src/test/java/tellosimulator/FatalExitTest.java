@@ -17,7 +17,8 @@ import tellosimulator.testing.CapturedLog;
 class FatalExitTest {
 
   private final List<Object> happened = new ArrayList<>();
-  private final FatalExit fatal = new FatalExit(
+  private final FatalExit fatal =
+      new FatalExit(
           () -> happened.add("deadline"), happened::add, code -> happened.add("halt " + code));
 
   @Test

@@ -31,7 +31,8 @@ class ScarceMemoryTest {
   @Test
   void videoWithoutMemoryHarmsNothingElse() throws Exception {
     try (DatagramSocket video = new DatagramSocket(new InetSocketAddress(LOOPBACK, 0));
-        ProgramProcess program = scarce("-Xmx32m", "--time-factor max --video-port " + video.getLocalPort())) {
+        ProgramProcess program =
+            scarce("-Xmx32m", "--time-factor max --video-port " + video.getLocalPort())) {
       int port = program.port();
       assertThat(ProgramProcess.ask("command", port)).isEqualTo("ok");
       for (int i = 0; i < 2; i++) {
@@ -104,8 +105,7 @@ class ScarceMemoryTest {
   }
 
   private static ProgramProcess scarce(String heap, String options) throws IOException {
-    return ProgramProcess.start(
-        Main.class, "--headless " + options, "", heap);
+    return ProgramProcess.start(Main.class, "--headless " + options, "", heap);
   }
 
   private static void flood(int port) throws IOException {

@@ -10,8 +10,8 @@ import tellosimulator.time.SimTime;
 
 /**
  * Replies on their way out, in order; those to be given at once may take a moment, as on the real
- * link. How many wait is bounded, in all and for each peer, because time may stand still: the oldest
- * is dropped. For the simulation thread.
+ * link. How many wait is bounded, in all and for each peer, because time may stand still: the
+ * oldest is dropped. For the simulation thread.
  */
 public final class Outbox {
 

@@ -29,8 +29,7 @@ public final class FxFrames {
   public static void place(Affine transform, Pose pose) {
     Attitude attitude = pose.attitude();
     change(
-        transform,
-        affine(attitude.toRoom(X), attitude.toRoom(Y), attitude.up(), pose.position()));
+        transform, affine(attitude.toRoom(X), attitude.toRoom(Y), attitude.up(), pose.position()));
   }
 
   /** Makes of a transform the one of a camera that looks along its body's x axis, in the room. */

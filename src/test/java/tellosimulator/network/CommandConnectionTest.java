@@ -128,8 +128,7 @@ class CommandConnectionTest {
 
   private Worker listen(Throwable failure, int failures) {
     FailingPort failing = new FailingPort(port, failure, failures);
-    return new CommandConnection(
-            1, failing, new Ports(), simulation, (peer, text) -> true)
+    return new CommandConnection(1, failing, new Ports(), simulation, (peer, text) -> true)
         .listen(new Traffic());
   }
 }

@@ -18,8 +18,8 @@ import tellosimulator.command.Peer;
 import tellosimulator.concurrent.Exceptions;
 import tellosimulator.concurrent.Uncaught;
 import tellosimulator.concurrent.Verdict;
-import tellosimulator.time.SimTime;
 import tellosimulator.testing.CapturedLog;
+import tellosimulator.time.SimTime;
 import tellosimulator.time.TimeFactor;
 
 /**

@@ -216,8 +216,7 @@ class DemoFlightTest {
   void closingLeavesTheDroneAlone() {
     demo.switchOnAndStart();
     window.beatUntil(() -> demo.commandProperty().get().startsWith("forward"));
-    window.beatUntil(
-        () -> window.commands().stream().anyMatch(text -> text.startsWith("forward")));
+    window.beatUntil(() -> window.commands().stream().anyMatch(text -> text.startsWith("forward")));
     int commands = window.commands().size();
 
     demo.close();
