@@ -63,11 +63,14 @@ public final class SimulatorApp implements AutoCloseable, ScenarioDesk {
   public SimulatorApp(OpenedScenario first, Rules rules, DroneOptics optics) {
     this.rules = rules;
     this.optics = optics;
-    running = new RunningScenario(first, wire(first.scenario()), optics, feed);
+    AddressPlan plan = rules.plan.apply(first.scenario());
+    running = new RunningScenario(first, new Wire(plan, rules.replyPort), optics, feed);
   }
 
+  /** How another scenario is reached: from where the present one is. */
   private Wire wire(Scenario scenario) {
-    return new Wire(rules.plan.apply(scenario), rules.replyPort);
+    AddressPlan plan = rules.plan.apply(scenario).withReach(running.simulation().reach());
+    return new Wire(plan, rules.replyPort);
   }
 
   /**

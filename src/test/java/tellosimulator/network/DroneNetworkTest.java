@@ -118,6 +118,41 @@ class DroneNetworkTest {
   }
 
   @Test
+  void anAddressOfTheNetworkIsOpenedOnlyWhereTheNetworkIsAllowed() {
+    AddressPlan scenarios =
+        AddressPlan.ofMachine(
+            List.of(java.util.Optional.of(address("203.0.113.77", 0).getAddress())), List.of(0));
+
+    assertThatThrownBy(() -> DroneNetwork.open(scenarios))
+        .isInstanceOf(PortTakenException.class)
+        .hasMessage(
+            "203.0.113.77 can be reached from the network, but the drones listen on this machine"
+                + " only: give --lan to allow it, or in the window switch \"Reachable from the"
+                + " network\" on.");
+    assertThatThrownBy(() -> DroneNetwork.open(scenarios.withReach(Reach.NETWORK)))
+        .isInstanceOf(PortTakenException.class)
+        .hasMessageStartingWith("This machine has no address 203.0.113.77");
+  }
+
+  @Test
+  void aDroneThatIsOnListensElsewhereAsSoonAsTheReachChanges() throws IOException {
+    try (DroneNetwork network = DroneNetwork.open(AddressPlan.ofMachine(1, 0))) {
+      InetSocketAddress local = network.addresses(1).get(0);
+      assertThat(network.addresses(1)).containsExactly(local);
+      assertThat(local.getAddress()).isEqualTo(FIRST);
+
+      network.setReach(Reach.NETWORK);
+      assertThat(network.addresses(1))
+          .startsWith(local)
+          .hasSameSizeAs(LocalNetworks.look().addresses())
+          .allMatch(each -> each.getPort() == local.getPort());
+
+      network.setReach(Reach.THIS_MACHINE);
+      assertThat(network.addresses(1)).containsExactly(local);
+    }
+  }
+
+  @Test
   void aClosedNetworkFreesItsPorts() throws IOException {
     InetSocketAddress address;
     try (DroneNetwork network = DroneNetwork.open(AddressPlan.of(List.of(FIRST), 0))) {

@@ -20,6 +20,7 @@ import java.util.concurrent.TimeoutException;
 import java.util.function.UnaryOperator;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import javafx.scene.control.CheckBox;
 import javafx.scene.control.Label;
 import javafx.scene.control.Labeled;
 import javafx.scene.control.ToggleButton;
@@ -137,6 +138,15 @@ class ScenarioWindowFxTest {
     waitUntil(() -> label("drones-heading").equals("2 of 2 on"));
     robot.type(KeyCode.F10);
     assertThat(robot.lookup("#plan-pane").query().isVisible()).isTrue();
+  }
+
+  @Test
+  void anotherScenarioIsReachedFromWhereTheFirstOneWas() {
+    robot.interact(() -> robot.lookup("#reachable").queryAs(CheckBox.class).fire());
+
+    change(() -> app.open(file));
+
+    assertThat(robot.lookup("#reachable").queryAs(CheckBox.class).isSelected()).isTrue();
   }
 
   @Test

@@ -20,6 +20,7 @@ import org.testfx.api.FxRobot;
 import org.testfx.framework.junit5.ApplicationExtension;
 import org.testfx.framework.junit5.Start;
 import tellosimulator.model.FlightPhase;
+import tellosimulator.network.Reach;
 import tellosimulator.profile.Behaviour;
 import tellosimulator.profile.Profile;
 import tellosimulator.sim.Control;
@@ -123,6 +124,39 @@ class NetworkControlsFxTest {
     try (DatagramSocket socket = new DatagramSocket(address("127.0.0.1", 0))) {
       return socket.getLocalPort();
     }
+  }
+
+  @Test
+  void theOperatorCanBeReleased(FxRobot robot) throws IOException {
+    assertThat(robot.lookup("#release").query().isVisible()).isFalse();
+    robot.clickOn("#power");
+    window.fly("command");
+    window.until(() -> robot.lookup("#release").query().isVisible());
+
+    robot.clickOn("#release");
+
+    assertThat(window.drone(1).link().sdkMode()).isFalse();
+    window.until(() -> window.text("#operator").equals("Waits for `command`"));
+    assertThat(robot.lookup("#release").query().isVisible()).isFalse();
+  }
+
+  @Test
+  void theNetworkIsOpenedAndClosedByASwitchThatSaysWhatItDoes(FxRobot robot) {
+    assertThat(window.simulation().reach()).isEqualTo(Reach.THIS_MACHINE);
+    assertThat(window.text("#reach-sentence")).startsWith("Only programs on this machine");
+
+    robot.clickOn("#reachable");
+
+    assertThat(window.simulation().reach()).isEqualTo(Reach.NETWORK);
+    assertThat(window.text("#reach-sentence"))
+        .isEqualTo(
+            "Every machine in this network can see the drones, and fly those that are free.");
+    window.speak(Locale.GERMAN);
+    assertThat(window.text("#reachable")).isEqualTo("Aus dem Netz erreichbar");
+
+    robot.clickOn("#reachable");
+
+    assertThat(window.simulation().reach()).isEqualTo(Reach.THIS_MACHINE);
   }
 
   @Test

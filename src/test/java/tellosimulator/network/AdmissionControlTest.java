@@ -1,0 +1,147 @@
+package tellosimulator.network;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static tellosimulator.testing.SimulatedDrone.address;
+
+import java.net.InetAddress;
+import java.net.InetSocketAddress;
+import java.util.ArrayList;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import tellosimulator.command.OperatorRule;
+import tellosimulator.command.Peer;
+import tellosimulator.sim.Control;
+import tellosimulator.sim.SimConfig;
+import tellosimulator.sim.SimEvent;
+import tellosimulator.sim.SimListener;
+import tellosimulator.sim.Simulation;
+
+class AdmissionControlTest {
+
+  private static final String OPERATOR = "192.168.1.7";
+  private static final String STRANGER = "192.168.1.8";
+  private static final String FOREIGNER = "192.168.2.9";
+
+  private static final LocalNetworks MACHINE =
+      new LocalNetworks(List.of(new LocalNetworks.Member(host("192.168.1.2"), 24)));
+
+  private final List<SimEvent.DatagramsDropped> dropped = new ArrayList<>();
+
+  @Test
+  void commandsOfTheOperatorsHostAlwaysPass() {
+    Simulation simulation = operated(OperatorRule.FIRST);
+    AdmissionControl admission = new AdmissionControl(1, simulation);
+
+    assertThat(admitted(admission, OPERATOR, "battery?", 100_000)).isEqualTo(100_000);
+    assertThat(admitted(admission, OPERATOR, "Re0101 forward 50", 100_000)).isEqualTo(100_000);
+  }
+
+  @Test
+  void textsOfTheOperatorsHostThatAreNoCommandsAreLimited() {
+    AdmissionControl admission = new AdmissionControl(1, operated(OperatorRule.FIRST));
+
+    assertThat(admitted(admission, OPERATOR, "garbage", 100_000)).isBetween(2000, 20_000);
+    assertThat(admitted(admission, OPERATOR, "battery?", 100)).isEqualTo(100);
+  }
+
+  @Test
+  void othersAreLimitedWhateverTheySendAndToldInASum() {
+    Simulation simulation = operated(OperatorRule.FIRST);
+    AdmissionControl admission = new AdmissionControl(1, simulation);
+
+    int passed = admitted(admission, STRANGER, "battery?", 100_000);
+    admission.report();
+    admission.report();
+    simulation.drain();
+
+    assertThat(passed).isBetween(100, 2000);
+    assertThat(dropped).hasSize(1);
+    assertThat(dropped.get(0).host()).isEqualTo(STRANGER);
+    assertThat(dropped.get(0).count()).isEqualTo(100_000 - passed);
+    assertThat(admitted(admission, OPERATOR, "battery?", 100)).isEqualTo(100);
+  }
+
+  @Test
+  void whereEverybodyFliesNobodyIsAStranger() {
+    AdmissionControl admission = new AdmissionControl(1, operated(OperatorRule.ANYONE));
+
+    assertThat(admitted(admission, STRANGER, "rc 0 0 0 0", 10_000)).isEqualTo(10_000);
+  }
+
+  @Test
+  void whatComesFromOtherNetworksNeverPassesAndIsCounted() {
+    Simulation simulation = operated(OperatorRule.FIRST);
+    AdmissionControl admission = new AdmissionControl(1, simulation);
+
+    assertThat(admitted(admission, FOREIGNER, "command", 3)).isZero();
+    admission.report();
+    simulation.drain();
+
+    assertThat(dropped).hasSize(1);
+    assertThat(dropped.get(0).words())
+        .isEqualTo(
+            "3 datagrams from 192.168.2.9 turned away: only hosts of this machine's own networks are"
+                + " listened to");
+  }
+
+  @Test
+  void theOneHostThatIsNamedPassesFromWhereverItIs() {
+    OperatorRule named = OperatorRule.only(host(FOREIGNER));
+    AdmissionControl admission = new AdmissionControl(1, operated(named));
+
+    assertThat(admitted(admission, FOREIGNER, "command", 3)).isEqualTo(3);
+  }
+
+  @Test
+  void moreHostsThanAreRememberedLockNobodyOut() {
+    AdmissionControl admission = new AdmissionControl(1, operated(OperatorRule.FIRST));
+    LocalNetworks wide =
+        new LocalNetworks(List.of(new LocalNetworks.Member(host("192.168.1.2"), 16)));
+    for (int i = 0; i < 5000; i++) {
+      assertThat(admission.admits(peer("192.168." + i / 250 + "." + i % 250), "x", wide)).isTrue();
+    }
+
+    assertThat(admitted(admission, OPERATOR, "battery?", 100)).isEqualTo(100);
+  }
+
+  private static int admitted(AdmissionControl admission, String host, String text, int times) {
+    int admitted = 0;
+    for (int i = 0; i < times; i++) {
+      admitted += admission.admits(peer(host), text, MACHINE) ? 1 : 0;
+    }
+    return admitted;
+  }
+
+  /** A drone that is on, and whose operator has sent {@code command}. */
+  private Simulation operated(OperatorRule rule) {
+    SimListener listener =
+        new SimListener() {
+          @Override
+          public void event(SimEvent event) {
+            if (event instanceof SimEvent.DatagramsDropped told) {
+              dropped.add(told);
+            }
+          }
+        };
+    Simulation simulation =
+        new Simulation(
+            SimConfig.DEFAULT.withOperators(rule),
+            drone -> (peer, text) -> {},
+            report -> {},
+            List.of(listener));
+    simulation.control(new Control.Power(1, true));
+    simulation.drain();
+    simulation.submit(1, peer(OPERATOR), "command");
+    simulation.drain();
+    return simulation;
+  }
+
+  private static Peer peer(String host) {
+    return new Peer(
+        new InetSocketAddress(host(host), 40_000), new InetSocketAddress("192.168.1.2", 8879));
+  }
+
+  private static InetAddress host(String name) {
+    return address(name, 0).getAddress();
+  }
+}
