@@ -9,11 +9,11 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
+import tellosimulator.files.IoReason;
 import tellosimulator.video.Mp4File.Format;
 import tellosimulator.video.Mp4File.Sample;
 import tellosimulator.video.codec.EncodedPicture;
 import tellosimulator.video.picture.Picture;
-import tellosimulator.words.IoReason;
 import tellosimulator.words.Phrase;
 
 /**

@@ -69,7 +69,8 @@ class SimulationLoopTest {
     Simulation simulation = simulation(TimeFactor.REAL_TIME);
     simulation.control(new Control.Pause(true));
     for (int i = 0; i < burst; i++) {
-      assertThat(simulation.submit(1, PEER, "command")).isTrue();
+      Peer one = new Peer(address("127.0.0.1", 20_000 + i % 100), PEER.via());
+      assertThat(simulation.submit(1, one, "command")).isTrue();
     }
 
     try (SimulationLoop loop = new SimulationLoop(simulation)) {

@@ -10,7 +10,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.regex.Pattern;
-import tellosimulator.words.IoReason;
+import tellosimulator.files.IoReason;
 
 /** The notice of the program and the licences that it names, as they lie in the jar. */
 final class LicenceTexts {

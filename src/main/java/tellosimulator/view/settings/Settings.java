@@ -11,7 +11,7 @@ import java.util.TreeMap;
 import javafx.beans.property.Property;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
-import tellosimulator.words.IoReason;
+import tellosimulator.files.IoReason;
 
 /**
  * Keeps properties in a file. What differs from its default is written soon after it changed; the

@@ -15,10 +15,10 @@ import javafx.beans.property.ReadOnlyIntegerProperty;
 import javafx.beans.property.ReadOnlyIntegerWrapper;
 import tellosimulator.concurrent.Verdict;
 import tellosimulator.concurrent.Worker;
+import tellosimulator.files.IoReason;
 import tellosimulator.video.Recording;
 import tellosimulator.video.VideoStream;
 import tellosimulator.video.picture.Picture;
-import tellosimulator.words.IoReason;
 import tellosimulator.words.Phrase;
 
 /**

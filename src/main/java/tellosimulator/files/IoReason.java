@@ -1,10 +1,11 @@
-package tellosimulator.words;
+package tellosimulator.files;
 
 import java.io.IOException;
 import java.nio.file.AccessDeniedException;
 import java.nio.file.FileAlreadyExistsException;
 import java.nio.file.FileSystemException;
 import java.nio.file.NoSuchFileException;
+import tellosimulator.words.Phrase;
 
 /** Why something could not be written, in words for people. */
 public final class IoReason {

@@ -1,4 +1,4 @@
-package tellosimulator.words;
+package tellosimulator.files;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
