@@ -30,6 +30,9 @@ public final class OperatorSession {
    */
   private static final double REST_AFTER = 120;
 
+  /** When it is tried once more whether anybody takes state lines [s]. Decided. */
+  private static final double TRIES_AGAIN_AFTER = 2;
+
   /** A drone changed hands: who operates it now, and who did before, if anybody. */
   public record Takeover(Peer operator, Optional<Peer> before) {}
 
@@ -39,7 +42,8 @@ public final class OperatorSession {
   private Link link;
   private SimTime lastHeard = SimTime.ZERO;
   private boolean released;
-  private boolean stateRests;
+  private int rests;
+  private SimTime restsSince = SimTime.ZERO;
 
   /**
    * @param statePort where state lines go unless {@code port} says otherwise
@@ -79,7 +83,7 @@ public final class OperatorSession {
     if (isOperator(peer)) {
       lastHeard = now;
       released = false;
-      stateRests = false;
+      rests = 0;
       adopt(link.with(peer));
     }
   }
@@ -99,7 +103,7 @@ public final class OperatorSession {
     adopt(unlinked.with(peer));
     lastHeard = now;
     released = false;
-    stateRests = false;
+    rests = 0;
     return Optional.of(takeover);
   }
 
@@ -125,26 +129,33 @@ public final class OperatorSession {
       return false;
     }
     adopt(link.withPorts(statePort, videoPort));
-    stateRests = false;
+    rests = 0;
     return true;
   }
 
-  /** Sends no state lines until the operator is heard again, because nobody takes them. */
-  public void restState() {
-    stateRests = true;
+  /**
+   * Sends no state lines until the operator is heard again, because nobody takes them; but tries
+   * once more, for programs that open their port a little later.
+   */
+  public void restState(SimTime now) {
+    if (wantsState(now)) {
+      rests++;
+      restsSince = now;
+    }
   }
 
   /** Whether state lines are to be sent. */
   public boolean wantsState(SimTime now) {
     boolean remote = link.operator().filter(operator -> !operator.local()).isPresent();
-    return link.sdkMode() && !stateRests && !(remote && now.since(lastHeard) >= REST_AFTER);
+    boolean taken = rests == 0 || (rests == 1 && now.since(restsSince) >= TRIES_AGAIN_AFTER);
+    return link.sdkMode() && taken && !(remote && now.since(lastHeard) >= REST_AFTER);
   }
 
   /** Forgets everything, as without power. */
   public void close() {
     adopt(unlinked);
     released = false;
-    stateRests = false;
+    rests = 0;
   }
 
   private void adopt(Link newLink) {

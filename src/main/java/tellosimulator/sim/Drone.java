@@ -193,7 +193,7 @@ final class Drone {
     } else if (operator
         .filter(at -> at.getAddress().equals(destination.getAddress()))
         .isPresent()) {
-      session.restState();
+      session.restState(now);
     }
   }
 

@@ -23,6 +23,9 @@ final class VideoConnection implements AutoCloseable {
   /** Where the drone's video comes from. Measured: once, in SDK mode. */
   private static final int DRONES_PORT = 62512;
 
+  /** How long another machine may take to say that nothing receives there [ns]. Decided. */
+  private static final long ANSWER = 20_000_000;
+
   /** How long it is not tried again where there was no socket [ns]. Decided. */
   private static final long RETRY = 1_000_000_000;
 
@@ -47,6 +50,7 @@ final class VideoConnection implements AutoCloseable {
   private InetAddress refused;
   private long retryNanos;
   private boolean gone;
+  private boolean untried;
 
   /**
    * Opens nothing yet.
@@ -60,7 +64,8 @@ final class VideoConnection implements AutoCloseable {
 
   /**
    * Sends the datagrams of a picture, spread over some time as the drone does, so that they do not
-   * overrun a receiver.
+   * overrun a receiver. After the first datagram ever to another machine it waits whether that says
+   * that nothing receives there.
    *
    * @param nanos from the first datagram to the last [ns]
    */
@@ -72,6 +77,10 @@ final class VideoConnection implements AutoCloseable {
     gone = false;
     long begun = metronome.nanos();
     for (int i = 0; i < packets.size() && !gone; i++) {
+      if (i == 1 && untried) {
+        untried = false;
+        begun += ANSWER;
+      }
       if (i > 0) {
         metronome.pauseUntil(begun + nanos * i / (packets.size() - 1));
       }
@@ -88,6 +97,7 @@ final class VideoConnection implements AutoCloseable {
         return port;
       }
       opened = route;
+      untried = !route.to().getAddress().isLoopbackAddress();
       port = open(route, DRONES_PORT).or(() -> open(route, 0));
       if (port.isEmpty()) {
         refuse(address);

@@ -49,6 +49,17 @@ public final class VideoStream implements AutoCloseable {
    */
   private static final long REST_AFTER = 120_000_000_000L;
 
+  /**
+   * How long it is tried again whether a remote operator takes video, and how often [ns]. Decided:
+   * decoders take some seconds to open; a try is one small datagram.
+   */
+  private static final long TRIES = 10_000_000_000L;
+
+  private static final long TRY_PERIOD = 1_500_000_000;
+
+  /** From look to look between two tries [ns]. Decided. */
+  private static final long LOOK_PERIOD = 100_000_000;
+
   /** From picture to picture while people look and nobody takes the stream [ns]. Decided. */
   private static final long PREVIEW_PERIOD = 100_000_000;
 
@@ -56,7 +67,7 @@ public final class VideoStream implements AutoCloseable {
   private final Supplier<SimSnapshot> snapshots;
   private final Films films;
   private final Metronome metronome = new Metronome();
-  private final VideoConnection connection = new VideoConnection(metronome, () -> gone = true);
+  private final VideoConnection connection = new VideoConnection(metronome, this::lose);
   private final VideoMeter meter = new VideoMeter();
   private final List<VideoWatcher> watchers = new CopyOnWriteArrayList<>();
   private final Worker worker;
@@ -64,8 +75,10 @@ public final class VideoStream implements AutoCloseable {
   private int starvedAt;
   private int start;
 
-  /** Whether an operator on another machine takes no video, and has sent nothing since. */
+  /** Whether an operator on another machine took no video when it was sent last. */
   private volatile boolean gone;
+
+  private volatile long goneNanos;
 
   private volatile long heardNanos;
   private Wish last = Wish.NOTHING;
@@ -112,10 +125,26 @@ public final class VideoStream implements AutoCloseable {
     gone = false;
   }
 
-  /** Whether its operator is on another machine and takes nothing any more. */
+  private void lose() {
+    goneNanos = metronome.nanos();
+    gone = true;
+  }
+
+  /** Whether its operator is on another machine and takes nothing, now or any more. */
   private boolean rests(Link link) {
-    boolean remote = link.operator().filter(operator -> !operator.local()).isPresent();
-    return remote && (gone || metronome.nanos() - heardNanos > REST_AFTER);
+    long now = metronome.nanos();
+    boolean between = now - goneNanos < TRY_PERIOD;
+    return remote(link)
+        && (now - heardNanos > REST_AFTER || (gone && (between || !triesAgain(link))));
+  }
+
+  /** Whether it is tried again and again, because programs open their port after streamon. */
+  private boolean triesAgain(Link link) {
+    return remote(link) && gone && metronome.nanos() - heardNanos < TRIES;
+  }
+
+  private static boolean remote(Link link) {
+    return link.operator().filter(operator -> !operator.local()).isPresent();
   }
 
   /** Lets it look at once whether something has changed. */
@@ -164,7 +193,11 @@ public final class VideoStream implements AutoCloseable {
     if (resting(now) || !wish.seen) {
       last = wish;
       connection.close();
-      return false;
+      if (!triesAgain(now.link())) {
+        return false;
+      }
+      metronome.pauseUntil(metronome.nanos() + LOOK_PERIOD);
+      return true;
     }
     if ((wish.encoded && !last.encoded) || wish.start != last.start) {
       meter.restart();

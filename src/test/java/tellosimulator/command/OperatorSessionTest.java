@@ -168,13 +168,24 @@ class OperatorSessionTest {
   @Test
   void stateThatNobodyTakesRestsUntilTheOperatorIsHeard() {
     session.open(OPERATOR, at(0), true);
-    session.restState();
+    session.restState(at(0.1));
 
-    assertThat(session.wantsState(at(1))).isFalse();
+    assertThat(session.wantsState(at(2))).isFalse();
     session.heard(OTHER, at(2));
     assertThat(session.wantsState(at(2))).isFalse();
-    session.heard(OPERATOR, at(3));
-    assertThat(session.wantsState(at(3))).isTrue();
+    session.heard(OPERATOR, at(2));
+    assertThat(session.wantsState(at(2))).isTrue();
+  }
+
+  @Test
+  void whoOpensThePortForStateLaterIsFoundByOneMoreTry() {
+    session.open(OPERATOR, at(0), true);
+    session.restState(at(0.1));
+    session.restState(at(0.1));
+
+    assertThat(session.wantsState(at(2.2))).isTrue();
+    session.restState(at(2.3));
+    assertThat(session.wantsState(at(100))).isFalse();
   }
 
   @Test

@@ -117,7 +117,9 @@ public final class TraceProgram implements SimListener {
 
   @Override
   public void event(SimEvent event) {
-    add(event.line());
+    if (!(event instanceof SimEvent.TimeLost)) { // which is about the machine, not the flight
+      add(event.line());
+    }
   }
 
   @Override
