@@ -150,7 +150,7 @@ class VideoStreamsTest {
       other.setSoTimeout(10_000);
       drones.ask(1, "command");
       drones.ask(other, 1, "command");
-      drones.ask(other, 1, "streamon");
+      drones.ask(1, "streamon");
 
       assertThat(VideoReceiver.type(receiver.unit())).isEqualTo(VideoReceiver.SPS);
     }
