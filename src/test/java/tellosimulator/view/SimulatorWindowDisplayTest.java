@@ -64,7 +64,7 @@ class SimulatorWindowDisplayTest {
     }
     assertThat(bounds("network-controls").getHeight())
         .as("no higher than its content")
-        .isLessThan(bounds("log").getMinY() - bounds("window-bar").getMaxY() - 50);
+        .isLessThan(bounds("log").getMinY() - bounds("window-bar").getMaxY() - 10);
 
     robot.type(KeyCode.F11);
 

@@ -17,7 +17,6 @@ public final class NetworkControls extends ScrollPane {
 
   private final PowerPanel power;
   private final LinkPanel link;
-  private final ReachPanel reach;
   private final PortsPanel ports;
   private final ProductPanel product;
   private final TimePanel time;
@@ -30,7 +29,6 @@ public final class NetworkControls extends ScrollPane {
     simulation = context.simulation();
     power = new PowerPanel(context);
     link = new LinkPanel(context);
-    reach = new ReachPanel(context, power::forgetError);
     ports = new PortsPanel(context, power::forgetError);
     product = new ProductPanel(context);
     time = new TimePanel(context);
@@ -54,7 +52,7 @@ public final class NetworkControls extends ScrollPane {
 
   private void layoutParts() {
     parts.getStyleClass().add("parts");
-    parts.getChildren().addAll(power, link, ports, reach, product, time, wind);
+    parts.getChildren().addAll(power, link, ports, product, time, wind);
     setContent(parts);
   }
 
@@ -75,7 +73,6 @@ public final class NetworkControls extends ScrollPane {
   private void refresh() {
     link.refresh();
     ports.refresh();
-    reach.refresh();
     time.refresh();
   }
 }

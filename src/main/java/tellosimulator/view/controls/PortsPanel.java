@@ -29,6 +29,7 @@ final class PortsPanel extends VBox {
   private final Messages messages;
   private final Runnable changed;
   private final AddressList addresses;
+  private final ReachPanel reach;
   private final NumberField command;
   private final NumberField state;
   private final NumberField video;
@@ -44,6 +45,7 @@ final class PortsPanel extends VBox {
     Language language = context.language();
     messages = language.messages(PortsPanel.class);
     addresses = new AddressList(messages);
+    reach = new ReachPanel(context, changed);
     command = new NumberField("command-port", PortRules.PORTS, language);
     state = new NumberField("state-port", PortRules.PORTS, language);
     video = new NumberField("video-port", PortRules.PORTS, language);
@@ -71,6 +73,7 @@ final class PortsPanel extends VBox {
         .addAll(
             heading("send"),
             addresses,
+            reach,
             row("command-port", command),
             command.error(),
             warning,
@@ -104,6 +107,7 @@ final class PortsPanel extends VBox {
   void refresh() {
     List<InetSocketAddress> own = addresses(drone());
     addresses.show(own);
+    reach.refresh();
     int commandPort = own.get(0).getPort();
     command.show(commandPort);
     state.show(outlets().statePort());

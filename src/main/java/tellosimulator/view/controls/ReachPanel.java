@@ -25,7 +25,6 @@ final class ReachPanel extends VBox {
     this.actions = context.actions();
     this.changed = changed;
     Messages messages = context.language().messages(ReachPanel.class);
-    getStyleClass().addAll("panel-section", "reach-panel");
     reachable.setId("reachable");
     reachable.textProperty().bind(messages.text("reach"));
     sentence.setId("reach-sentence");
@@ -38,6 +37,8 @@ final class ReachPanel extends VBox {
             reachable
                 .selectedProperty()
                 .flatMap(on -> messages.text(on ? "reach.open" : "reach.closed")));
+    Hint.on(this, messages.text("reach.hint"));
+    reachable.accessibleHelpProperty().bind(messages.text("reach.hint"));
     getChildren().addAll(reachable, sentence);
     reachable.setOnAction(pressed -> use());
     refresh();

@@ -143,14 +143,12 @@ class NetworkControlsFxTest {
   @Test
   void theNetworkIsOpenedAndClosedByASwitchThatSaysWhatItDoes(FxRobot robot) {
     assertThat(window.simulation().reach()).isEqualTo(Reach.THIS_MACHINE);
-    assertThat(window.text("#reach-sentence")).startsWith("Only programs on this machine");
+    assertThat(window.text("#reach-sentence")).isEqualTo("Only this machine can fly.");
 
     robot.clickOn("#reachable");
 
     assertThat(window.simulation().reach()).isEqualTo(Reach.NETWORK);
-    assertThat(window.text("#reach-sentence"))
-        .isEqualTo(
-            "Every machine in this network can see the drones, and fly those that are free.");
+    assertThat(window.text("#reach-sentence")).isEqualTo("Everybody in this network can fly.");
     window.speak(Locale.GERMAN);
     assertThat(window.text("#reachable")).isEqualTo("Aus dem Netz erreichbar");
 
