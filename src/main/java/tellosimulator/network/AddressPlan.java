@@ -121,10 +121,12 @@ public record AddressPlan(List<Endpoint> drones, Reach reach) {
   }
 
   /**
-   * Whether it is not the address of a group (multicast), of everybody, or reserved for neither.
+   * Whether it is the address of one host: not of all of this machine's networks (0.0.0.0), of a
+   * group (multicast), of everybody, or reserved for neither.
    */
   public static boolean isOfOneHost(InetAddress address) {
-    return (address.getAddress()[0] & 0xff) < FIRST_GROUP;
+    int first = address.getAddress()[0] & 0xff;
+    return first > 0 && first < FIRST_GROUP;
   }
 
   /**

@@ -3,12 +3,13 @@ package tellosimulator.network;
 import java.net.InetSocketAddress;
 import java.util.ArrayList;
 import java.util.HashMap;
-import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.Set;
+import java.util.TreeMap;
+import java.util.TreeSet;
 import java.util.function.IntFunction;
 import java.util.stream.IntStream;
 import org.slf4j.Logger;
@@ -37,6 +38,13 @@ public final class DroneNetwork implements AutoCloseable {
   private final List<DroneSockets> drones;
   private final Ports ports = new Ports();
   private final Map<Integer, List<Worker>> receivers = new HashMap<>();
+
+  /** The numbers of the drones that are on. */
+  private final Set<Integer> on = new TreeSet<>();
+
+  /** How each drone was linked last. */
+  private final Map<Integer, Link> links = new TreeMap<>();
+
   private final List<AdmissionControl> admissions = new ArrayList<>();
 
   /** Each command may come from another port, and a socket and a thread for it are not free. */
@@ -108,6 +116,7 @@ public final class DroneNetwork implements AutoCloseable {
     if (!sockets(drone).isOpen()) {
       networks = LocalNetworks.look();
       open(drone, planned(drone));
+      on.add(drone);
     }
   }
 
@@ -134,23 +143,25 @@ public final class DroneNetwork implements AutoCloseable {
     ports.close(sockets(drone).releaseAllBut(List.of()));
     receivers.getOrDefault(drone, List.of()).forEach(Worker::close);
     receivers.remove(drone);
+    on.remove(drone);
   }
 
   /**
    * Looks at the machine's addresses anew: drones that are on listen at those that have appeared,
    * and no more at those that have gone.
    */
-  public synchronized void refresh() {
-    networks = LocalNetworks.look();
-    for (int drone = 1; drone <= drones.size(); drone++) {
-      if (sockets(drone).isOpen()) {
-        adopt(drone);
-      }
+  public void refresh() {
+    LocalNetworks found = LocalNetworks.look(); // which takes a while
+    synchronized (this) {
+      networks = found;
+      on.forEach(this::adopt);
+      Map.copyOf(links).forEach(this::connect);
     }
   }
 
   private void adopt(int drone) {
-    List<InetSocketAddress> wanted = planned(drone);
+    List<InetSocketAddress> wanted =
+        planned(drone).stream().filter(each -> plan.allows(drone, each.getAddress())).toList();
     ports.close(sockets(drone).releaseAllBut(wanted));
     for (InetSocketAddress address : wanted) {
       if (sockets(drone).addresses().contains(address)) {
@@ -175,8 +186,10 @@ public final class DroneNetwork implements AutoCloseable {
   }
 
   /** Changes it at once, also for drones that are on. */
-  public synchronized void setReach(Reach reach) {
-    plan = plan.withReach(reach);
+  public void setReach(Reach reach) {
+    synchronized (this) {
+      plan = plan.withReach(reach);
+    }
     refresh();
   }
 
@@ -243,26 +256,28 @@ public final class DroneNetwork implements AutoCloseable {
    * that the simulation is told when nothing receives there. On the simulation thread.
    */
   private synchronized void connect(int drone, Link link) {
+    links.put(drone, link);
     Optional<Peer> remote = link.operator().filter(operator -> !operator.local());
     for (UdpPort port : sockets(drone).ports()) {
-      Set<InetSocketAddress> wanted =
-          remote
-              .filter(operator -> operator.via().equals(port.address()))
-              .map(operator -> destinations(operator, link.statePort()))
-              .orElse(Set.of());
-      port.keepConnected(wanted);
-      for (InetSocketAddress to : wanted) {
-        if (!port.isConnectedTo(to) && connecting.tryTake()) {
-          port.beside(to, gone -> simulation.ifPresent(each -> each.unreachable(drone, gone)))
-              .ifPresent(beside -> receive(drone, beside));
-        }
-      }
+      Optional<Peer> here = remote.filter(operator -> operator.via().equals(port.address()));
+      port.keepConnected(here.map(operator -> operator.address().getAddress()));
+      here.ifPresent(operator -> connect(drone, port, operator, link.statePort()));
     }
   }
 
-  private static Set<InetSocketAddress> destinations(Peer operator, int statePort) {
-    InetSocketAddress state = new InetSocketAddress(operator.address().getAddress(), statePort);
-    return new LinkedHashSet<>(List.of(operator.address(), state));
+  /** State comes first and always: replies are few, but state never ends. */
+  private void connect(int drone, UdpPort port, Peer operator, int statePort) {
+    connect(drone, port, new InetSocketAddress(operator.address().getAddress(), statePort));
+    if (!port.isConnectedTo(operator.address()) && connecting.tryTake()) {
+      connect(drone, port, operator.address());
+    }
+  }
+
+  private void connect(int drone, UdpPort port, InetSocketAddress to) {
+    if (!port.isConnectedTo(to)) {
+      port.beside(to, gone -> simulation.ifPresent(each -> each.unreachable(drone, gone)))
+          .ifPresent(beside -> receive(drone, beside));
+    }
   }
 
   private DroneSockets sockets(int drone) {

@@ -58,9 +58,7 @@ public final class OnlineSimulation implements AutoCloseable {
     public Outcome doWork() {
       if (clock.awaitTick(WATCH_NANOS)) {
         network.reportDropped();
-        if (reach() == Reach.NETWORK) {
-          network.refresh();
-        }
+        network.refresh();
       }
       return Outcome.WORKED;
     }

@@ -1,12 +1,12 @@
 package tellosimulator.network;
 
 import java.io.IOException;
+import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.net.PortUnreachableException;
 import java.net.StandardSocketOptions;
 import java.nio.ByteBuffer;
 import java.nio.channels.DatagramChannel;
-import java.util.Collection;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -35,6 +35,9 @@ public final class UdpPort implements DatagramPort {
   private static final int BUFFER = 2048;
 
   private static final boolean LINUX = System.getProperty("os.name").startsWith("Linux");
+
+  /** Connected sockets beside one. Decided: state, and what a program sends commands from. */
+  private static final int MOST_CONNECTED = 8;
 
   /** Room for a burst of commands while the machine is busy with something else [bytes]. */
   private static final int SOCKET_BUFFER = 1 << 18;
@@ -142,10 +145,14 @@ public final class UdpPort implements DatagramPort {
     }
   }
 
-  /** Closes the connected sockets beside this one, but for those to these peers. */
-  void keepConnected(Collection<InetSocketAddress> peers) {
+  /**
+   * Closes the connected sockets beside this one, but for those to one host: its program may use
+   * some more than once. Of very many, all are closed.
+   */
+  void keepConnected(Optional<InetAddress> host) {
+    boolean many = connected.size() > MOST_CONNECTED;
     for (InetSocketAddress other : List.copyOf(connected.keySet())) {
-      if (!peers.contains(other)) {
+      if (many || host.filter(other.getAddress()::equals).isEmpty()) {
         connected.remove(other).close();
       }
     }
@@ -205,7 +212,7 @@ public final class UdpPort implements DatagramPort {
 
   @Override
   public void close() {
-    keepConnected(List.of());
+    keepConnected(Optional.empty());
     try {
       channel.close();
     } catch (IOException e) {

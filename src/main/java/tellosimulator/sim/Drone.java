@@ -190,9 +190,10 @@ final class Drone {
           Phrase.of(
               "is free, because nobody takes its replies at %s:%d any more; `command` starts anew",
               destination.getAddress().getHostAddress(), destination.getPort()));
-    } else if (operator
-        .filter(at -> at.getAddress().equals(destination.getAddress()))
-        .isPresent()) {
+    } else if (destination.getPort() == session.link().statePort()
+        && operator
+            .map(InetSocketAddress::getAddress)
+            .equals(Optional.of(destination.getAddress()))) {
       session.restState(now);
     }
   }

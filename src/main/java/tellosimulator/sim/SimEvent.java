@@ -148,11 +148,6 @@ public sealed interface SimEvent {
     }
 
     @Override
-    public boolean ofDrone() {
-      return true;
-    }
-
-    @Override
     public Phrase phrase() {
       return Phrase.of("`%s` from %s turned away: %s", WireText.printable(text), peer, reason);
     }
@@ -201,6 +196,11 @@ public sealed interface SimEvent {
   record OperatorChanged(SimTime time, int drone, Peer peer, int statePort, Optional<Peer> before)
       implements SimEvent {
     @Override
+    public boolean ofDrone() {
+      return true;
+    }
+
+    @Override
     public Severity severity() {
       return before.isPresent() ? Severity.WARNING : Severity.INFORMATION;
     }
@@ -211,9 +211,7 @@ public sealed interface SimEvent {
           Phrase.of(
               "is operated by %s now, its state goes to port %d of that host",
               peer.host(), statePort);
-      return before
-          .map(lost -> Phrase.of("%s; %s, which was silent, has lost it", now, lost.host()))
-          .orElse(now);
+      return before.map(lost -> Phrase.of("%s; %s has lost it", now, lost.host())).orElse(now);
     }
   }
 

@@ -129,6 +129,7 @@ public final class Recording implements VideoWatcher, AutoCloseable {
   private void keep(long now) {
     if (kept.isPresent()) {
       Kept picture = kept.get();
+      kept = Optional.empty();
       int shown = Math.toIntExact(Math.max(1, now - picture.ticks));
       fragment.add(new Sample(picture.unit, picture.key, shown));
       count++;

@@ -130,6 +130,7 @@ final class VideoConnection implements AutoCloseable {
 
   private void lost() {
     gone = true;
+    untried = true;
     unreachable.run();
   }
 

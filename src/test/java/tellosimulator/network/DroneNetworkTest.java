@@ -153,6 +153,26 @@ class DroneNetworkTest {
   }
 
   @Test
+  void anAddressOfTheNetworkIsClosedAgainWhereTheNetworkIsNoLongerAllowed() throws IOException {
+    List<InetAddress> own = LocalNetworks.look().addresses();
+    org.junit.jupiter.api.Assumptions.assumeTrue(own.size() > 1, "this machine is in no network");
+    AddressPlan scenarios =
+        AddressPlan.ofMachine(List.of(java.util.Optional.of(own.get(1))), List.of(0));
+    try (DroneNetwork network = DroneNetwork.open(scenarios.withReach(Reach.NETWORK))) {
+      InetSocketAddress open = network.addresses(1).get(0);
+
+      network.setReach(Reach.THIS_MACHINE);
+
+      try (DatagramSocket free = new DatagramSocket(open)) {
+        assertThat(free.isBound()).isTrue();
+      }
+      network.setReach(Reach.NETWORK);
+      assertThat(network.addresses(1)).containsExactly(open);
+      assertThatThrownBy(() -> new DatagramSocket(open).close()).isInstanceOf(IOException.class);
+    }
+  }
+
+  @Test
   void aClosedNetworkFreesItsPorts() throws IOException {
     InetSocketAddress address;
     try (DroneNetwork network = DroneNetwork.open(AddressPlan.of(List.of(FIRST), 0))) {

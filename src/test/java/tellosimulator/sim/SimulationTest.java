@@ -37,6 +37,7 @@ class SimulationTest {
       new Peer(address("192.168.10.2", 9000), address("192.168.10.1", 8889));
 
   private final List<String> replies = new ArrayList<>();
+  private final List<StatePort.StateReport> states = new ArrayList<>();
   private final List<SimEvent> events = new ArrayList<>();
   private final List<SimTime> steps = new ArrayList<>();
   private final SimListener recorder =
@@ -236,6 +237,48 @@ class SimulationTest {
   }
 
   @Test
+  void whereNobodyTakesRepliesTheSessionEndsAndTheDroneIsFree() {
+    operatedFromElsewhere();
+
+    simulation.unreachable(1, address("192.168.1.9", 40_000));
+    simulation.unreachable(1, address("192.168.1.7", 40_001));
+    simulation.drain();
+    assertThat(simulation.snapshot().drones().get(0).link().sdkMode()).isTrue();
+
+    simulation.unreachable(1, REMOTE.address());
+    simulation.drain();
+    assertThat(simulation.snapshot().drones().get(0).link().sdkMode()).isFalse();
+    assertThat(events).last().extracting(SimEvent::words).asString().startsWith("is free, because");
+  }
+
+  @Test
+  void stateThatNobodyTakesRestsAndTheSessionGoesOn() {
+    operatedFromElsewhere();
+    simulation.unreachable(1, address("192.168.1.7", 8890));
+    int before = states.size();
+    for (int i = 0; i < 200; i++) { // a second; after two it is tried again
+      simulation.step();
+    }
+    assertThat(states).hasSize(before);
+    assertThat(simulation.snapshot().drones().get(0).link().sdkMode()).isTrue();
+
+    simulation.submit(1, REMOTE, "battery?");
+    for (int i = 0; i < 200; i++) {
+      simulation.step();
+    }
+    assertThat(states.size() - before).isBetween(9, 11);
+  }
+
+  private static final Peer REMOTE =
+      new Peer(address("192.168.1.7", 40_000), address("192.168.1.2", 8879));
+
+  private void operatedFromElsewhere() {
+    simulation.control(new Control.Power(1, true));
+    simulation.submit(1, REMOTE, "command");
+    simulation.step();
+  }
+
+  @Test
   void powerConcernsOneDrone() {
     simulation.control(new Control.Power(2, true));
     simulation.drain();
@@ -381,6 +424,6 @@ class SimulationTest {
     SimConfig config =
         SimConfig.DEFAULT.withRoom(Room.DEFAULT, Swarm.row(2, Vec3.ZERO, Room.DEFAULT));
     return new Simulation(
-        config, drone -> (peer, text) -> replies.add(text), report -> {}, List.of(listeners));
+        config, drone -> (peer, text) -> replies.add(text), states::add, List.of(listeners));
   }
 }
