@@ -47,6 +47,12 @@ public final class WarmUp implements AutoCloseable {
    */
   private static final int REST_MS = 400;
 
+  /**
+   * Whether the heap has room for pictures that nobody has asked for. Measured: a film takes 36 MB;
+   * with 32 MB, filming in advance took the memory that the start itself needed.
+   */
+  private static final boolean AFFORDABLE = Runtime.getRuntime().maxMemory() >= 64L << 20;
+
   private final Films films;
   private final CountDownLatch closed = new CountDownLatch(1);
 
@@ -64,7 +70,9 @@ public final class WarmUp implements AutoCloseable {
    * starts; no simulation has to be there yet. It also paints that room and loads all code.
    */
   public void beginEarly() {
-    Worker.once(NAME, FAILED, () -> films.prepareEarly(beforeTheStart()));
+    if (AFFORDABLE) {
+      Worker.once(NAME, FAILED, () -> films.prepareEarly(beforeTheStart()));
+    }
   }
 
   /**
@@ -74,6 +82,9 @@ public final class WarmUp implements AutoCloseable {
    * @param itsFilms of this simulation
    */
   public static void finishEarly(Films itsFilms, SimSnapshot snapshot) {
+    if (!AFFORDABLE) {
+      return;
+    }
     try {
       itsFilms.prepare(snapshot);
     } catch (RuntimeException | Error e) { // it can be made later
@@ -87,6 +98,9 @@ public final class WarmUp implements AutoCloseable {
    * @param snapshots the newest one
    */
   public void begin(Supplier<SimSnapshot> snapshots) {
+    if (!AFFORDABLE) {
+      return;
+    }
     Worker.once(
         NAME,
         FAILED,
