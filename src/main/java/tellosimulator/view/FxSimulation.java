@@ -58,6 +58,15 @@ public final class FxSimulation {
     }
   }
 
+  /**
+   * Whether nothing moves, because time stands still or no drone flies: then what tells of time
+   * need not be drawn anew so often, which costs much where the processor draws.
+   */
+  public boolean still() {
+    return paused.get()
+        || snapshot.drones().stream().noneMatch(drone -> drone.state().phase().flying());
+  }
+
   /** The snapshot of which this is the mirror. */
   public SimSnapshot snapshot() {
     return snapshot;

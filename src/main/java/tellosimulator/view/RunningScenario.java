@@ -32,6 +32,9 @@ import tellosimulator.view.video.WindowVideo;
  */
 final class RunningScenario implements AutoCloseable {
 
+  /** Frames from look to look whether something is unsaved. Decided: a quarter of a second. */
+  private static final int FRAMES_BETWEEN_LOOKS = 15;
+
   /** Frames that the window shows before filming is warmed up. Decided: half a second. */
   private static final int FRAMES_BEFORE_WARM_UP = 30;
 
@@ -81,10 +84,17 @@ final class RunningScenario implements AutoCloseable {
     FxScenario scenario = new FxScenario(opened.scenario(), opened.file(), goals, desk);
     context = ViewContext.of(simulation, frame.language.linked(), video, scenario);
     context.pulse().onBeat(nanos -> warmUp());
-    context.pulse().onBeat(nanos -> scenario.setUnsaved(unsaved()));
+    context.pulse().onBeat(nanos -> lookForEdits(scenario));
     window = new SimulatorWindow(frame.stage, context, frame.state.linked(), feed);
     window.remember(frame.settings);
     window.show();
+  }
+
+  /** Not at each frame: it compares the whole scenario. */
+  private void lookForEdits(FxScenario scenario) {
+    if (frames % FRAMES_BETWEEN_LOOKS == 0) {
+      scenario.setUnsaved(unsaved());
+    }
   }
 
   /** Opening the window has the machine to itself. */
