@@ -116,6 +116,7 @@ class WorkerTest {
       assertThat(agent.closed).hasValue(1);
       // 1000 / 10: what a failure adds to a bucket of that size
       assertThat(agent.calls).hasValue(100);
+      assertThat(log.next()).startsWith("Work failed");
     }
   }
 

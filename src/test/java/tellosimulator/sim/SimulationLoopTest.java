@@ -96,11 +96,15 @@ class SimulationLoopTest {
             List.of());
     simulation.control(new Control.Power(1, true));
 
-    try (SimulationLoop loop = new SimulationLoop(simulation)) {
+    try (CapturedLog commands = CapturedLog.of(Simulation.class);
+        CapturedLog steps = CapturedLog.of(Verdict.class);
+        SimulationLoop loop = new SimulationLoop(simulation)) {
       assertThat(loop).isNotNull();
       assertThat(ask(simulation, "command")).isEqualTo("ok");
       assertThat(ask(simulation, "takeoff")).isEqualTo("ok");
       assertThat(broken).isEmpty();
+      assertThat(commands.next()).startsWith("A command could not be handled; please report this");
+      assertThat(steps.next()).startsWith("A step of the simulation failed; please report this");
     }
   }
 
@@ -117,10 +121,12 @@ class SimulationLoopTest {
   }
 
   @Test
-  void aControlThatCannotBeCarriedOutKeepsNobodyWaiting() {
+  void aControlThatCannotBeCarriedOutKeepsNobodyWaiting() throws InterruptedException {
     Simulation simulation = simulation(TimeFactor.REAL_TIME);
-    try (SimulationLoop loop = new SimulationLoop(simulation)) {
+    try (CapturedLog log = CapturedLog.of(Simulation.class);
+        SimulationLoop loop = new SimulationLoop(simulation)) {
       loop.carryOut(new Control.SetStart(1, null));
+      assertThat(log.next()).startsWith("A control could not be carried out; please report this");
       loop.carryOut(new Control.SetBattery(1, 42));
     }
 

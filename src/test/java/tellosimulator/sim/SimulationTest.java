@@ -18,6 +18,7 @@ import tellosimulator.model.FlightPhase;
 import tellosimulator.profile.Behaviour;
 import tellosimulator.profile.Profile;
 import tellosimulator.sim.SimConfig.Product;
+import tellosimulator.testing.CapturedLog;
 import tellosimulator.time.Demand;
 import tellosimulator.time.SimTime;
 import tellosimulator.time.TimeFactor;
@@ -112,7 +113,7 @@ class SimulationTest {
   }
 
   @Test
-  void aListenerThatThrowsNeitherStopsTheStepNorTheOtherListeners() {
+  void aListenerThatThrowsNeitherStopsTheStepNorTheOtherListeners() throws InterruptedException {
     SimListener broken =
         new SimListener() {
           @Override
@@ -127,11 +128,16 @@ class SimulationTest {
         };
     Simulation tested = simulation(broken, recorder);
 
-    tested.control(new Control.Power(1, true));
-    tested.submit(1, PEER, "command");
-    tested.submit(1, PEER, "battery?");
-    tested.step();
+    try (CapturedLog log = CapturedLog.of(Simulation.class)) {
+      tested.control(new Control.Power(1, true));
+      tested.submit(1, PEER, "command");
+      tested.submit(1, PEER, "battery?");
+      tested.step();
 
+      do {
+        assertThat(log.next()).startsWith("A listener failed; please report this: ");
+      } while (!log.isEmpty());
+    }
     assertThat(replies).containsExactly("ok", "100\r\n");
     assertThat(events)
         .filteredOn(SimEvent.CommandReceived.class::isInstance)

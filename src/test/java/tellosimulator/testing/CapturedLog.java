@@ -3,17 +3,22 @@ package tellosimulator.testing;
 import ch.qos.logback.classic.Logger;
 import ch.qos.logback.classic.spi.ILoggingEvent;
 import ch.qos.logback.core.UnsynchronizedAppenderBase;
+import java.util.List;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
 import org.slf4j.LoggerFactory;
 
-/** What a class logs, instead of the console, until it is closed. */
+/**
+ * What a class logs, instead of the console, until it is closed. A test that lets people be asked
+ * to report an error must look at what is logged before that.
+ */
 public final class CapturedLog extends UnsynchronizedAppenderBase<ILoggingEvent>
     implements AutoCloseable {
 
   private final BlockingQueue<ILoggingEvent> events = new LinkedBlockingQueue<>();
   private final Logger logger;
+  private volatile boolean lookedAt;
 
   private CapturedLog(Logger logger) {
     this.logger = logger;
@@ -35,6 +40,7 @@ public final class CapturedLog extends UnsynchronizedAppenderBase<ILoggingEvent>
 
   /** Waits for the next sentence with what belongs to it. */
   public ILoggingEvent event() throws InterruptedException {
+    lookedAt = true;
     ILoggingEvent event = events.poll(20, TimeUnit.SECONDS);
     if (event == null) {
       throw new AssertionError("nothing is logged");
@@ -44,6 +50,7 @@ public final class CapturedLog extends UnsynchronizedAppenderBase<ILoggingEvent>
 
   /** Whether there is none. */
   public boolean isEmpty() {
+    lookedAt = true;
     return events.isEmpty();
   }
 
@@ -54,8 +61,19 @@ public final class CapturedLog extends UnsynchronizedAppenderBase<ILoggingEvent>
 
   @Override
   public void close() {
-    logger.setAdditive(true);
     logger.detachAppender(this);
+    logger.setAdditive(true);
     stop();
+    if (lookedAt) {
+      return;
+    }
+    List<String> unseen =
+        events.stream()
+            .filter(UnexpectedErrors::asksForReport)
+            .map(ILoggingEvent::getFormattedMessage)
+            .toList();
+    if (!unseen.isEmpty()) {
+      throw new AssertionError("logged, and not looked at: " + unseen);
+    }
   }
 }

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import tellosimulator.testing.CapturedLog;
 
 class PulseTest {
 
@@ -22,16 +23,20 @@ class PulseTest {
   }
 
   @Test
-  void oneThatFailsDoesNotHoldUpTheOthers() {
+  void oneThatFailsDoesNotHoldUpTheOthersAndIsToldOnce() throws InterruptedException {
     pulse.onBeat(
         nanos -> {
           throw new IllegalStateException("broken on purpose");
         });
     pulse.onBeat(nanos -> done.add("second"));
 
-    pulse.beat(1);
-    pulse.beat(2);
+    try (CapturedLog log = CapturedLog.of(Pulse.class)) {
+      pulse.beat(1);
+      pulse.beat(2);
 
+      assertThat(log.next()).startsWith("A part of the window failed; please report this: ");
+      assertThat(log.isEmpty()).isTrue();
+    }
     assertThat(done).containsExactly("mirror", "second", "mirror", "second");
   }
 }
