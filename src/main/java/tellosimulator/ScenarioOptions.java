@@ -54,7 +54,9 @@ final class ScenarioOptions {
                 TIMEOUT,
                 "SECONDS",
                 "With --exit-when-done: the goals are missed after so many simulated seconds, for"
-                    + " programs that never take off.")
+                    + " programs that never take off. With --time-factor max these pass at once when"
+                    + " a program that has sent a command sends no other for 3 s of real time"
+                    + " before it takes off, or none at all for 30 s.")
             .readIfGiven(new OptionTypes.Seconds());
   }
 

@@ -40,13 +40,15 @@ final class Ending implements SimListener {
   /**
    * How long a program may think while time stands still.
    *
-   * @param standing after all drones have landed [looks]. Decided: 2 s, much longer than from the
+   * @param landed after all drones have landed [looks]. Decided: 2 s, much longer than from the
    *     reply to {@code land} to the next command, and short for whoever waits for the verdict
-   * @param flying while one is in the air, or before the first takeoff [looks]. Decided: 30 s, for
-   *     programs that compute between two commands, or start slowly
+   * @param ready between the first command and the first takeoff [looks]. Decided: 3 s, to open a
+   *     stream or a window, and short for whoever waits for the timeout
+   * @param busy while a drone is in the air, or before the first command [looks]. Decided: 30 s,
+   *     for programs that compute between two commands, or start slowly
    */
-  record Patience(int standing, int flying) {
-    static final Patience DEFAULT = new Patience(2000 / LOOK_MS, 30_000 / LOOK_MS);
+  record Patience(int landed, int ready, int busy) {
+    static final Patience DEFAULT = new Patience(2000 / LOOK_MS, 3000 / LOOK_MS, 30_000 / LOOK_MS);
   }
 
   /** Simulated time, where it stands still while nothing moves. */
@@ -68,6 +70,7 @@ final class Ending implements SimListener {
   private volatile Optional<Progress> progress = Optional.empty();
   private volatile Optional<Double> timeout = Optional.empty();
   private volatile boolean standing = true;
+  private volatile boolean spoken;
   private volatile SimTime now = SimTime.ZERO;
 
   /** When something flew or a command came for the last time. */
@@ -97,6 +100,7 @@ final class Ending implements SimListener {
   public void event(SimEvent event) {
     if (event instanceof SimEvent.CommandReceived) {
       quietSince = event.time();
+      spoken = true;
     }
   }
 
@@ -167,7 +171,7 @@ final class Ending implements SimListener {
     for (long before = -1; !result.await(LOOK_MS, TimeUnit.MILLISECONDS); before = steps.get()) {
       looks = steps.get() == before && standstill.possible() ? looks + 1 : 0;
       boolean waits = begun() || timeout.isPresent();
-      if (waits && looks >= (begun() && standing ? patience.standing() : patience.flying())) {
+      if (waits && looks >= mostLooks()) {
         standstill.pass(begun() ? SILENCE : timeout.orElse(SILENCE));
         looks = 0;
       }
@@ -175,12 +179,19 @@ final class Ending implements SimListener {
     return progress.orElseGet(goals::progress);
   }
 
+  private int mostLooks() {
+    if (begun()) {
+      return standing ? patience.landed() : patience.busy();
+    }
+    return spoken ? patience.ready() : patience.busy();
+  }
+
   /** Waits for the drones and their last replies, but not where time stands still. */
   @SuppressWarnings("ReturnValueIgnored") // whichever comes first
   void awaitRest(Standstill standstill) throws InterruptedException {
     int looks = 0;
     long before = -1;
-    while (looks < patience.flying() && !landed.await(LOOK_MS, TimeUnit.MILLISECONDS)) {
+    while (looks < patience.busy() && !landed.await(LOOK_MS, TimeUnit.MILLISECONDS)) {
       looks = steps.get() == before && standstill.possible() ? looks + 1 : 0;
       before = steps.get();
     }
