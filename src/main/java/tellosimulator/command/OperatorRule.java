@@ -23,8 +23,13 @@ public record OperatorRule(boolean exclusive, Optional<InetAddress> only) {
     return new OperatorRule(true, Optional.of(host));
   }
 
+  /** Whether this is the one host that may become operator. */
+  public boolean names(InetAddress host) {
+    return only.isPresent() && only.get().equals(host);
+  }
+
   /** Whether a host may become operator of a drone that is free. */
   public boolean accepts(InetAddress host) {
-    return only.isEmpty() || only.get().equals(host);
+    return only.isEmpty() || names(host);
   }
 }

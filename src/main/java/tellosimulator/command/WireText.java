@@ -2,6 +2,7 @@ package tellosimulator.command;
 
 import java.nio.charset.StandardCharsets;
 import java.util.Locale;
+import java.util.Set;
 
 /** Bytes of the wire as text and back, without loss: one character a byte (ISO-8859-1). */
 public final class WireText {
@@ -9,7 +10,14 @@ public final class WireText {
   /** Longest datagram that can be a command, and longest echo [bytes]. Decided, no source. */
   public static final int LONGEST = 1024;
 
+  /** In so many bytes the header and the first word of each command end [bytes]. */
+  public static final int LONGEST_BEGINNING = 32;
+
   private static final int LONGEST_SHOWN = 80;
+
+  /** First words of commands that are never answered; see {@link CommandSyntax}. */
+  private static final Set<String> UNANSWERED =
+      Set.of(CommandSyntax.RC.verb(), CommandSyntax.EMERGENCY.verb());
 
   private WireText() {}
 
@@ -42,12 +50,21 @@ public final class WireText {
    * header; whether it is one is up to its other words.
    */
   public static boolean beginsLikeCommand(String datagram) {
+    return CommandSyntax.FIRST_WORDS.contains(firstWord(datagram));
+  }
+
+  /** Whether a datagram is a command that is never answered, if it is a command. */
+  public static boolean isUnanswered(String datagram) {
+    return UNANSWERED.contains(firstWord(datagram));
+  }
+
+  private static String firstWord(String datagram) {
     int start = Retransmission.header(datagram).length();
     int end = start;
     while (end < datagram.length() && datagram.charAt(end) > ' ') {
       end++;
     }
-    return CommandSyntax.FIRST_WORDS.contains(datagram.substring(start, end));
+    return datagram.substring(start, end);
   }
 
   /** The text in a form that harms no terminal and no log: escaped and cut. */

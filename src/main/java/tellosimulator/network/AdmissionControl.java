@@ -1,7 +1,6 @@
 package tellosimulator.network;
 
 import java.net.InetAddress;
-import java.net.InetSocketAddress;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Optional;
@@ -76,28 +75,35 @@ final class AdmissionControl {
   /**
    * Whether a datagram is to be taken.
    *
+   * @param via the address of this machine that it came to
+   * @param bytes begin with the datagram
+   * @param length of the datagram [bytes]
    * @param networks of this machine
    */
-  synchronized boolean admits(Peer peer, String text, LocalNetworks networks) {
-    InetAddress host = peer.address().getAddress();
+  synchronized boolean admits(
+      InetAddress sender, InetAddress via, byte[] bytes, int length, LocalNetworks networks) {
     OperatorRule rule = simulation.operators();
-    boolean named = rule.only().filter(host::equals).isPresent();
-    if (!named && !networks.neighbours(peer.via().getAddress(), host)) {
+    if (!rule.names(sender) && !networks.neighbours(via, sender)) {
       foreign++;
-      lastForeign = host;
+      lastForeign = sender;
       return false;
     }
-    boolean operates = !rule.exclusive() || operator().filter(host::equals).isPresent();
-    if (operates && WireText.beginsLikeCommand(text)) {
+    boolean operates = !rule.exclusive() || operates(sender);
+    if (operates && beginsLikeCommand(bytes, length)) {
       return true;
     }
-    Source source = source(host);
+    Source source = source(sender);
     boolean room =
         operates ? source.unknown.tryTake() : source.stranger.tryTake() && strangers.tryTake();
     if (!room) {
       source.dropped++;
     }
     return room;
+  }
+
+  private static boolean beginsLikeCommand(byte[] bytes, int length) {
+    String beginning = WireText.decode(bytes, Math.min(length, WireText.LONGEST_BEGINNING));
+    return WireText.beginsLikeCommand(beginning);
   }
 
   /** Tells the simulation how many datagrams were turned away since this was called last. */
@@ -119,14 +125,9 @@ final class AdmissionControl {
     return sources.computeIfAbsent(host, unseen -> new Source());
   }
 
-  private Optional<InetAddress> operator() {
-    return simulation
-        .snapshot()
-        .drones()
-        .get(drone - 1)
-        .link()
-        .operator()
-        .map(Peer::address)
-        .map(InetSocketAddress::getAddress);
+  /** Written without a stream, as floods come through here. */
+  private boolean operates(InetAddress host) {
+    Optional<Peer> operator = simulation.snapshot().drones().get(drone - 1).link().operator();
+    return operator.isPresent() && operator.get().address().getAddress().equals(host);
   }
 }

@@ -1,108 +1,108 @@
 package tellosimulator.network;
 
 import java.io.IOException;
-import java.nio.channels.ClosedChannelException;
+import java.net.InetAddress;
+import java.net.InetSocketAddress;
+import java.util.Optional;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 import tellosimulator.command.Peer;
-import tellosimulator.concurrent.Agent;
-import tellosimulator.concurrent.Exceptions;
-import tellosimulator.concurrent.Verdict;
-import tellosimulator.concurrent.Worker;
+import tellosimulator.command.WireText;
 import tellosimulator.sim.Simulation;
 
 /**
- * Receives the commands that come to one port of a drone, on a thread of its own, and hands them to
- * the simulation. Nothing that arrives ends it; closing its port does.
+ * Takes the datagrams that come to one port of a drone, and counts them. Those that are turned away
+ * make no garbage, as floods consist of them. For the receiver's thread.
  */
 final class CommandConnection {
 
   private static final Logger LOG = LoggerFactory.getLogger(CommandConnection.class);
 
   private final int drone;
-  private final DatagramPort port;
+  private final InetSocketAddress address;
   private final Ports ports;
-  private final Simulation simulation;
   private final Gate gate;
-  private boolean warned;
+  private final Traffic traffic;
+  private boolean loopTold;
+  private boolean failing;
 
   /** Decides whether a datagram is taken. */
   @FunctionalInterface
   interface Gate {
-    boolean admits(Peer peer, String text);
+
+    /**
+     * Whether the simulation is to have it.
+     *
+     * @param via the drone's own address that it came to
+     * @param bytes begin with the datagram
+     * @param length of the datagram [bytes]
+     */
+    boolean admits(InetAddress sender, InetAddress via, byte[] bytes, int length);
   }
 
   /**
-   * Receives nothing yet.
+   * Has taken nothing yet.
    *
    * @param drone its number, from 1
+   * @param address the drone's own address and port
    * @param ports of all drones; what comes from one of them is no command
+   * @param traffic counts what comes
    */
-  CommandConnection(int drone, DatagramPort port, Ports ports, Simulation simulation, Gate gate) {
+  CommandConnection(int drone, InetSocketAddress address, Ports ports, Gate gate, Traffic traffic) {
     this.drone = drone;
-    this.port = port;
+    this.address = address;
     this.ports = ports;
-    this.simulation = simulation;
     this.gate = gate;
+    this.traffic = traffic;
   }
 
-  /**
-   * Starts receiving, and counts what comes.
-   *
-   * @return the worker, which ends soon after its port was closed, and frees it then
-   */
-  Worker listen(Traffic traffic) {
-    return Worker.start("command-" + drone, new Receiver(traffic));
+  int drone() {
+    return drone;
   }
 
-  private final class Receiver implements Agent {
-
-    private final String failed = "Receiving on " + port.address() + " failed";
-    private final Verdict once = Verdict.goOn(failed);
-    private final Verdict fatal = Verdict.retry(failed);
-    private final Traffic traffic;
-
-    Receiver(Traffic traffic) {
-      this.traffic = traffic;
+  /** Decides what becomes of a datagram; empty if it is turned away. */
+  Optional<DatagramBatch.Entry> take(InetSocketAddress sender, byte[] bytes, int length) {
+    traffic.countReceived();
+    if (ports.own(sender)) {
+      tellLoop();
+      return Optional.empty();
     }
-
-    @Override
-    public Outcome doWork() throws IOException {
-      try {
-        receive(traffic);
-        return Outcome.WORKED;
-      } catch (ClosedChannelException e) {
-        return Outcome.FINISHED;
-      }
+    if (!gate.admits(sender.getAddress(), address.getAddress(), bytes, length)) {
+      traffic.countDropped();
+      return Optional.empty();
     }
+    Peer peer = new Peer(sender, address);
+    return Optional.of(new DatagramBatch.Entry(this, peer, WireText.decode(bytes, length)));
+  }
 
-    @Override
-    public Verdict onError(Throwable failure) {
-      return Exceptions.isFatal(failure) ? fatal : once;
+  /** Gives a datagram to the simulation. */
+  void handOver(Simulation simulation, DatagramBatch.Entry entry) {
+    if (!simulation.submit(drone, entry.peer(), entry.text())) {
+      traffic.countDropped();
     }
   }
 
-  private void warnOnce() {
-    if (!warned) {
+  private void tellLoop() {
+    if (!loopTold) {
       LOG.warn(
           "Drone {} receives its own replies or state lines at {}: give --command-port, --state-port"
               + " and --reply-port different ports",
           drone,
-          port.address());
+          address);
     }
-    warned = true;
+    loopTold = true;
   }
 
-  private void receive(Traffic traffic) throws IOException {
-    DatagramPort.Received received = port.receive();
-    traffic.countReceived();
-    if (ports.own(received.sender())) {
-      warnOnce();
-      return;
+  /** Its socket could not be read; told once until it works again. */
+  void fails(IOException failure) {
+    if (!failing) {
+      LOG.warn("Receiving on {} failed: {}", address, failure.getMessage());
     }
-    Peer peer = new Peer(received.sender(), port.address());
-    if (!gate.admits(peer, received.text()) || !simulation.submit(drone, peer, received.text())) {
-      traffic.countDropped();
-    }
+    failing = true;
+  }
+
+  /** Its socket could be read. */
+  void works() {
+    failing = false;
   }
 }

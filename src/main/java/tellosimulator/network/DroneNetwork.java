@@ -2,7 +2,6 @@ package tellosimulator.network;
 
 import java.net.InetSocketAddress;
 import java.util.ArrayList;
-import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -17,7 +16,6 @@ import org.slf4j.LoggerFactory;
 import tellosimulator.command.Link;
 import tellosimulator.command.Peer;
 import tellosimulator.command.ReplyPort;
-import tellosimulator.concurrent.Worker;
 import tellosimulator.sim.Simulation;
 import tellosimulator.sim.StatePort;
 import tellosimulator.time.TokenBucket;
@@ -37,7 +35,6 @@ public final class DroneNetwork implements AutoCloseable {
 
   private final List<DroneSockets> drones;
   private final Ports ports = new Ports();
-  private final Map<Integer, List<Worker>> receivers = new HashMap<>();
 
   /** The numbers of the drones that are on. */
   private final Set<Integer> on = new TreeSet<>();
@@ -53,6 +50,7 @@ public final class DroneNetwork implements AutoCloseable {
   private AddressPlan plan;
   private volatile LocalNetworks networks = LocalNetworks.look();
   private volatile Optional<Simulation> simulation = Optional.empty();
+  private Optional<Receiver> receiver = Optional.empty();
 
   /** Addresses that could not be opened when they appeared; told once. */
   private final List<InetSocketAddress> refused = new ArrayList<>();
@@ -95,11 +93,16 @@ public final class DroneNetwork implements AutoCloseable {
     return new StateConnection(ports);
   }
 
-  /** Hands what is received to {@code receiver}, from now on. */
-  public synchronized void listen(Simulation receiver) {
-    simulation = Optional.of(receiver);
+  /**
+   * Hands what is received to a simulation, from now on.
+   *
+   * @throws IllegalStateException if the system has no more of what that takes
+   */
+  public synchronized void listen(Simulation to) {
+    simulation = Optional.of(to);
+    receiver = Optional.of(Receiver.start(to));
     for (int drone = 1; drone <= drones.size(); drone++) {
-      admissions.add(new AdmissionControl(drone, receiver));
+      admissions.add(new AdmissionControl(drone, to));
       for (UdpPort port : sockets(drone).ports()) {
         receive(drone, port);
       }
@@ -140,9 +143,7 @@ public final class DroneNetwork implements AutoCloseable {
 
   /** Closes a drone's sockets, if they are open; its ports are free when this returns. */
   public synchronized void close(int drone) {
-    ports.close(sockets(drone).releaseAllBut(List.of()));
-    receivers.getOrDefault(drone, List.of()).forEach(Worker::close);
-    receivers.remove(drone);
+    release(drone, List.of());
     on.remove(drone);
   }
 
@@ -159,10 +160,19 @@ public final class DroneNetwork implements AutoCloseable {
     }
   }
 
+  /** Closes a drone's sockets but for those at some addresses. */
+  private void release(int drone, List<InetSocketAddress> kept) {
+    List<UdpPort> released = sockets(drone).releaseAllBut(kept);
+    ports.close(released);
+    if (!released.isEmpty()) {
+      receiver.ifPresent(Receiver::settle);
+    }
+  }
+
   private void adopt(int drone) {
     List<InetSocketAddress> wanted =
         planned(drone).stream().filter(each -> plan.allows(drone, each.getAddress())).toList();
-    ports.close(sockets(drone).releaseAllBut(wanted));
+    release(drone, wanted);
     for (InetSocketAddress address : wanted) {
       if (sockets(drone).addresses().contains(address)) {
         continue;
@@ -233,22 +243,21 @@ public final class DroneNetwork implements AutoCloseable {
     for (int drone = 1; drone <= drones.size(); drone++) {
       close(drone);
     }
+    receiver.ifPresent(Receiver::close);
+    receiver = Optional.empty();
   }
 
   private void receive(int drone, UdpPort port) {
-    simulation.ifPresent(
-        receiver -> {
-          CommandConnection connection =
-              new CommandConnection(drone, port, ports, receiver, gate(drone));
-          List<Worker> workers = receivers.computeIfAbsent(drone, none -> new ArrayList<>());
-          workers.removeIf(Worker::hasEnded);
-          workers.add(connection.listen(traffic(drone)));
-        });
+    receiver.ifPresent(
+        to ->
+            to.add(
+                port,
+                new CommandConnection(drone, port.address(), ports, gate(drone), traffic(drone))));
   }
 
   private CommandConnection.Gate gate(int drone) {
     AdmissionControl admission = admissions.get(drone - 1);
-    return (peer, text) -> admission.admits(peer, text, networks);
+    return (sender, via, bytes, length) -> admission.admits(sender, via, bytes, length, networks);
   }
 
   /**
@@ -263,6 +272,7 @@ public final class DroneNetwork implements AutoCloseable {
       port.keepConnected(here.map(operator -> operator.address().getAddress()));
       here.ifPresent(operator -> connect(drone, port, operator, link.statePort()));
     }
+    receiver.ifPresent(Receiver::settleSoon);
   }
 
   /** State comes first and always: replies are few, but state never ends. */

@@ -82,10 +82,14 @@ record LocalNetworks(List<Member> members) {
     if (own.isLoopbackAddress()) {
       return true;
     }
-    boolean secluded = sender.isSiteLocalAddress() || sender.isLinkLocalAddress();
-    return secluded
-        && members.stream()
-            .filter(member -> Objects.equals(member.address(), own))
-            .anyMatch(member -> member.sameNetwork(sender));
+    if (!sender.isSiteLocalAddress() && !sender.isLinkLocalAddress()) {
+      return false;
+    }
+    for (Member member : members) { // not a stream, as floods come through here
+      if (Objects.equals(member.address(), own) && member.sameNetwork(sender)) {
+        return true;
+      }
+    }
+    return false;
   }
 }

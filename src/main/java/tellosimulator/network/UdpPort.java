@@ -7,13 +7,14 @@ import java.net.PortUnreachableException;
 import java.net.StandardSocketOptions;
 import java.nio.ByteBuffer;
 import java.nio.channels.DatagramChannel;
+import java.nio.channels.SelectionKey;
+import java.nio.channels.Selector;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.ConcurrentHashMap;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
-import tellosimulator.command.WireText;
 
 /**
  * A UDP socket. It may have connected sockets beside it, on the same address and port, each for one
@@ -31,9 +32,6 @@ public final class UdpPort implements DatagramPort {
 
   private static final Logger LOG = LoggerFactory.getLogger(UdpPort.class);
 
-  /** Longer than the longest command, so that a longer one is seen to be longer [bytes]. */
-  private static final int BUFFER = 2048;
-
   private static final boolean LINUX = System.getProperty("os.name").startsWith("Linux");
 
   /** Connected sockets beside one. Decided: state, and what a program sends commands from. */
@@ -44,7 +42,6 @@ public final class UdpPort implements DatagramPort {
 
   private final DatagramChannel channel;
   private final InetSocketAddress address;
-  private final ByteBuffer buffer = ByteBuffer.allocateDirect(BUFFER);
 
   private final Optional<InetSocketAddress> peer;
   private final UnreachableListener listener;
@@ -167,24 +164,31 @@ public final class UdpPort implements DatagramPort {
     return address;
   }
 
-  @Override
-  public Received receive() throws IOException {
-    InetSocketAddress sender = null;
-    while (sender == null) {
-      buffer.clear();
-      sender = receiveFrom();
+  /**
+   * Lets a selector tell when something has come. From then on nothing blocks: what the system has
+   * no room for is lost.
+   */
+  void register(Selector selector, Object attachment) {
+    try {
+      channel.configureBlocking(false);
+      channel.register(selector, SelectionKey.OP_READ, attachment);
+    } catch (IOException e) {
+      LOG.debug("{} was closed meanwhile: {}", address, e.toString());
     }
-    buffer.flip();
-    byte[] bytes = new byte[buffer.remaining()];
-    buffer.get(bytes);
-    return new Received(sender, WireText.decode(bytes, bytes.length));
   }
 
-  /** Null where there was no datagram, but word that something sent did not arrive. */
-  private InetSocketAddress receiveFrom() throws IOException {
+  /**
+   * Takes what came next. For one thread.
+   *
+   * @param into is filled from its position on; what it has no room for is cut off
+   * @return who sent it; null if nothing has come
+   * @throws ClosedChannelException if the port was closed
+   * @throws IOException if receiving failed this time
+   */
+  InetSocketAddress receive(ByteBuffer into) throws IOException {
     try {
-      return (InetSocketAddress) channel.receive(buffer);
-    } catch (PortUnreachableException e) {
+      return (InetSocketAddress) channel.receive(into);
+    } catch (PortUnreachableException e) { // in place of a datagram
       peer.ifPresent(listener::unreachable);
       return null;
     }

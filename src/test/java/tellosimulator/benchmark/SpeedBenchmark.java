@@ -169,11 +169,6 @@ final class SpeedBenchmark {
       }
 
       @Override
-      public Received receive() {
-        throw new IllegalStateException("nothing is received here");
-      }
-
-      @Override
       public void send(byte[] bytes, InetSocketAddress to) {
         lines++;
       }

@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.OptionalInt;
 import org.junit.jupiter.api.Test;
 import tellosimulator.command.Peer;
+import tellosimulator.testing.InMemoryPort;
 
 class CommandResponseSenderTest {
 

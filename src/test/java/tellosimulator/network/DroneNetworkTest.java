@@ -189,7 +189,7 @@ class DroneNetworkTest {
     DroneNetwork network = DroneNetwork.open(AddressPlan.of(List.of(FIRST), 0));
     try (SimulationLoop loop = run(network, 1, OptionalInt.empty())) {
       assertThat(loop).isNotNull();
-      List<Thread> receivers = threads("command-1");
+      List<Thread> receivers = threads("receiver");
       assertThat(receivers).isNotEmpty();
 
       network.close();

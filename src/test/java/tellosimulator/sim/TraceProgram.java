@@ -14,11 +14,11 @@ import tellosimulator.command.Peer;
 import tellosimulator.math.Attitude;
 import tellosimulator.math.Vec3;
 import tellosimulator.model.Motion;
-import tellosimulator.network.InMemoryPort;
 import tellosimulator.network.Ports;
 import tellosimulator.network.StateConnection;
 import tellosimulator.profile.Behaviour;
 import tellosimulator.profile.Profile;
+import tellosimulator.testing.InMemoryPort;
 import tellosimulator.time.TimeFactor;
 import tellosimulator.world.Room;
 

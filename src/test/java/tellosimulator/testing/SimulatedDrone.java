@@ -11,7 +11,6 @@ import tellosimulator.command.Link;
 import tellosimulator.command.Peer;
 import tellosimulator.model.DroneState;
 import tellosimulator.network.CommandResponseSender;
-import tellosimulator.network.InMemoryPort;
 import tellosimulator.network.Ports;
 import tellosimulator.network.StateConnection;
 import tellosimulator.profile.Behaviour;

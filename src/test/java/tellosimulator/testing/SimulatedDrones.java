@@ -11,7 +11,6 @@ import java.util.stream.IntStream;
 import tellosimulator.command.Peer;
 import tellosimulator.model.DroneState;
 import tellosimulator.network.CommandResponseSender;
-import tellosimulator.network.InMemoryPort;
 import tellosimulator.network.Ports;
 import tellosimulator.network.StateConnection;
 import tellosimulator.sim.Control;

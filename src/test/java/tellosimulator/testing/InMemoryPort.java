@@ -1,15 +1,12 @@
-package tellosimulator.network;
+package tellosimulator.testing;
 
 import java.net.InetSocketAddress;
-import java.nio.channels.ClosedChannelException;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Optional;
-import java.util.concurrent.BlockingQueue;
-import java.util.concurrent.LinkedBlockingQueue;
 import tellosimulator.command.WireText;
+import tellosimulator.network.DatagramPort;
 
-/** A port without a network, for tests and benchmarks. For any thread. */
+/** A port without a network, which keeps what is sent. For any thread. */
 public final class InMemoryPort implements DatagramPort {
 
   /**
@@ -20,16 +17,10 @@ public final class InMemoryPort implements DatagramPort {
   public record Sent(InetSocketAddress to, String text) {}
 
   private final InetSocketAddress address;
-  private final BlockingQueue<Optional<Received>> incoming = new LinkedBlockingQueue<>();
   private final List<Sent> outgoing = new ArrayList<>();
 
   public InMemoryPort(InetSocketAddress address) {
     this.address = address;
-  }
-
-  /** Lets a datagram arrive. */
-  public void deliver(InetSocketAddress sender, String text) {
-    incoming.add(Optional.of(new Received(sender, text)));
   }
 
   /** What was sent since this was asked last. */
@@ -45,26 +36,10 @@ public final class InMemoryPort implements DatagramPort {
   }
 
   @Override
-  public Received receive() throws ClosedChannelException {
-    try {
-      Optional<Received> received = incoming.take();
-      if (received.isPresent()) {
-        return received.get();
-      }
-      close();
-    } catch (InterruptedException e) {
-      Thread.currentThread().interrupt();
-    }
-    throw new ClosedChannelException();
-  }
-
-  @Override
   public synchronized void send(byte[] bytes, InetSocketAddress to) {
     outgoing.add(new Sent(to, WireText.decode(bytes, bytes.length)));
   }
 
   @Override
-  public void close() {
-    incoming.add(Optional.empty());
-  }
+  public void close() {}
 }

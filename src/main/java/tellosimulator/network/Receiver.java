@@ -1,0 +1,190 @@
+package tellosimulator.network;
+
+import java.io.IOException;
+import java.net.InetSocketAddress;
+import java.nio.ByteBuffer;
+import java.nio.channels.ClosedChannelException;
+import java.nio.channels.SelectionKey;
+import java.nio.channels.Selector;
+import java.util.Queue;
+import java.util.concurrent.ConcurrentLinkedQueue;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.locks.LockSupport;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+import tellosimulator.concurrent.Agent;
+import tellosimulator.concurrent.Exceptions;
+import tellosimulator.concurrent.Verdict;
+import tellosimulator.concurrent.Worker;
+import tellosimulator.sim.Simulation;
+
+/**
+ * Receives what comes to the open sockets of all drones, on one thread, and hands it to the
+ * simulation. What is waiting when it wakes up is read as a whole before any of it is handed over,
+ * so that of two datagrams that a program sends to different drones the second does not overtake
+ * the first; see {@link DatagramBatch}. Nothing that arrives ends it. Its methods are for any
+ * thread.
+ */
+final class Receiver implements AutoCloseable {
+
+  private static final Logger LOG = LoggerFactory.getLogger(Receiver.class);
+
+  /** Longer than the longest command, so that a longer one is seen to be longer [bytes]. */
+  private static final int BUFFER = 2048;
+
+  /** Datagrams that are read from a socket before the next one has its turn. Decided. */
+  private static final int MOST_OF_PORT = 64;
+
+  /** Pause after a socket failed, so that it does not take a whole processor [ns]. Decided. */
+  private static final long BACK_OFF_NANOS = 10_000_000;
+
+  /** How often {@link #settle} looks whether the thread has ended [ms]. */
+  private static final int PATIENCE_MS = 1000;
+
+  private final Selector selector;
+  private final Simulation simulation;
+  private final Queue<CountDownLatch> settling = new ConcurrentLinkedQueue<>();
+  private final Worker worker;
+  private volatile boolean closed;
+
+  private record Source(UdpPort port, CommandConnection connection) {}
+
+  private Receiver(Selector selector, Simulation simulation) {
+    this.selector = selector;
+    this.simulation = simulation;
+    this.worker = Worker.start("receiver", new Turns());
+  }
+
+  /**
+   * Starts; nothing is received yet.
+   *
+   * @throws IllegalStateException if the system has no more of what that takes
+   */
+  static Receiver start(Simulation simulation) {
+    try {
+      return new Receiver(Selector.open(), simulation);
+    } catch (IOException e) {
+      throw new IllegalStateException("the system lets nobody wait for datagrams", e);
+    }
+  }
+
+  /** Receives from a socket until that is closed. */
+  void add(UdpPort port, CommandConnection connection) {
+    port.register(selector, new Source(port, connection));
+    selector.wakeup();
+  }
+
+  /** Lets go of sockets that have been closed; their ports are free when this returns. */
+  void settle() {
+    CountDownLatch settled = new CountDownLatch(1);
+    settling.add(settled);
+    selector.wakeup();
+    try {
+      while (!worker.hasEnded() && !settled.await(PATIENCE_MS, TimeUnit.MILLISECONDS)) {
+        selector.wakeup();
+      }
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+    }
+  }
+
+  /** As {@link #settle}, soon. */
+  void settleSoon() {
+    selector.wakeup();
+  }
+
+  /** Ends it after what it does now. Sockets are closed by whoever opened them. */
+  @Override
+  public void close() {
+    closed = true;
+    selector.wakeup();
+    worker.close();
+    try {
+      selector.close();
+    } catch (IOException e) {
+      LOG.debug("Closing the selector failed: {}", e.toString());
+    }
+  }
+
+  private final class Turns implements Agent {
+
+    private final Verdict once = Verdict.goOn("A datagram could not be handled");
+    private final Verdict fatal = Verdict.retry("Receiving failed");
+    private final ByteBuffer buffer = ByteBuffer.allocateDirect(BUFFER);
+    private final byte[] bytes = new byte[BUFFER];
+    private final DatagramBatch batch = new DatagramBatch();
+    private boolean socketFailed;
+
+    @Override
+    public Outcome doWork() throws IOException {
+      int settled = settling.size();
+      socketFailed = false;
+      try {
+        receive(settled > 0);
+      } finally {
+        batch.handOver(simulation);
+      }
+      for (int i = 0; i < settled; i++) {
+        settling.remove().countDown();
+      }
+      if (closed) {
+        return Outcome.FINISHED;
+      }
+      return socketFailed ? Outcome.IDLE : Outcome.WORKED;
+    }
+
+    /**
+     * Who sends a command after the reply to the one before, or without such, has sent everything
+     * else by then: so it is looked once more after something was found.
+     */
+    private void receive(boolean atOnce) throws IOException {
+      if (atOnce) {
+        selector.selectNow(this::read);
+      } else {
+        selector.select(this::read);
+      }
+      int found = 0;
+      while (batch.size() > found && batch.hasRoom()) {
+        found = batch.size();
+        selector.selectNow(this::read);
+      }
+    }
+
+    private void read(SelectionKey key) {
+      Source source = (Source) key.attachment();
+      try {
+        for (int i = 0; i < MOST_OF_PORT && batch.hasRoom() && readNext(source); i++) {
+          source.connection().works();
+        }
+      } catch (ClosedChannelException e) {
+        key.cancel();
+      } catch (IOException e) { // the other sockets are read all the same
+        source.connection().fails(e);
+        socketFailed = true;
+      }
+    }
+
+    private boolean readNext(Source source) throws IOException {
+      buffer.clear();
+      InetSocketAddress sender = source.port().receive(buffer);
+      if (sender == null) {
+        return false;
+      }
+      int length = buffer.flip().remaining();
+      buffer.get(bytes, 0, length);
+      source.connection().take(sender, bytes, length).ifPresent(batch::add);
+      return true;
+    }
+
+    @Override
+    public void idle() {
+      LockSupport.parkNanos(BACK_OFF_NANOS);
+    }
+
+    @Override
+    public Verdict onError(Throwable failure) {
+      return Exceptions.isFatal(failure) ? fatal : once;
+    }
+  }
+}
