@@ -20,7 +20,7 @@ public final class Pacer {
    * How long mere motion waits for the next command, as fast as possible [ns]. Decided: long beside
    * what a program thinks between two commands, short for a person who looks on.
    */
-  private static final long PATIENCE_NANOS = 1_000_000_000;
+  private static final long PATIENCE_NANOS = 2_000_000_000;
 
   /** What one wait takes away from the patience at the most, however long it was [ns]. */
   private static final long PATIENCE_SLICE_NANOS = 50_000_000;
@@ -78,8 +78,8 @@ public final class Pacer {
    * Whether a step may run now; if so, it is counted as run.
    *
    * @param demand why the simulation needs time to pass, which counts as fast as possible only: for
-   *     a debt time passes at once; mere motion waits for the next command first, for one second in
-   *     which this process really ran
+   *     a debt time passes at once; mere motion waits for the next command first, for two seconds
+   *     in which this process really ran
    */
   public boolean stepDue(Supplier<Demand> demand) {
     if (paused) {
