@@ -67,27 +67,29 @@ class UdpDeterminismTest {
       2 takeoff
       1 mdirection 2
       2 rc 0 30 0 0
-      2 height?
       1 baro?
       2 rc 0 0 0 40
-      2 height?
+      1 height?
       3 takeoff
       1 rc 10 0 0 0
+      3 attitude?
       1 rc 0 0 0 0
-      1 attitude?
+      2 attitude?
       3 rc 0 0 20 0
-      3 cw 90
+      1 cw 90
       3 rc 0 0 0 0
       3 height?
       2 rc 0 -20 0 0
+      3 battery?
       2 rc 0 0 0 0
+      1 tof?
       2 stop
       2 time?
       1 go 100 0 60 60 m1
       1 stop
       1 acceleration?
       3 emergency
-      3 height?
+      2 height?
       3 takeoff
       1 speed?
       1 forward 50
@@ -95,7 +97,9 @@ class UdpDeterminismTest {
       2 curve 25 -25 0 25 -75 0 40
       2 battery?
       3 rc 20 20 0 0
+      1 battery?
       3 rc 0 0 0 0
+      2 stop
       3 stop
       1 rc 0 0 0 30
       1 rc 0 0 0 0

@@ -175,6 +175,10 @@ final class DeterminismTrial {
     for (int i = 0; i < COMMANDS; i++) {
       script.add(1 + random.nextInt(DRONES) + " " + WORDS.get(random.nextInt(WORDS.size())));
     }
+    for (int drone = 1; drone <= DRONES; drone++) { // or motion would go on after the program
+      script.add(drone + " rc 0 0 0 0");
+      script.add(drone + " battery?");
+    }
     return script;
   }
 
