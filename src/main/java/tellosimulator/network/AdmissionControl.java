@@ -32,9 +32,9 @@ final class AdmissionControl {
   private static final double ALL_STRANGERS_BURST = 1000;
 
   /** Texts of the operator's host that are no commands [1/s]. Decided: typing errors are fewer. */
-  private static final double UNKNOWN_RATE = 1000;
+  private static final double UNKNOWN_RATE = 200;
 
-  private static final double UNKNOWN_BURST = 2000;
+  private static final double UNKNOWN_BURST = 1000;
 
   /** Hosts that are remembered. Assumed: more than any class has. */
   private static final int MOST_HOSTS = 256;

@@ -41,7 +41,7 @@ class AdmissionControlTest {
   void textsOfTheOperatorsHostThatAreNoCommandsAreLimited() {
     AdmissionControl admission = new AdmissionControl(1, operated(OperatorRule.FIRST));
 
-    assertThat(admitted(admission, OPERATOR, "garbage", 100_000)).isBetween(2000, 20_000);
+    assertThat(admitted(admission, OPERATOR, "garbage", 100_000)).isBetween(1000, 10_000);
     assertThat(admitted(admission, OPERATOR, "battery?", 100)).isEqualTo(100);
   }
 
