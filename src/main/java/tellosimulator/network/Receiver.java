@@ -6,11 +6,12 @@ import java.nio.ByteBuffer;
 import java.nio.channels.ClosedChannelException;
 import java.nio.channels.SelectionKey;
 import java.nio.channels.Selector;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Queue;
 import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
-import java.util.concurrent.locks.LockSupport;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 import tellosimulator.concurrent.Agent;
@@ -36,8 +37,8 @@ final class Receiver implements AutoCloseable {
   /** Datagrams that are read from a socket before the next one has its turn. Decided. */
   private static final int MOST_OF_PORT = 64;
 
-  /** Pause after a socket failed, so that it does not take a whole processor [ns]. Decided. */
-  private static final long BACK_OFF_NANOS = 10_000_000;
+  /** Pause after a socket failed, so that it does not take a whole processor [ms]. Decided. */
+  private static final int BACK_OFF_MS = 10;
 
   /** How often {@link #settle} looks whether the thread has ended [ms]. */
   private static final int PATIENCE_MS = 1000;
@@ -114,12 +115,13 @@ final class Receiver implements AutoCloseable {
     private final ByteBuffer buffer = ByteBuffer.allocateDirect(BUFFER);
     private final byte[] bytes = new byte[BUFFER];
     private final DatagramBatch batch = new DatagramBatch();
-    private boolean socketFailed;
+
+    /** Sockets that failed, and pause. */
+    private final List<SelectionKey> failed = new ArrayList<>();
 
     @Override
     public Outcome doWork() throws IOException {
       int settled = settling.size();
-      socketFailed = false;
       try {
         receive(settled > 0);
       } finally {
@@ -128,10 +130,7 @@ final class Receiver implements AutoCloseable {
       for (int i = 0; i < settled; i++) {
         settling.remove().countDown();
       }
-      if (closed) {
-        return Outcome.FINISHED;
-      }
-      return socketFailed ? Outcome.IDLE : Outcome.WORKED;
+      return closed ? Outcome.FINISHED : Outcome.WORKED;
     }
 
     /**
@@ -142,12 +141,28 @@ final class Receiver implements AutoCloseable {
       if (atOnce) {
         selector.selectNow(this::read);
       } else {
-        selector.select(this::read);
+        await();
       }
       int found = 0;
       while (batch.size() > found && batch.hasRoom()) {
         found = batch.size();
         selector.selectNow(this::read);
+      }
+    }
+
+    private void await() throws IOException {
+      if (failed.isEmpty()) {
+        selector.select(this::read);
+        return;
+      }
+      List<SelectionKey> pausing = List.copyOf(failed);
+      failed.clear();
+      try {
+        selector.select(this::read, BACK_OFF_MS);
+      } finally {
+        pausing.stream()
+            .filter(SelectionKey::isValid)
+            .forEach(key -> key.interestOps(SelectionKey.OP_READ));
       }
     }
 
@@ -159,9 +174,10 @@ final class Receiver implements AutoCloseable {
         }
       } catch (ClosedChannelException e) {
         key.cancel();
-      } catch (IOException e) { // the other sockets are read all the same
+      } catch (IOException e) {
         source.connection().fails(e);
-        socketFailed = true;
+        key.interestOps(0);
+        failed.add(key);
       }
     }
 
@@ -175,11 +191,6 @@ final class Receiver implements AutoCloseable {
       buffer.get(bytes, 0, length);
       source.connection().take(sender, bytes, length).ifPresent(batch::add);
       return true;
-    }
-
-    @Override
-    public void idle() {
-      LockSupport.parkNanos(BACK_OFF_NANOS);
     }
 
     @Override
