@@ -38,7 +38,6 @@ import tellosimulator.sim.SimConfig.Rules;
 import tellosimulator.time.Demand;
 import tellosimulator.time.Periodic;
 import tellosimulator.time.SimTime;
-import tellosimulator.time.TokenBucket;
 import tellosimulator.words.Phrase;
 import tellosimulator.world.Collision;
 import tellosimulator.world.Room;
@@ -87,7 +86,6 @@ final class Drone {
   /** Whether a command came since the last state line, so that the operator waits for the next. */
   private boolean lineOwed;
 
-  private final TokenBucket tellings = new TokenBucket(1, 1);
   private long stateCount;
   private long replyCount;
 
@@ -171,9 +169,8 @@ final class Drone {
     }
   }
 
-  /** In sums: at most once a second of the wall clock, as simulated time may stand still. */
   private void tellDropped() {
-    if (outbox.hasDropped() && tellings.tryTake()) {
+    if (outbox.hasDropped()) {
       events.accept(new SimEvent.RepliesDropped(now, model.drone(), outbox.takeDropped()));
     }
   }

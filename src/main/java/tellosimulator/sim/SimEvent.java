@@ -174,9 +174,9 @@ public sealed interface SimEvent {
   /**
    * Events about what a host sent in vain were left out of a log.
    *
-   * @param host the sender's address
+   * @param host the sender's address; empty if there are too many senders to name them
    */
-  record Omitted(SimTime time, int drone, String host, long count) implements SimEvent {
+  record Omitted(SimTime time, int drone, Optional<String> host, long count) implements SimEvent {
     @Override
     public Severity severity() {
       return Severity.WARNING;
@@ -184,7 +184,8 @@ public sealed interface SimEvent {
 
     @Override
     public Phrase phrase() {
-      return Phrase.of("%,d more from %s are not shown", count, host);
+      return host.map(sender -> Phrase.of("%,d more from %s are not shown", count, sender))
+          .orElse(Phrase.of("%,d more from many hosts are not shown", count));
     }
   }
 
