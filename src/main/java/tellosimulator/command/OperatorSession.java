@@ -6,7 +6,8 @@ import tellosimulator.time.SimTime;
 import tellosimulator.words.Phrase;
 
 /**
- * SDK mode, and which host operates the drone. Lost with the power. For the simulation thread.
+ * SDK mode, and which host operates the drone. Lost with the power; only who operated it last is
+ * remembered, for people. For the simulation thread.
  *
  * <p>The host that first sends {@code command} is the operator; a program that is restarted sends
  * from another port of the same host and goes on. The drone is free again when it stands on the
@@ -33,13 +34,17 @@ public final class OperatorSession {
   /** When it is tried once more whether anybody takes state lines [s]. Decided. */
   private static final double TRIES_AGAIN_AFTER = 2;
 
-  /** A drone changed hands: who operates it now, and who did before, if anybody. */
+  /** A drone changed hands: who operates it now, and who on another host did before, if anybody. */
   public record Takeover(Peer operator, Optional<Peer> before) {}
 
   private final OperatorRule rule;
   private final Link unlinked;
   private final Consumer<Link> listener;
   private Link link;
+
+  /** Who operated it before, if that was another host. */
+  private Optional<Peer> former = Optional.empty();
+
   private SimTime lastHeard = SimTime.ZERO;
   private boolean released;
   private int rests;
@@ -75,7 +80,11 @@ public final class OperatorSession {
       return Phrase.of(
           "--operator lets only %s operate the drone", rule.only().orElseThrow().getHostAddress());
     }
-    return Phrase.of("the drone is operated by %s", link.operator().orElseThrow().host());
+    String operator = link.operator().orElseThrow().host();
+    return former.filter(lost -> lost.host().equals(peer.host())).isPresent()
+        ? Phrase.of(
+            "the drone is operated by %s now, which took over from %s", operator, peer.host())
+        : Phrase.of("the drone is operated by %s", operator);
   }
 
   /** Notes that something came from {@code peer}; the operator is shown as it commanded last. */
@@ -99,12 +108,16 @@ public final class OperatorSession {
     if (same || !rule.accepts(peer.address().getAddress()) || !free(now, standing)) {
       return Optional.empty();
     }
-    Takeover takeover = new Takeover(peer, link.operator());
+    former = last().filter(lost -> !lost.host().equals(peer.host()));
     adopt(unlinked.with(peer));
     lastHeard = now;
     released = false;
     rests = 0;
-    return Optional.of(takeover);
+    return Optional.of(new Takeover(peer, former));
+  }
+
+  private Optional<Peer> last() {
+    return link.operator().or(() -> former);
   }
 
   private boolean free(SimTime now, boolean standing) {
@@ -151,8 +164,9 @@ public final class OperatorSession {
     return link.sdkMode() && taken && !(remote && now.since(lastHeard) >= REST_AFTER);
   }
 
-  /** Forgets everything, as without power. */
+  /** Ends SDK mode, as without power: the drone is free. */
   public void close() {
+    former = last();
     adopt(unlinked);
     released = false;
     rests = 0;

@@ -208,8 +208,14 @@ final class Drone {
       session.release();
       settle(neighbourhood.surroundings());
     } else if (control instanceof Control.Release) {
+      Phrase free = Phrase.of("is free: who sends `command` next operates it");
+      note(
+          session
+              .link()
+              .operator()
+              .map(lost -> Phrase.of("%s; %s has lost it", free, lost.host()))
+              .orElse(free));
       controller.endSession();
-      note(Phrase.of("is free: who sends `command` next operates it"));
     } else if (control instanceof Control.SetBattery battery) {
       model.setBattery(new Battery(battery.percent() / 100));
       note(Phrase.of("has %d %% of its battery now", model.battery().percent()));

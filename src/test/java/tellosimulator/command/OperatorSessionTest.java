@@ -162,7 +162,16 @@ class OperatorSessionTest {
     session.open(OPERATOR, at(100), true);
     session.close();
 
-    assertThat(session.open(OTHER, at(100), true)).contains(new Takeover(OTHER, NOBODY));
+    assertThat(session.open(OTHER, at(100), true))
+        .contains(new Takeover(OTHER, Optional.of(OPERATOR)));
+  }
+
+  @Test
+  void nobodyHasLostADroneThatGoesBackToItsOperator() {
+    session.open(OPERATOR, at(100), true);
+    session.close();
+
+    assertThat(session.open(OPERATOR, at(100), true)).contains(new Takeover(OPERATOR, NOBODY));
   }
 
   @Test
