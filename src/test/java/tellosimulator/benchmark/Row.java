@@ -4,6 +4,7 @@ import java.io.PrintStream;
 import java.math.BigDecimal;
 import java.util.List;
 import java.util.Locale;
+import java.util.stream.Collectors;
 
 /**
  * A line of a table of what was measured.
@@ -38,6 +39,17 @@ public record Row(String what, String target, String measured, boolean reached) 
         + BigDecimal.valueOf(target).stripTrailingZeros().toPlainString()
         + " "
         + unit;
+  }
+
+  /** The same measured several times: reached where the median is, so in more than half of them. */
+  public static Row ofRuns(List<Row> runs) {
+    Row first = runs.get(0);
+    long reached = runs.stream().filter(Row::reached).count();
+    return new Row(
+        first.what,
+        first.target,
+        runs.stream().map(Row::measured).collect(Collectors.joining(", ")),
+        2 * reached > runs.size());
   }
 
   /** Something to compare with; nothing is promised. */

@@ -19,6 +19,9 @@ public final class Endurance {
 
   private static final String DEFAULT_MINUTES = "5";
 
+  /** So often what depends on the machine's other work is measured where it is missed at first. */
+  private static final int RUNS = 3;
+
   /** Some rows of the table. */
   @FunctionalInterface
   private interface Trial {
@@ -107,7 +110,7 @@ public final class Endurance {
 
   private static Map<String, Entry> trials() {
     Map<String, Entry> trials = new LinkedHashMap<>();
-    trials.put("flood", new Entry(Lane.ALONE, inNetwork(FloodTrial::run)));
+    trials.put("flood", new Entry(Lane.ALONE, inNetwork(again(FloodTrial::run))));
     trials.put("reflector", new Entry(Lane.IN_TURN, inNetwork(ReflectorTrial::run)));
     trials.put("silent", new Entry(Lane.BESIDE, inNetwork(ReflectorTrial::runSilent)));
     trials.put("outbox", new Entry(Lane.IN_TURN, OutboxTrial::run));
@@ -120,10 +123,26 @@ public final class Endurance {
     trials.put("determinism", new Entry(Lane.IN_TURN, DeterminismTrial::run));
     trials.put("ending", new Entry(Lane.BESIDE, EndingTrial::landsTooEarly));
     trials.put("timeout", new Entry(Lane.BESIDE, EndingTrial::neverTakesOff));
-    trials.put("window", new Entry(Lane.IN_TURN, WindowTrial::run));
+    trials.put("window", new Entry(Lane.IN_TURN, again(WindowTrial::run)));
     trials.put("class", new Entry(Lane.IN_TURN, inNetwork(ClassTrial::run)));
     trials.put("soak", new Entry(Lane.IN_TURN, SoakTrial::run));
     return trials;
+  }
+
+  /** A row that is missed is measured twice more, and counts if its median is enough. */
+  private static Trial again(Trial trial) {
+    return minutes -> {
+      List<List<Row>> runs = new ArrayList<>(List.of(trial.run(minutes)));
+      while (runs.size() < RUNS && !runs.get(0).stream().allMatch(Row::reached)) {
+        runs.add(trial.run(minutes));
+      }
+      List<Row> rows = new ArrayList<>();
+      for (int i = 0; i < runs.get(0).size(); i++) {
+        int row = i;
+        rows.add(Row.ofRuns(runs.stream().map(run -> run.get(row)).toList()));
+      }
+      return rows;
+    };
   }
 
   /** Where nobody can make a private network, the rows are not measured, which is no miss. */
