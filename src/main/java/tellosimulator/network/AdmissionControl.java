@@ -4,6 +4,7 @@ import java.net.InetAddress;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.LongSupplier;
 import tellosimulator.command.OperatorRule;
 import tellosimulator.command.Peer;
 import tellosimulator.command.WireText;
@@ -21,20 +22,18 @@ import tellosimulator.words.Phrase;
  */
 final class AdmissionControl {
 
-  /** Datagrams of a host that does not operate the drone [1/s]. Decided: it may only read. */
-  private static final double STRANGERS_RATE = 50;
+  /**
+   * What a host may send besides the operator's commands [1/s]. Decided: a program that looks on,
+   * or that finds its drone free after each power cycle; typing errors are fewer.
+   */
+  private static final double RATE = 200;
 
-  private static final double STRANGERS_BURST = 100;
+  private static final double BURST = 1000;
 
-  /** The same of all such hosts together [1/s]. Decided: two classes that look on. */
-  private static final double ALL_STRANGERS_RATE = 500;
+  /** The same of all hosts together that do not operate the drone [1/s]. Decided: two classes. */
+  private static final double STRANGERS_RATE = 500;
 
-  private static final double ALL_STRANGERS_BURST = 1000;
-
-  /** Texts of the operator's host that are no commands [1/s]. Decided: typing errors are fewer. */
-  private static final double UNKNOWN_RATE = 200;
-
-  private static final double UNKNOWN_BURST = 1000;
+  private static final double STRANGERS_BURST = 2000;
 
   /** Hosts that are remembered. Assumed: more than any class has. */
   private static final int MOST_HOSTS = 256;
@@ -53,23 +52,41 @@ final class AdmissionControl {
         }
       };
 
-  private final TokenBucket strangers = new TokenBucket(ALL_STRANGERS_RATE, ALL_STRANGERS_BURST);
+  private final LongSupplier nanos;
+  private final TokenBucket strangers;
   private long foreign;
   private InetAddress lastForeign = AddressPlan.loopback(1);
 
   /** What came from a host. */
   private static final class Source {
-    private final TokenBucket stranger = new TokenBucket(STRANGERS_RATE, STRANGERS_BURST);
-    private final TokenBucket unknown = new TokenBucket(UNKNOWN_RATE, UNKNOWN_BURST);
+    private final TokenBucket bucket;
     private long dropped;
+
+    Source(LongSupplier nanos) {
+      bucket = new TokenBucket(RATE, BURST, nanos);
+    }
   }
 
   /**
+   * By the wall clock.
+   *
    * @param drone its number, from 1
    */
   AdmissionControl(int drone, Simulation simulation) {
+    this(drone, simulation, TokenBucket.WALL_CLOCK);
+  }
+
+  /**
+   * By some clock.
+   *
+   * @param drone its number, from 1
+   * @param nanos a clock that never goes back [ns]
+   */
+  AdmissionControl(int drone, Simulation simulation, LongSupplier nanos) {
     this.drone = drone;
     this.simulation = simulation;
+    this.nanos = nanos;
+    this.strangers = new TokenBucket(STRANGERS_RATE, STRANGERS_BURST, nanos);
   }
 
   /**
@@ -93,8 +110,7 @@ final class AdmissionControl {
       return true;
     }
     Source source = source(sender);
-    boolean room =
-        operates ? source.unknown.tryTake() : source.stranger.tryTake() && strangers.tryTake();
+    boolean room = source.bucket.tryTake() && (operates || strangers.tryTake());
     if (!room) {
       source.dropped++;
     }
@@ -122,7 +138,7 @@ final class AdmissionControl {
   }
 
   private Source source(InetAddress host) {
-    return sources.computeIfAbsent(host, unseen -> new Source());
+    return sources.computeIfAbsent(host, unseen -> new Source(nanos));
   }
 
   /** Written without a stream, as floods come through here. */
