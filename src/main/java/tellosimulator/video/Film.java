@@ -1,5 +1,6 @@
 package tellosimulator.video;
 
+import java.util.List;
 import java.util.Optional;
 import tellosimulator.sim.SimSnapshot;
 import tellosimulator.video.camera.FrameSource;
@@ -55,6 +56,11 @@ final class Film {
       Object sight = source.sight(snapshot, new Shot(drone, format.downward()));
       opening = Optional.of(new Opening(sight, encode(0, true)));
     }
+  }
+
+  /** What there is to see: where it equals that of before, the next picture is as the last. */
+  Object sight(SimSnapshot snapshot, VideoFormat format) {
+    return List.of(format, source.sight(snapshot, new Shot(drone, format.downward())));
   }
 
   /** Takes the next picture, if it is not there in advance; it is valid until the next call. */

@@ -72,6 +72,13 @@ public final class VideoStream implements AutoCloseable {
   private final List<VideoWatcher> watchers = new CopyOnWriteArrayList<>();
   private final Worker worker;
   private volatile boolean starved;
+
+  /** Whether somebody looks who has seen no picture yet. */
+  private volatile boolean unseen;
+
+  /** What the last picture showed, if it was only for those who look. */
+  private Optional<Object> shown = Optional.empty();
+
   private int starvedAt;
   private int start;
 
@@ -109,6 +116,7 @@ public final class VideoStream implements AutoCloseable {
   /** Shows a watcher all pictures from now on. */
   public void watch(VideoWatcher watcher) {
     watchers.add(watcher);
+    unseen = true;
     starved = false;
     wake();
   }
@@ -205,10 +213,31 @@ public final class VideoStream implements AutoCloseable {
     }
     VideoFormat format = VideoFormat.of(now.state().video());
     if (metronome.awaitTick(wish.encoded ? format.period() : PREVIEW_PERIOD)) {
-      SimSnapshot newest = snapshots.get();
-      picture(newest, wish(drone(newest)), VideoFormat.of(drone(newest).state().video()));
+      film(snapshots.get());
     }
     return true;
+  }
+
+  private void film(SimSnapshot newest) {
+    Wish wish = wish(drone(newest));
+    VideoFormat format = VideoFormat.of(drone(newest).state().video());
+    if (wish.encoded) {
+      shown = Optional.empty();
+      picture(newest, wish, format);
+    } else {
+      preview(newest, wish, format);
+    }
+  }
+
+  /** Takes a picture for those who look, unless it would be as the last one. */
+  private void preview(SimSnapshot snapshot, Wish wish, VideoFormat format) {
+    Optional<Object> sight = Optional.of(film().sight(snapshot, format));
+    if (unseen || !sight.equals(shown)) {
+      unseen = false;
+      shown = Optional.empty(); // if it fails
+      picture(snapshot, wish, format);
+      shown = sight;
+    }
   }
 
   private boolean resting(DroneSnapshot now) {

@@ -22,9 +22,11 @@ import tellosimulator.sim.SimSnapshot;
 import tellosimulator.sim.Simulation;
 import tellosimulator.testing.CapturedLog;
 import tellosimulator.video.camera.FrameSource;
+import tellosimulator.video.camera.Shot;
 import tellosimulator.video.codec.H264Encoder;
+import tellosimulator.video.picture.Picture;
 
-/** What becomes of a stream whose pictures fail. */
+/** Which pictures a stream takes, and what becomes of it if they fail. */
 @Timeout(value = 60, unit = TimeUnit.SECONDS, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
 class VideoStreamTest {
 
@@ -44,6 +46,7 @@ class VideoStreamTest {
           List.of());
   private final AtomicReference<Error> failure = new AtomicReference<>();
   private final BlockingQueue<String> filmed = new LinkedBlockingQueue<>();
+  private final AtomicReference<String> sight = new AtomicReference<>("the room");
   private final AtomicInteger films = new AtomicInteger();
   private final Semaphore looks = new Semaphore(0);
   private final CapturedLog log = CapturedLog.of(Verdict.class);
@@ -57,11 +60,19 @@ class VideoStreamTest {
 
   private FrameSource source() {
     films.incrementAndGet();
-    return (snapshot, shot, picture) -> {
-      Error broken = failure.get();
-      filmed.add(broken == null ? "picture" : "failure");
-      if (broken != null) {
-        throw broken;
+    return new FrameSource() {
+      @Override
+      public void film(SimSnapshot snapshot, Shot shot, Picture picture) {
+        Error broken = failure.get();
+        filmed.add(broken == null ? "picture" : "failure");
+        if (broken != null) {
+          throw broken;
+        }
+      }
+
+      @Override
+      public Object sight(SimSnapshot snapshot, Shot shot) {
+        return sight.get();
       }
     };
   }
@@ -133,6 +144,52 @@ class VideoStreamTest {
     while (!filmed.take().equals("picture")) {
       assertThat(films).hasValue(1);
     }
+  }
+
+  @Test
+  void whoOnlyLooksGetsNoPictureThatIsAsTheLast() throws InterruptedException {
+    stream.watch(picture -> {});
+    assertThat(filmed.take()).isEqualTo("picture");
+
+    looks.drainPermits();
+    looks.acquire(6); // some ticks, at which an encoded stream would have pictures
+
+    assertThat(filmed).isEmpty();
+    sight.set("the room with a box in it");
+    assertThat(filmed.take()).isEqualTo("picture");
+  }
+
+  @Test
+  void whoeverBeginsToLookGetsAPicture() throws InterruptedException {
+    BlockingQueue<FilmedPicture> seen = new LinkedBlockingQueue<>();
+    stream.watch(picture -> {});
+    assertThat(filmed.take()).isEqualTo("picture");
+
+    stream.watch(seen::add);
+
+    assertThat(seen.take().encoded()).isEmpty();
+  }
+
+  @Test
+  void aPictureThatFailedIsTakenAgain() throws InterruptedException {
+    failure.set(new StackOverflowError("broken on purpose"));
+    stream.watch(picture -> {});
+    assertThat(filmed.take()).isEqualTo("failure");
+    assertThat(log.next()).startsWith("A picture of drone 1 failed; please report this: ");
+    failure.set(null);
+
+    while (!filmed.take().equals("picture")) {
+      assertThat(films).hasValue(1);
+    }
+  }
+
+  @Test
+  void whatIsSentIsTakenAtEachTick() throws InterruptedException {
+    switchOn();
+    tell("streamon");
+
+    assertThat(filmed.take()).isEqualTo("picture");
+    assertThat(filmed.take()).isEqualTo("picture");
   }
 
   /** Lets it look twice, so that at least one look is later than this. */

@@ -28,6 +28,12 @@ final class SceneSnapshotSource implements FrameSource {
     }
   }
 
+  /** Photographs of the same scene look the same, and as it is drawn but for details. */
+  @Override
+  public Object sight(SimSnapshot snapshot, Shot shot) {
+    return other.sight(snapshot, shot);
+  }
+
   private boolean photographed(int drone, Picture picture) {
     if (!desk.accepts()) {
       return false;
