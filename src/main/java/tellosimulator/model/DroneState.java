@@ -31,6 +31,11 @@ public record DroneState(
     return new DroneState(drone, time, newMotion, phase, energy, reference, perception, video);
   }
 
+  /** The same drone at another moment. */
+  public DroneState at(SimTime newTime) {
+    return new DroneState(drone, newTime, motion, phase, energy, reference, perception, video);
+  }
+
   /**
    * What flying uses up.
    *

@@ -35,6 +35,11 @@ public enum FlightPhase {
     return motorsOn;
   }
 
+  /** Whether something of the drone moves: its propellers, or itself. */
+  public boolean moving() {
+    return motorsOn || this == FALLING;
+  }
+
   /** Whether the motors carry the drone. */
   public boolean flying() {
     return flying;

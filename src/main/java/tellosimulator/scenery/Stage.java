@@ -97,12 +97,8 @@ public final class Stage {
     DroneParts figure = figure(drone);
     DroneState state = drone.state();
     Pose pose = state.motion().pose();
-    double seconds = state.time().seconds();
-    StatusLight light =
-        StatusLight.of(
-            state.phase(), state.energy().battery().percent(), drone.link().operator().isPresent());
     parts.add(new Placed(figure.body(), pose));
-    parts.add(new Placed(figure.lamp(light.lit(seconds) ? light : StatusLight.DARK), pose));
+    parts.add(new Placed(figure.lamp(StatusLight.seen(drone)), pose));
   }
 
   private void addPropellers(List<Placed> parts, DroneSnapshot drone) {

@@ -14,6 +14,7 @@ import tellosimulator.math.Pose;
 import tellosimulator.math.Vec3;
 import tellosimulator.model.FlightPhase;
 import tellosimulator.scenery.drone.Livery;
+import tellosimulator.scenery.drone.StatusLight;
 import tellosimulator.sim.SimSnapshot.DroneSnapshot;
 
 /**
@@ -44,17 +45,23 @@ public final class FxDroneModel {
   private final ReadOnlyDoubleWrapper rollDeg = new ReadOnlyDoubleWrapper();
   private final ReadOnlyDoubleWrapper speedCm = new ReadOnlyDoubleWrapper();
   private final ReadOnlyDoubleWrapper batteryPercent = new ReadOnlyDoubleWrapper();
+  private DroneSnapshot pictured;
 
   FxDroneModel(DroneSnapshot first) {
     number = first.state().drone();
     livery = Livery.of(first);
     snapshot = new ReadOnlyObjectWrapper<>(first);
-    update(first);
+    update(first, false);
   }
 
-  /** Takes over what the newest snapshot says. */
-  void update(DroneSnapshot newest) {
+  /**
+   * Takes over what the newest snapshot says.
+   *
+   * @param idle whether pictures shall show a lamp that does not blink
+   */
+  void update(DroneSnapshot newest, boolean idle) {
     snapshot.set(newest);
+    pictured = idle ? StatusLight.steady(newest) : newest;
     Pose newPose = newest.state().motion().pose();
     if (!newPose.equals(pose.get())) {
       pose.set(newPose);
@@ -94,6 +101,11 @@ public final class FxDroneModel {
   /** Everything about it; a new value each pulse while something changes. */
   public ReadOnlyObjectProperty<DroneSnapshot> snapshotProperty() {
     return snapshot.getReadOnlyProperty();
+  }
+
+  /** What pictures show of it: the same, but for a lamp that does not blink in an idle window. */
+  public DroneSnapshot pictured() {
+    return pictured;
   }
 
   /** Position of its feet and attitude, room frame [m]. */

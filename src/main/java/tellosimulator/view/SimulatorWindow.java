@@ -107,6 +107,7 @@ public final class SimulatorWindow implements AutoCloseable {
     scene = scene(stage, root);
     following = stage.fullScreenProperty().subscribe(state.fullScreenProperty()::set);
     setupKeys();
+    setupPulse();
     setupBindings();
     context.actions().onRefused((refusal, drone) -> feed.cannotSwitchOn(drone, refusal));
     context
@@ -161,6 +162,13 @@ public final class SimulatorWindow implements AutoCloseable {
             new NetworkControls(context),
             log),
         state);
+  }
+
+  /** Whatever a person does here, the window shows it with the next frame. */
+  private void setupPulse() {
+    follow(AnyInput.subscribe(context.pulse()::stir));
+    follow(scene.widthProperty().subscribe(context.pulse()::stir));
+    follow(scene.heightProperty().subscribe(context.pulse()::stir));
   }
 
   private void setupKeys() {

@@ -5,6 +5,8 @@ import tellosimulator.network.OnlineSimulation;
 import tellosimulator.scenario.Scenario;
 import tellosimulator.sim.DroneSetup;
 import tellosimulator.sim.SimConfig;
+import tellosimulator.sim.SimEvent;
+import tellosimulator.sim.SimListener;
 import tellosimulator.sim.SimSnapshot.DroneSnapshot;
 import tellosimulator.view.text.Language;
 import tellosimulator.view.video.WindowVideo;
@@ -27,6 +29,14 @@ public record ViewContext(
     WindowVideo video,
     FxScenario scenario) {
 
+  /** Lets the window show at once what happens. */
+  private record Stirring(Pulse pulse) implements SimListener {
+    @Override
+    public void event(SimEvent event) {
+      pulse.stir();
+    }
+  }
+
   /** The context of a window on a running simulation that nobody asks for anything. */
   public static ViewContext of(OnlineSimulation online, Language language, WindowVideo video) {
     List<DroneSetup> drones =
@@ -47,7 +57,11 @@ public record ViewContext(
             () -> {
               simulation.update(online.snapshot());
               scenario.update();
-            });
+            },
+            simulation::still);
+    simulation.dozeWith(pulse::idle);
+    online.listen(new Stirring(pulse));
+    video.onOrder(pulse::stir);
     pulse.onBeat(nanos -> video.advance());
     return new ViewContext(
         simulation, new SimulatorActions(online), language, pulse, video, scenario);

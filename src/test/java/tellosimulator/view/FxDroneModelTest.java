@@ -61,7 +61,7 @@ class FxDroneModelTest {
 
   private void showsYaw(int degrees) {
     drone.advance(0.2);
-    model.update(drone.snapshot());
+    model.update(drone.snapshot(), false);
     assertThat(Math.round(model.yawDegProperty().get())).isEqualTo(degrees);
     assertThat(drone.stateLines().get(drone.stateLines().size() - 1).text())
         .contains(";yaw:" + degrees + ";");

@@ -10,7 +10,7 @@ import tellosimulator.testing.CapturedLog;
 class PulseTest {
 
   private final List<String> done = new ArrayList<>();
-  private final Pulse pulse = new Pulse(() -> done.add("mirror"));
+  private final Pulse pulse = new Pulse(() -> done.add("mirror"), () -> false);
 
   @Test
   void theMirrorComesFirstThenTheListenersInTheirOrder() {

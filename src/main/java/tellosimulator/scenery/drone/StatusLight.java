@@ -1,8 +1,11 @@
 package tellosimulator.scenery.drone;
 
 import tellosimulator.model.Battery;
+import tellosimulator.model.DroneState;
 import tellosimulator.model.FlightPhase;
 import tellosimulator.scenery.Rgb;
+import tellosimulator.sim.SimSnapshot.DroneSnapshot;
+import tellosimulator.time.SimTime;
 
 /**
  * What the status light beside the camera shows.
@@ -10,7 +13,8 @@ import tellosimulator.scenery.Rgb;
  * <p>Documented: Tello User Manual, "Aircraft Status Indicator", not read again for this: green,
  * blinking twice: vision positioning works; yellow, blinking quickly: no signal of a remote
  * control; red, blinking slowly: low battery; red, blinking quickly: critically low battery; red,
- * steady: critical error. Assumed: the lengths of blinks.
+ * steady: critical error. So a real drone's light blinks while it stands, too; see {@link #steady}.
+ * Assumed: the lengths of blinks.
  */
 public enum StatusLight {
   /** Without power: the lamp itself. */
@@ -27,15 +31,38 @@ public enum StatusLight {
   private final double[] pattern;
 
   /**
-   * @param pattern its period, then when it goes on, off, on, off … within a period [s]
+   * @param pattern its period, then when it goes on, off, on, off … within a period [s]; all but
+   *     that of {@link #DARK} begin lit
    */
   StatusLight(Rgb color, double[] pattern) {
     this.color = color;
     this.pattern = pattern;
   }
 
+  /** What one sees of a drone's light at the moment of its state, the blinking included. */
+  public static StatusLight seen(DroneSnapshot drone) {
+    StatusLight light = of(drone);
+    return light.lit(drone.state().time().seconds()) ? light : DARK;
+  }
+
+  /**
+   * A drone that stands, at a moment at which its light is lit, for pictures that are drawn as
+   * seldom as possible; the drone itself if its light warns, which goes on blinking.
+   */
+  public static DroneSnapshot steady(DroneSnapshot drone) {
+    DroneState state = drone.state();
+    boolean calm = of(drone) == WAITING || of(drone) == READY;
+    return calm && !state.phase().moving() ? drone.withState(state.at(SimTime.ZERO)) : drone;
+  }
+
+  private static StatusLight of(DroneSnapshot drone) {
+    DroneState state = drone.state();
+    return of(
+        state.phase(), state.energy().battery().percent(), drone.link().operator().isPresent());
+  }
+
   /** What the light of a drone shows. */
-  public static StatusLight of(FlightPhase phase, double batteryPercent, boolean commanded) {
+  static StatusLight of(FlightPhase phase, double batteryPercent, boolean commanded) {
     if (phase == FlightPhase.OFF) {
       return DARK;
     }

@@ -20,9 +20,6 @@ final class ChartDeck extends Region {
   /** Least time between two drawings [ns]. Decided: ten a second look alive. */
   private static final long PERIOD_NANOS = 100_000_000;
 
-  /** The same while nothing moves [ns]. Decided. */
-  private static final long STILL_PERIOD_NANOS = 1_000_000_000;
-
   private static final double GAP = 8;
 
   /** Height of charts beside each other, at least and where there is room [px]. */
@@ -88,8 +85,8 @@ final class ChartDeck extends Region {
       histories.computeIfAbsent(drone, unknown -> History.empty()).add(drone, seconds);
     }
     History shown = histories.get(simulation.selected());
-    long period = simulation.still() ? STILL_PERIOD_NANOS : PERIOD_NANOS;
-    boolean due = drawnNanos == Long.MIN_VALUE || nanos - drawnNanos >= period;
+    long period = simulation.period(PERIOD_NANOS);
+    boolean due = nanos / period != drawnNanos / period; // with others in the same frame
     if (due && !(shown.newest() == drawnSeconds && drawnDrone == simulation.selected().number())) {
       drawnNanos = nanos;
       drawnDrone = simulation.selected().number();

@@ -15,9 +15,6 @@ public final class NetworkControls extends ScrollPane {
   /** Time between two looks at packets and addresses [ns]. Decided: four a second. */
   private static final long PERIOD_NANOS = 250_000_000;
 
-  /** The same while nothing moves [ns]. Decided. */
-  private static final long STILL_PERIOD_NANOS = 1_000_000_000;
-
   private final PowerPanel power;
   private final LinkPanel link;
   private final PortsPanel ports;
@@ -67,8 +64,8 @@ public final class NetworkControls extends ScrollPane {
   }
 
   private void beat(long nanos) {
-    long period = simulation.still() ? STILL_PERIOD_NANOS : PERIOD_NANOS;
-    if (lookedNanos == Long.MIN_VALUE || nanos - lookedNanos >= period) {
+    long period = simulation.period(PERIOD_NANOS);
+    if (nanos / period != lookedNanos / period) { // with others in the same frame
       lookedNanos = nanos;
       refresh();
     }

@@ -64,12 +64,8 @@ public final class DroneView extends Group {
     return model.poseProperty().get().position();
   }
 
-  /**
-   * Moves on what moves by itself.
-   *
-   * @param nanos the time of the picture, for the light [ns]
-   */
-  public void advance(long nanos) {
+  /** Moves on what moves by itself, to the moment of the newest snapshot. */
+  public void advance() {
     DroneState state = model.snapshotProperty().get().state();
     double seconds = state.time().seconds();
     double passed = Double.isNaN(lastSeconds) ? 0 : Math.max(0, seconds - lastSeconds);
@@ -77,12 +73,7 @@ public final class DroneView extends Group {
     if (spin.advance(PropellerSpin.wanted(state.phase(), state.motion()), passed)) {
       turnPropellers();
     }
-    StatusLight shown =
-        StatusLight.of(
-            state.phase(),
-            state.energy().battery().percent(),
-            model.operatorProperty().get().isPresent());
-    show(light, parts.lamp(shown.lit(nanos / 1e9) ? shown : StatusLight.DARK));
+    show(light, parts.lamp(StatusLight.seen(model.pictured())));
   }
 
   private void initializeSelf() {

@@ -38,6 +38,7 @@ public final class SnapshotDesk {
   private final Queue<SnapshotOrder> orders = new ConcurrentLinkedQueue<>();
   private final SnapshotCosts costs = new SnapshotCosts();
   private final LongSupplier clock;
+  private volatile Runnable ordered = () -> {};
   private volatile boolean open;
   private boolean cheap;
   private long rest = REST;
@@ -52,6 +53,11 @@ public final class SnapshotDesk {
    */
   SnapshotDesk(LongSupplier clock) {
     this.clock = clock;
+  }
+
+  /** Tells somebody of each order, on any thread. */
+  void onOrder(Runnable listener) {
+    ordered = listener;
   }
 
   /** Somebody takes pictures from now on; it is tried out what they cost. For any thread. */
@@ -84,6 +90,7 @@ public final class SnapshotDesk {
    */
   boolean take(SnapshotOrder order) {
     orders.add(order);
+    ordered.run();
     if (order.await(PATIENCE)) {
       return true;
     }

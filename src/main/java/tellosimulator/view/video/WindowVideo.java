@@ -109,6 +109,11 @@ public final class WindowVideo implements AutoCloseable {
     return photographer.orElseThrow();
   }
 
+  /** Tells somebody, on any thread, when a picture of the window's scene is waited for. */
+  public void onOrder(Runnable listener) {
+    desk.onOrder(listener);
+  }
+
   /** Photographs no scene any more. */
   public void photographNoMore() {
     photographer = Optional.empty();

@@ -108,11 +108,11 @@ final class DrawnPicture implements WorldPicture {
       int drone = simulation.selected().number();
       Pose pose = simulation.selected().poseProperty().get();
       Viewpoint ahead = droneCamera.optics().ahead(pose, width, height);
-      return new Painter.View(simulation.snapshot(), OptionalInt.of(drone), ahead, List.of());
+      return new Painter.View(simulation.pictured(), OptionalInt.of(drone), ahead, List.of());
     }
     Viewpoint orbiting = new Viewpoint(camera.pose(), lens(width, height), camera.near());
     return new Painter.View(
-        simulation.snapshot(), OptionalInt.empty(), orbiting, aids.parts(camera.pose()));
+        simulation.pictured(), OptionalInt.empty(), orbiting, aids.parts(camera.pose()));
   }
 
   /** As high as the camera sees, and as wide as the picture then is. */

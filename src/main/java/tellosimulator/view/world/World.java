@@ -65,7 +65,7 @@ final class World extends Group {
    */
   void advance(long nanos, Pose camera) {
     for (Parts drone : drones) {
-      drone.view.advance(nanos);
+      drone.view.advance();
       if (!mayBeSeen(drone.view.position(), camera)) {
         drone.view.setVisible(false); // the toolkit would take its thousands of corners on
       }

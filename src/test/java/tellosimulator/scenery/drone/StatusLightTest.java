@@ -2,13 +2,21 @@ package tellosimulator.scenery.drone;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.util.EnumSet;
+import java.util.Set;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import tellosimulator.model.FlightPhase;
+import tellosimulator.sim.Control;
+import tellosimulator.sim.SimConfig;
+import tellosimulator.sim.SimSnapshot.DroneSnapshot;
+import tellosimulator.testing.SimulatedDrone;
 
 class StatusLightTest {
+
+  private final SimulatedDrone drone = SimulatedDrone.of(SimConfig.DEFAULT);
 
   @ParameterizedTest
   @CsvSource(
@@ -44,6 +52,50 @@ class StatusLightTest {
   void afterACrashItIsSteadyAndWithoutPowerDark() {
     assertThat(litParts(StatusLight.FAILED)).isEqualTo(1000);
     assertThat(litParts(StatusLight.DARK)).isZero();
+  }
+
+  @Test
+  void oneSeesItsColourOrBetweenTwoBlinksNone() {
+    drone.control(new Control.Power(1, true));
+
+    assertThat(seen(false)).containsExactlyInAnyOrder(StatusLight.WAITING, StatusLight.DARK);
+  }
+
+  @Test
+  void whereItIsDrawnSeldomItIsSteady() {
+    drone.control(new Control.Power(1, true));
+    assertThat(seen(true)).containsExactly(StatusLight.WAITING);
+
+    drone.ask("command");
+    assertThat(seen(true)).containsExactly(StatusLight.READY);
+  }
+
+  @Test
+  void aWarningBlinksEvenThere() {
+    drone.control(new Control.Power(1, true));
+    drone.control(new Control.SetBattery(1, 8));
+
+    assertThat(seen(true)).containsExactlyInAnyOrder(StatusLight.LOW_BATTERY, StatusLight.DARK);
+  }
+
+  @Test
+  void thePropellersOfAPausedDroneStayWhereTheyAre() {
+    drone.control(new Control.Power(1, true));
+    drone.ask("command");
+    drone.ask("takeoff");
+
+    assertThat(StatusLight.steady(drone.snapshot())).isEqualTo(drone.snapshot());
+  }
+
+  /** What one sees within two seconds. */
+  private Set<StatusLight> seen(boolean steady) {
+    Set<StatusLight> seen = EnumSet.noneOf(StatusLight.class);
+    for (int i = 0; i < 40; i++) {
+      drone.advance(0.05);
+      DroneSnapshot shown = drone.snapshot();
+      seen.add(StatusLight.seen(steady ? StatusLight.steady(shown) : shown));
+    }
+    return seen;
   }
 
   private static long flashes(StatusLight light, double seconds) {

@@ -83,7 +83,7 @@ public final class SceneFixture implements BeforeEachCallback, AfterEachCallback
           Application.setUserAgentStylesheet(new PrimerLight().getUserAgentStylesheet());
           simulation = new FxSimulation(snapshot);
           language = new Language(Locale.ENGLISH);
-          pulse = new Pulse(() -> simulation.update(snapshot));
+          pulse = new Pulse(() -> simulation.update(snapshot), simulation::still);
           scene =
               new Simulator3DScene(new ViewContext(simulation, null, language, pulse, video, null));
           scene.setPrefSize(WIDTH, HEIGHT);
