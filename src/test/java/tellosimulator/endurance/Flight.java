@@ -39,7 +39,8 @@ final class Flight {
     System.out.println("flown");
   }
 
-  private static String ask(DatagramSocket socket, String text) throws IOException {
+  /** Sends a text, and waits for the reply. */
+  static String ask(DatagramSocket socket, String text) throws IOException {
     byte[] bytes = text.getBytes(StandardCharsets.ISO_8859_1);
     socket.send(new DatagramPacket(bytes, bytes.length));
     DatagramPacket packet = new DatagramPacket(new byte[2048], 2048);

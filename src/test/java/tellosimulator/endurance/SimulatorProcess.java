@@ -2,6 +2,7 @@ package tellosimulator.endurance;
 
 import java.io.IOException;
 import java.net.InetSocketAddress;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -70,13 +71,22 @@ final class SimulatorProcess implements AutoCloseable {
     return Stream.concat(Stream.of("--headless"), Stream.of(options)).toArray(String[]::new);
   }
 
-  /** Starts it with a window, its drones on, and waits until it is ready. */
-  static SimulatorProcess inWindow(String... options) throws IOException {
-    List<String> command = command(List.of(), options);
-    command.add("--on");
-    Program program = Host.HERE.start(command);
+  /**
+   * Starts it with a window, on ports that nobody uses. If its drones are on, waits until it is
+   * ready.
+   *
+   * @param settings the folder of what it remembers
+   */
+  static SimulatorProcess inWindow(Path settings, List<String> jvm, boolean on) throws IOException {
+    List<String> command =
+        command(jvm, "--command-port", "0", "--state-port", "" + FreePort.find());
+    if (on) {
+      command.add("--on");
+    }
+    Host here = new Host(List.of("env", "XDG_CONFIG_HOME=" + settings), Host.HERE.address());
+    Program program = here.start(command);
     try {
-      return new SimulatorProcess(program, program.await("ready", START_SECONDS));
+      return new SimulatorProcess(program, on ? program.await("ready", START_SECONDS) : "");
     } catch (IOException e) {
       program.close();
       throw e;
