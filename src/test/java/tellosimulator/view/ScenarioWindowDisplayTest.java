@@ -1,16 +1,11 @@
 package tellosimulator.view;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static tellosimulator.view.AppFixture.change;
 import static tellosimulator.view.testing.WindowFixture.onFxThread;
 import static tellosimulator.view.testing.WindowFixture.waitUntil;
 
-import java.net.InetAddress;
-import java.nio.file.Path;
-import java.util.List;
-import java.util.OptionalInt;
-import java.util.concurrent.TimeoutException;
 import java.util.concurrent.atomic.AtomicBoolean;
-import java.util.function.UnaryOperator;
 import javafx.geometry.Dimension2D;
 import javafx.geometry.Rectangle2D;
 import javafx.scene.Node;
@@ -20,60 +15,35 @@ import javafx.scene.input.KeyCode;
 import javafx.scene.paint.Color;
 import javafx.stage.Screen;
 import javafx.stage.Stage;
-import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.api.extension.RegisterExtension;
 import org.testfx.api.FxRobot;
-import org.testfx.api.FxToolkit;
-import org.testfx.util.WaitForAsyncUtils;
-import tellosimulator.network.AddressPlan;
-import tellosimulator.scenario.Scenario;
-import tellosimulator.sim.SimConfig;
-import tellosimulator.video.camera.DroneOptics;
-import tellosimulator.view.layout.WindowState;
-import tellosimulator.view.settings.Settings;
 import tellosimulator.view.testing.NeedsDisplay;
 
 /** Scenarios that are opened in a window which its manager has made as large as the screen. */
 @NeedsDisplay
 class ScenarioWindowDisplayTest {
 
-  private static final List<InetAddress> LOOPBACK = List.of(InetAddress.getLoopbackAddress());
+  @RegisterExtension
+  final AppFixture window = new AppFixture(ScenarioWindowDisplayTest::smallStage);
 
-  private final FxRobot robot = new FxRobot();
-  @TempDir private Path folder;
+  private final FxRobot robot = window.robot();
   private SimulatorApp app;
   private Stage stage;
 
-  @BeforeEach
-  void open() throws TimeoutException {
-    FxToolkit.registerPrimaryStage();
-    app =
-        new SimulatorApp(
-            OpenedScenario.once(
-                Scenario.of(SimConfig.DEFAULT.withOutlets(new SimConfig.Outlets(9, 10)))),
-            new SimulatorApp.Rules(
-                UnaryOperator.identity(),
-                scenario ->
-                    AddressPlan.portPerDrone(scenario.config().drones().size(), LOOPBACK, 0),
-                OptionalInt.empty()),
-            DroneOptics.DEFAULT);
-    Settings settings = Settings.load(folder.resolve("settings"));
-    change(
-        () -> {
-          stage = new Stage();
-          stage.setWidth(900);
-          stage.setHeight(600);
-          app.show(stage, settings, WindowState.remembered(settings));
-        });
-    waitUntil(() -> stage.isFocused());
+  private static Stage smallStage() {
+    Stage stage = new Stage();
+    stage.setWidth(900);
+    stage.setHeight(600);
+    return stage;
   }
 
-  @AfterEach
-  void close() {
-    change(stage::hide);
-    app.close();
+  @BeforeEach
+  void open() {
+    app = window.app();
+    stage = window.stage();
+    waitUntil(() -> stage.isFocused());
   }
 
   @Test
@@ -142,14 +112,5 @@ class ScenarioWindowDisplayTest {
 
   private static boolean black(Color color) {
     return color.getBrightness() < 0.2;
-  }
-
-  private static void change(Runnable work) {
-    onFxThread(
-        () -> {
-          work.run();
-          return true;
-        });
-    WaitForAsyncUtils.waitForFxEvents();
   }
 }

@@ -2,52 +2,38 @@ package tellosimulator.view;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
-import static tellosimulator.view.testing.WindowFixture.onFxThread;
+import static tellosimulator.view.AppFixture.change;
 import static tellosimulator.view.testing.WindowFixture.waitUntil;
 
 import java.io.IOException;
 import java.net.DatagramPacket;
 import java.net.DatagramSocket;
-import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.attribute.FileTime;
 import java.util.List;
-import java.util.OptionalInt;
-import java.util.concurrent.TimeoutException;
-import java.util.function.UnaryOperator;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import javafx.scene.control.CheckBox;
 import javafx.scene.control.Label;
-import javafx.scene.control.Labeled;
 import javafx.scene.control.ToggleButton;
 import javafx.scene.input.KeyCode;
 import javafx.stage.Stage;
 import javafx.stage.StageStyle;
-import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.extension.RegisterExtension;
 import org.junit.jupiter.api.io.TempDir;
 import org.testfx.api.FxRobot;
-import org.testfx.api.FxToolkit;
-import org.testfx.util.WaitForAsyncUtils;
 import tellosimulator.math.Vec3;
-import tellosimulator.network.AddressPlan;
 import tellosimulator.scenario.Scenario;
 import tellosimulator.scenario.ScenarioException;
 import tellosimulator.scenario.ScenarioFile;
-import tellosimulator.sim.SimConfig;
-import tellosimulator.video.camera.DroneOptics;
-import tellosimulator.view.layout.WindowState;
-import tellosimulator.view.settings.Settings;
 
 /** Scenarios that are opened, saved and read again in the window. */
 class ScenarioWindowFxTest {
-
-  private static final List<InetAddress> LOOPBACK = List.of(InetAddress.getLoopbackAddress());
 
   private static final String SLALOM =
       """
@@ -66,57 +52,39 @@ class ScenarioWindowFxTest {
       time-limit: 60
       """;
 
-  private final FxRobot robot = new FxRobot();
+  @RegisterExtension
+  final AppFixture window = new AppFixture(() -> new Stage(StageStyle.UNDECORATED));
+
+  private final FxRobot robot = window.robot();
   @TempDir private Path folder;
   private Path file;
   private SimulatorApp app;
   private Stage stage;
 
   @BeforeEach
-  void open() throws IOException, TimeoutException {
-    file = folder.resolve("slalom.yaml");
-    Files.writeString(file, SLALOM);
-    FxToolkit.registerPrimaryStage();
-    app =
-        new SimulatorApp(
-            OpenedScenario.once(
-                Scenario.of(SimConfig.DEFAULT.withOutlets(new SimConfig.Outlets(9, 10)))),
-            new SimulatorApp.Rules(
-                UnaryOperator.identity(),
-                scenario ->
-                    AddressPlan.portPerDrone(scenario.config().drones().size(), LOOPBACK, 0),
-                OptionalInt.empty()),
-            DroneOptics.DEFAULT);
-    Settings settings = Settings.load(folder.resolve("settings"));
-    change(
-        () -> {
-          stage = new Stage(StageStyle.UNDECORATED);
-          app.show(stage, settings, WindowState.remembered(settings));
-        });
-  }
-
-  @AfterEach
-  void close() {
-    change(stage::hide);
-    app.close();
+  void open() throws IOException {
+    file = Files.writeString(folder.resolve("slalom.yaml"), SLALOM);
+    app = window.app();
+    stage = window.stage();
   }
 
   @Test
   void anotherScenarioTakesThePlaceOfTheFirst() {
     double width = stage.getWidth();
     assertThat(robot.lookup("#goal-panel").query().isVisible()).isFalse();
-    waitUntil(() -> log().contains("Welcome"));
+    waitUntil(() -> window.log().contains("Welcome"));
 
     change(() -> app.open(file));
 
     assertThat(stage.getTitle()).isEqualTo("slalom.yaml – Tello Simulator");
     assertThat(stage.getWidth()).isEqualTo(width);
-    assertThat(label("scenario-name")).isEqualTo("Small slalom");
-    assertThat(label("scenario-teaches")).isEqualTo("to fly around things");
-    assertThat(label("goal-time")).isEqualTo("0.0 of 60.0 s");
+    assertThat(window.label("scenario-name")).isEqualTo("Small slalom");
+    assertThat(window.label("scenario-teaches")).isEqualTo("to fly around things");
+    assertThat(window.label("goal-time")).isEqualTo("0.0 of 60.0 s");
     assertThat(robot.lookup("#drone-list").query().isVisible()).isTrue();
     assertThat(robot.lookup(".goal").queryAll()).hasSize(2);
-    waitUntil(() -> log().contains("Welcome") && log().contains("slalom.yaml is open"));
+    waitUntil(
+        () -> window.log().contains("Welcome") && window.log().contains("slalom.yaml is open"));
     assertThat(robot.lookup("#start-x-value").queryTextInputControl().getText()).isEqualTo("-200");
   }
 
@@ -135,7 +103,7 @@ class ScenarioWindowFxTest {
     change(() -> app.open(file));
 
     waitUntil(() -> app.ready().contains("drone 2"));
-    waitUntil(() -> label("drones-heading").equals("2 of 2 on"));
+    waitUntil(() -> window.label("drones-heading").equals("2 of 2 on"));
     robot.type(KeyCode.F10);
     assertThat(robot.lookup("#plan-pane").query().isVisible()).isTrue();
   }
@@ -174,7 +142,7 @@ class ScenarioWindowFxTest {
     assertThat(lines.get(0)).contains("wrong.yaml:1:1:");
     assertThat(lines.get(1)).contains("wrong.yaml:3:17:").contains("abc");
     assertThat(stage.getTitle()).isEqualTo("Tello Simulator");
-    waitUntil(() -> log().contains("wrong.yaml:3:17:"));
+    waitUntil(() -> window.log().contains("wrong.yaml:3:17:"));
 
     robot.clickOn("#mistakes-close");
     assertThat(robot.lookup("#mistakes-page").tryQuery()).isEmpty();
@@ -186,8 +154,8 @@ class ScenarioWindowFxTest {
     Files.writeString(file, SLALOM.replace("Small slalom", "Larger slalom"));
     Files.setLastModifiedTime(file, FileTime.fromMillis(1_000_000_000));
 
-    waitUntil(() -> label("scenario-name").equals("Larger slalom"));
-    waitUntil(() -> log().contains("has changed and is read again"));
+    waitUntil(() -> window.label("scenario-name").equals("Larger slalom"));
+    waitUntil(() -> window.log().contains("has changed and is read again"));
   }
 
   @Test
@@ -212,7 +180,7 @@ class ScenarioWindowFxTest {
   void aFileThatCannotBeWrittenIsToldInTheLog() {
     change(() -> app.save(folder.resolve("missing").resolve("room.yaml")));
 
-    waitUntil(() -> log().contains("could not be saved"));
+    waitUntil(() -> window.log().contains("could not be saved"));
     assertThat(stage.getTitle()).isEqualTo("Tello Simulator");
   }
 
@@ -236,14 +204,14 @@ class ScenarioWindowFxTest {
 
     assertThat(fly("command", "takeoff", "land")).isEqualTo("ok");
 
-    waitUntil(() -> label("goal-banner").startsWith("Reached in "));
+    waitUntil(() -> window.label("goal-banner").startsWith("Reached in "));
     assertThat(robot.lookup("#goal-banner").query().isVisible()).isTrue();
     assertThat(ticked()).isEqualTo(2);
 
     robot.clickOn("#goal-again");
     waitUntil(() -> ticked() == 0);
     assertThat(robot.lookup("#goal-banner").query().isVisible()).isFalse();
-    assertThat(label("goal-time")).isEqualTo("0.0 s");
+    assertThat(window.label("goal-time")).isEqualTo("0.0 s");
   }
 
   @Test
@@ -260,7 +228,8 @@ class ScenarioWindowFxTest {
 
     fly("command", "takeoff", "forward 100");
 
-    waitUntil(() -> label("goal-banner").equals("Failed: drone 1 touched the obstacle pole"));
+    waitUntil(
+        () -> window.label("goal-banner").equals("Failed: drone 1 touched the obstacle pole"));
   }
 
   private long ticked() {
@@ -274,8 +243,8 @@ class ScenarioWindowFxTest {
     Matcher port = Pattern.compile("drone 1 at 127.0.0.1:(\\d+)").matcher(app.ready());
     assertThat(port.find()).isTrue();
     InetSocketAddress drone =
-        new InetSocketAddress(LOOPBACK.get(0), Integer.parseInt(port.group(1)));
-    try (DatagramSocket socket = new DatagramSocket(0, LOOPBACK.get(0))) {
+        new InetSocketAddress(AppFixture.LOOPBACK, Integer.parseInt(port.group(1)));
+    try (DatagramSocket socket = new DatagramSocket(0, AppFixture.LOOPBACK)) {
       socket.setSoTimeout(20_000);
       String reply = "";
       for (String command : commands) {
@@ -291,25 +260,5 @@ class ScenarioWindowFxTest {
 
   private boolean trailButton() {
     return robot.lookup("#show-trail").queryAs(ToggleButton.class).isSelected();
-  }
-
-  private String label(String id) {
-    return robot.lookup("#" + id).queryAs(Label.class).getText();
-  }
-
-  private String log() {
-    return stage.getScene().lookup("#log-list").lookupAll(".log-words").stream()
-        .map(words -> ((Labeled) words).getText())
-        .toList()
-        .toString();
-  }
-
-  private static void change(Runnable work) {
-    onFxThread(
-        () -> {
-          work.run();
-          return true;
-        });
-    WaitForAsyncUtils.waitForFxEvents();
   }
 }

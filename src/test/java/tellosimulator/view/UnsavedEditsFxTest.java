@@ -1,40 +1,26 @@
 package tellosimulator.view;
 
 import static org.assertj.core.api.Assertions.assertThat;
-import static tellosimulator.view.testing.WindowFixture.onFxThread;
+import static tellosimulator.view.AppFixture.change;
 import static tellosimulator.view.testing.WindowFixture.waitUntil;
 
 import java.io.IOException;
-import java.net.InetAddress;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.OptionalInt;
-import java.util.concurrent.TimeoutException;
-import java.util.function.UnaryOperator;
 import javafx.scene.control.Label;
 import javafx.scene.input.KeyCode;
 import javafx.stage.Stage;
 import javafx.stage.StageStyle;
-import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.extension.RegisterExtension;
 import org.junit.jupiter.api.io.TempDir;
 import org.testfx.api.FxRobot;
-import org.testfx.api.FxToolkit;
-import org.testfx.util.WaitForAsyncUtils;
-import tellosimulator.network.AddressPlan;
-import tellosimulator.scenario.Scenario;
-import tellosimulator.sim.SimConfig;
-import tellosimulator.video.camera.DroneOptics;
-import tellosimulator.view.layout.WindowState;
-import tellosimulator.view.settings.Settings;
 
 /** Edits of a scenario: that they are seen, saved, and not lost without a question. */
 class UnsavedEditsFxTest {
-
-  private static final List<InetAddress> LOOPBACK = List.of(InetAddress.getLoopbackAddress());
 
   private static final String SLALOM =
       """
@@ -54,39 +40,20 @@ class UnsavedEditsFxTest {
       time-limit: 60
       """;
 
-  private final FxRobot robot = new FxRobot();
+  @RegisterExtension
+  final AppFixture window = new AppFixture(() -> new Stage(StageStyle.UNDECORATED));
+
+  private final FxRobot robot = window.robot();
   @TempDir private Path folder;
   private Path file;
   private SimulatorApp app;
   private Stage stage;
 
   @BeforeEach
-  void open() throws IOException, TimeoutException {
-    file = folder.resolve("slalom.yaml");
-    Files.writeString(file, SLALOM);
-    FxToolkit.registerPrimaryStage();
-    app =
-        new SimulatorApp(
-            OpenedScenario.once(
-                Scenario.of(SimConfig.DEFAULT.withOutlets(new SimConfig.Outlets(9, 10)))),
-            new SimulatorApp.Rules(
-                UnaryOperator.identity(),
-                scenario ->
-                    AddressPlan.portPerDrone(scenario.config().drones().size(), LOOPBACK, 0),
-                OptionalInt.empty()),
-            DroneOptics.DEFAULT);
-    Settings settings = Settings.load(folder.resolve("settings"));
-    change(
-        () -> {
-          stage = new Stage(StageStyle.UNDECORATED);
-          app.show(stage, settings, WindowState.remembered(settings));
-        });
-  }
-
-  @AfterEach
-  void close() {
-    change(stage::hide);
-    app.close();
+  void open() throws IOException {
+    file = Files.writeString(folder.resolve("slalom.yaml"), SLALOM);
+    app = window.app();
+    stage = window.stage();
   }
 
   @Test
@@ -171,14 +138,5 @@ class UnsavedEditsFxTest {
 
   private void control(KeyCode key) {
     robot.press(KeyCode.CONTROL).type(key).release(KeyCode.CONTROL);
-  }
-
-  private static void change(Runnable work) {
-    onFxThread(
-        () -> {
-          work.run();
-          return true;
-        });
-    WaitForAsyncUtils.waitForFxEvents();
   }
 }
