@@ -72,7 +72,8 @@ public final class Verdict {
       if (failure instanceof OutOfMemoryError) {
         log().error("{}: {}", often, FULL);
       } else if (failure instanceof IOException) {
-        log().warn("{}: {}", often, failure.toString());
+        String why = failure.getMessage();
+        log().warn("{}: {}", often, why == null ? "the system does not say why" : why);
       } else {
         log().error("{}; please report this: {}", often, failure.toString(), failure);
       }

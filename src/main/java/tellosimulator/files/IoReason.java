@@ -7,12 +7,20 @@ import java.nio.file.FileSystemException;
 import java.nio.file.NoSuchFileException;
 import tellosimulator.words.Phrase;
 
-/** Why something could not be written, in words for people. */
+/** Why a file could not be written or read, in words for people. */
 public final class IoReason {
 
   private IoReason() {}
 
-  /** A phrase, or a text that is the same in all languages. */
+  /** Why it could not be read. */
+  public static String ofReading(IOException e) {
+    if (e instanceof AccessDeniedException) {
+      return "you may not read it";
+    }
+    return of(e).toString();
+  }
+
+  /** Why it could not be written: a phrase, or a text that is the same in all languages. */
   public static Object of(IOException e) {
     if (e instanceof AccessDeniedException denied) {
       return Phrase.of("you may not write to %s", denied.getFile());

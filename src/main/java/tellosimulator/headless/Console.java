@@ -108,7 +108,7 @@ final class Console {
     try {
       carryOut(words);
     } catch (IllegalArgumentException e) {
-      out.println(notDone(line) + e.getMessage() + "; " + HELP + ".");
+      out.println(notDone(line) + WireText.printable(e.getMessage()) + "; " + HELP + ".");
     } catch (PortTakenException e) {
       out.println(notDone(line) + e.getMessage());
     }

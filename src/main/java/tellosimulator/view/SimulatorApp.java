@@ -263,7 +263,12 @@ public final class SimulatorApp implements AutoCloseable, ScenarioDesk {
   }
 
   private void notSaved(Path file, IOException e) {
-    say(LogLevel.ERROR, "scenario-not-saved", file, e.getMessage());
+    feed.say(
+        LogLevel.ERROR,
+        language ->
+            language
+                .messages(SimulatorApp.class)
+                .now("scenario-not-saved", file, language.reason(e)));
   }
 
   private void say(LogLevel level, String key, Object... about) {

@@ -38,9 +38,11 @@ class VerdictTest {
     verdict.tell(new IOException("no route"));
 
     ILoggingEvent event = log.event();
-    assertThat(event.getFormattedMessage())
-        .isEqualTo("A picture failed: java.io.IOException: no route");
+    assertThat(event.getFormattedMessage()).isEqualTo("A picture failed: no route");
     assertThat(event.getLevel()).isEqualTo(Level.WARN);
+
+    verdict.tell(new IOException());
+    assertThat(log.next()).isEqualTo("A picture failed: the system does not say why");
   }
 
   @Test

@@ -22,6 +22,9 @@ class IoReasonTest {
     assertThat(clause(new IOException("No space left on device")))
         .isEqualTo("No space left on device");
     assertThat(clause(new ClosedChannelException())).isEqualTo("the system does not say why");
+    assertThat(IoReason.ofReading(new AccessDeniedException("/a")))
+        .isEqualTo("you may not read it");
+    assertThat(IoReason.ofReading(new IOException("is a directory"))).isEqualTo("is a directory");
   }
 
   private static String clause(IOException e) {

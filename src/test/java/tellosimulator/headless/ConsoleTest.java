@@ -12,6 +12,7 @@ import java.util.concurrent.atomic.AtomicBoolean;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 import tellosimulator.concurrent.Agent;
 import tellosimulator.math.Vec3;
 import tellosimulator.model.DroneState;
@@ -20,6 +21,7 @@ import tellosimulator.sim.SimConfig;
 import tellosimulator.sim.SimSnapshot;
 import tellosimulator.sim.Simulation;
 import tellosimulator.sim.Swarm;
+import tellosimulator.testing.ForPeople;
 import tellosimulator.time.TimeFactor;
 import tellosimulator.world.Room;
 
@@ -43,6 +45,22 @@ class ConsoleTest {
     assertThat(type("state")).isFalse();
     assertThat(type()).isFalse();
     assertThat(printed()).doesNotContain("foo");
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"", "reset ", "release ", "power ", "power on ", "battery ", "state "})
+  void whateverIsTypedTheAnswerIsForPeople(String command) throws Exception {
+    List<String> words =
+        List.of(
+            "x", "-1", "0", "3", "1e9", "9".repeat(400), "null", "{a=b}", "0x1p3", "NaN", "\u001b");
+    for (String word : words) {
+      printed.reset();
+      type(command + word, command + word + " " + word + " " + word);
+
+      assertThat(printed()).contains("was not done: ");
+      ForPeople.check(printed().replace(word, "…"));
+      assertThat(printed().chars()).allMatch(c -> c == '\n' || c >= ' ');
+    }
   }
 
   @Test

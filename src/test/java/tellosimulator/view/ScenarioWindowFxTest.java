@@ -26,6 +26,8 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.extension.RegisterExtension;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.testfx.api.FxRobot;
 import tellosimulator.math.Vec3;
 import tellosimulator.scenario.Scenario;
@@ -181,6 +183,7 @@ class ScenarioWindowFxTest {
     change(() -> app.save(folder.resolve("missing").resolve("room.yaml")));
 
     waitUntil(() -> window.log().contains("could not be saved"));
+    assertThat(window.log()).contains("there is no folder for");
     assertThat(stage.getTitle()).isEqualTo("Tello Simulator");
   }
 
@@ -230,6 +233,34 @@ class ScenarioWindowFxTest {
 
     waitUntil(
         () -> window.label("goal-banner").equals("Failed: drone 1 touched the obstacle pole"));
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      textBlock =
+          """
+          gate: {name: a, at: [0, 0], shape: ring, diameter: 90, centre: 99} | pass: {gate: a}
+          id: 3, at: [0, 0]                                                  | land-on: {pad: 3}
+          """)
+  void whatAGoalNamesIsNotRemovedAndTheStatusSaysWhy(String piece, String goal) throws Exception {
+    String there = (piece.startsWith("gate") ? "obstacles" : "pads") + ": [{" + piece + "}]";
+    Files.writeString(
+        file, there + "\ndrones: [{start: [-200, 0], state-port: 9}]\ngoals: [{" + goal + "}]\n");
+    change(() -> app.open(file));
+    robot.type(KeyCode.F10).clickOn("#plan-add-box").clickOn("#plan");
+
+    robot.type(KeyCode.DELETE);
+
+    assertThat(window.label("plan-status"))
+        .isEqualTo("A goal names this: take the goal out of the scenario file first.");
+    change(() -> app.save(file));
+    assertThat(ScenarioFile.read(file).challenge().goals()).hasSize(1);
+
+    robot.press(KeyCode.CONTROL).type(KeyCode.Z).release(KeyCode.CONTROL);
+    assertThat(window.label("plan-status")).doesNotStartWith("A goal");
+    change(() -> app.save(file));
+    assertThat(Files.readString(file)).doesNotContain("box-1").contains(goal);
   }
 
   private long ticked() {

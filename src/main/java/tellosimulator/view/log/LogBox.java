@@ -2,9 +2,7 @@ package tellosimulator.view.log;
 
 import java.io.File;
 import java.io.IOException;
-import java.nio.file.AccessDeniedException;
 import java.nio.file.Files;
-import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.stream.Collectors;
@@ -178,12 +176,10 @@ public final class LogBox extends VBox {
     try {
       Files.write(file, written(model.shown()).toList());
       feed.note(LogLevel.INFO, "saved", file);
-    } catch (AccessDeniedException e) {
-      feed.note(LogLevel.ERROR, "not-saved.denied", file);
-    } catch (NoSuchFileException e) {
-      feed.note(LogLevel.ERROR, "not-saved.no-folder", file);
     } catch (IOException e) {
-      feed.note(LogLevel.ERROR, "not-saved", file, e.getMessage());
+      feed.say(
+          LogLevel.ERROR,
+          language -> language.messages(LogBox.class).now("not-saved", file, language.reason(e)));
     }
   }
 

@@ -2,6 +2,7 @@ package tellosimulator.view.plan;
 
 import java.util.List;
 import java.util.Optional;
+import tellosimulator.goal.Goal;
 import tellosimulator.math.Vec3;
 import tellosimulator.model.DroneSpec;
 import tellosimulator.view.plan.Piece.Start;
@@ -10,7 +11,7 @@ import tellosimulator.world.Arena;
 import tellosimulator.world.Obstacle;
 import tellosimulator.world.Obstacles;
 
-/** Why a piece cannot be where it would be. */
+/** Why a piece cannot be where it would be, or cannot be taken away. */
 enum Fit {
   /** Something of it would be outside of the walls. */
   OUTSIDE,
@@ -21,7 +22,9 @@ enum Fit {
   /** A drone would start in an obstacle. */
   IN_OBSTACLE,
   /** Two drones would start in the same place. */
-  ON_DRONE;
+  ON_DRONE,
+  /** It would be gone, and a goal names it. */
+  NAMED_BY_GOAL;
 
   /** What may be missing to a gap [m]: the last bits of a calculation. */
   private static final double SLACK = 1e-6;
@@ -37,6 +40,14 @@ enum Fit {
       return problem(layout, start);
     }
     return Optional.empty();
+  }
+
+  /** What keeps a piece from being taken away; empty if nothing does. */
+  static Optional<Fit> problemWithout(Layout layout, Piece piece, List<Goal> goals) {
+    Layout without = layout.without(piece);
+    return goals.stream().anyMatch(goal -> layout.offers(goal) && !without.offers(goal))
+        ? Optional.of(NAMED_BY_GOAL)
+        : Optional.empty();
   }
 
   private static Optional<Fit> problem(Layout layout, Obstacle obstacle) {

@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
+import tellosimulator.goal.Goal;
 import tellosimulator.math.Pose;
 import tellosimulator.sim.SimSnapshot;
 import tellosimulator.sim.SimSnapshot.DroneSnapshot;
@@ -49,6 +50,14 @@ record Layout(Arena arena, List<Pose> starts) {
       return pad(pad.id()).isPresent();
     }
     return ((Start) piece).drone() <= starts.size();
+  }
+
+  /** Whether what a goal names is there. */
+  boolean offers(Goal goal) {
+    if (goal instanceof Goal.Pass pass) {
+      return arena.obstacles().stream().anyMatch(obstacle -> obstacle.name().equals(pass.gate()));
+    }
+    return !(goal instanceof Goal.LandOn land) || pad(land.pad()).isPresent();
   }
 
   /** Where a piece is; of a hanging mission pad, its heading is out of the wall. */

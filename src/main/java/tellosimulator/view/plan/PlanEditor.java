@@ -1,5 +1,6 @@
 package tellosimulator.view.plan;
 
+import java.util.List;
 import java.util.Optional;
 import java.util.function.BiPredicate;
 import javafx.beans.property.ObjectProperty;
@@ -8,6 +9,7 @@ import javafx.beans.property.ReadOnlyBooleanWrapper;
 import javafx.beans.property.ReadOnlyObjectProperty;
 import javafx.beans.property.ReadOnlyObjectWrapper;
 import javafx.beans.property.SimpleObjectProperty;
+import tellosimulator.goal.Goal;
 import tellosimulator.math.Pose;
 import tellosimulator.math.Vec3;
 import tellosimulator.sim.Control;
@@ -34,6 +36,7 @@ final class PlanEditor {
 
   private final SimulatorActions actions;
   private final FxSimulation simulation;
+  private final List<Goal> goals;
   private final ReadOnlyObjectWrapper<Layout> layout;
   private final ObjectProperty<Optional<Piece>> selected =
       new SimpleObjectProperty<>(this, "selected", Optional.empty());
@@ -46,8 +49,12 @@ final class PlanEditor {
   /** How it was when the hand took hold of something. */
   private Optional<Layout> held = Optional.empty();
 
-  PlanEditor(FxSimulation simulation, SimulatorActions actions) {
+  /**
+   * @param goals of the scenario, which name what must stay
+   */
+  PlanEditor(FxSimulation simulation, SimulatorActions actions, List<Goal> goals) {
     this.simulation = simulation;
+    this.goals = List.copyOf(goals);
     this.actions = actions;
     this.layout = new ReadOnlyObjectWrapper<>(Layout.of(simulation.snapshot()));
   }
@@ -191,15 +198,17 @@ final class PlanEditor {
         .noneMatch(other -> wanted.outline(other).covers(place, wanted.spot(other), reach));
   }
 
-  /** Takes the selected piece away, unless it is a drone's start. */
+  /** Takes the selected piece away, unless it is a drone's start or a goal names it. */
   void remove() {
-    selected()
-        .filter(piece -> !(piece instanceof Start))
-        .ifPresent(
-            piece -> {
-              selected.set(Optional.empty());
-              carryOut(layout().without(piece));
-            });
+    selected().filter(piece -> !(piece instanceof Start)).ifPresent(this::remove);
+  }
+
+  private void remove(Piece piece) {
+    problem.set(Fit.problemWithout(layout(), piece, goals));
+    if (problem.get().isEmpty()) {
+      selected.set(Optional.empty());
+      carryOut(layout().without(piece));
+    }
   }
 
   /** Makes the last change undone. */
@@ -214,6 +223,7 @@ final class PlanEditor {
 
   private void restore(Layout wanted) {
     held = Optional.empty();
+    problem.set(Optional.empty());
     send(wanted.in(layout().arena()));
     showHistory();
   }

@@ -50,7 +50,11 @@ public final class PlanPane extends BorderPane {
   public PlanPane(ViewContext context) {
     language = context.language();
     messages = language.messages(PlanPane.class);
-    editor = new PlanEditor(context.simulation(), context.actions());
+    editor =
+        new PlanEditor(
+            context.simulation(),
+            context.actions(),
+            context.scenario().scenario().challenge().goals());
     view =
         new PlanView(
             editor,

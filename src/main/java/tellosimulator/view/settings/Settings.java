@@ -58,7 +58,7 @@ public final class Settings {
     try {
       return new Settings(file, file.read());
     } catch (IOException e) {
-      LOG.warn("The settings were not read, {}: {}.", path, e.getMessage());
+      LOG.warn("The settings were not read, {}: {}.", path, IoReason.ofReading(e));
       return new Settings(file, Map.of());
     }
   }

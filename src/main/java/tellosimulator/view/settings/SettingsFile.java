@@ -76,7 +76,7 @@ record SettingsFile(Path path) {
     try {
       properties.load(new StringReader(text()));
     } catch (IllegalArgumentException e) {
-      throw new IOException("holds no settings (" + e.getMessage() + ")", e);
+      throw new IOException("holds no settings: four hexadecimal digits must follow a \\u", e);
     }
     Map<String, String> values = new TreeMap<>();
     properties.stringPropertyNames().forEach(key -> values.put(key, properties.getProperty(key)));

@@ -1,11 +1,13 @@
 package tellosimulator.view.text;
 
+import java.io.IOException;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import javafx.beans.property.ObjectProperty;
 import javafx.beans.property.SimpleObjectProperty;
+import tellosimulator.files.IoReason;
 import tellosimulator.view.settings.Codec;
 import tellosimulator.words.Phrase;
 import tellosimulator.words.Translation;
@@ -52,6 +54,12 @@ public final class Language {
   /** What the simulation says about itself, in the present language. */
   public String say(Phrase phrase) {
     return phrase.in(translation());
+  }
+
+  /** Why a file could not be written, in the present language. */
+  public String reason(IOException e) {
+    Object reason = IoReason.of(e);
+    return reason instanceof Phrase phrase ? say(phrase) : reason.toString();
   }
 
   /** The present language, for those who make sentences of phrases. */

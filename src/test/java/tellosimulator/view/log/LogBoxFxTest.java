@@ -275,7 +275,8 @@ class LogBoxFxTest {
     assertThat(shown())
         .last()
         .asString()
-        .isEqualTo("The log could not be saved to " + file + ": there is no such folder.");
+        .isEqualTo(
+            "The log could not be saved to " + file + ": there is no folder for " + file + ".");
   }
 
   @Test
