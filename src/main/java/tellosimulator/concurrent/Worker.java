@@ -27,6 +27,9 @@ public final class Worker implements AutoCloseable {
   /** What a failure adds to the leaky bucket; each piece of work that succeeds takes 1 away. */
   private static final int FAILURE = 10;
 
+  /** What it adds where memory was full: then each try takes the processors for long, too. */
+  private static final int MEMORY_FULL = 40;
+
   /** The bucket's size. Decided: 100 failures in a row, so at least a second. */
   private static final int LIMIT = 1000;
 
@@ -184,7 +187,7 @@ public final class Worker implements AutoCloseable {
       return false;
     }
     if (verdict.course() == Verdict.Course.RETRY) {
-      bucket += FAILURE;
+      bucket += thrown instanceof OutOfMemoryError ? MEMORY_FULL : FAILURE;
     }
     if (bucket >= LIMIT) {
       failure = thrown;
