@@ -43,8 +43,17 @@ final class VideoConnection implements AutoCloseable {
     }
   }
 
+  /** Opens a connected socket, which can say that nothing receives where it sends. */
+  @FunctionalInterface
+  interface Connector {
+    DatagramPort connect(
+        InetSocketAddress from, InetSocketAddress to, UdpPort.UnreachableListener listener)
+        throws IOException;
+  }
+
   private final Metronome metronome;
   private final Runnable unreachable;
+  private final Connector connector;
   private Optional<DatagramPort> port = Optional.empty();
   private Route opened;
   private InetAddress refused;
@@ -58,8 +67,13 @@ final class VideoConnection implements AutoCloseable {
    * @param unreachable is called when another machine says that nothing receives there
    */
   VideoConnection(Metronome metronome, Runnable unreachable) {
+    this(metronome, unreachable, UdpPort::connect);
+  }
+
+  VideoConnection(Metronome metronome, Runnable unreachable, Connector connector) {
     this.metronome = metronome;
     this.unreachable = unreachable;
+    this.connector = connector;
   }
 
   /**
@@ -121,7 +135,7 @@ final class VideoConnection implements AutoCloseable {
       return Optional.of(
           route.to().getAddress().isLoopbackAddress()
               ? UdpPort.open(from)
-              : UdpPort.connect(from, route.to(), peer -> lost()));
+              : connector.connect(from, route.to(), peer -> lost()));
     } catch (IOException e) {
       LOG.debug("No socket for video at {}: {}", from, e.toString());
       return Optional.empty();

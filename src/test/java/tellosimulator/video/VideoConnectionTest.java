@@ -1,19 +1,26 @@
 package tellosimulator.video;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.mockito.ArgumentMatchers.any;
+import static org.mockito.Mockito.doAnswer;
+import static org.mockito.Mockito.mock;
 
 import java.io.IOException;
 import java.net.DatagramSocket;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
+import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import java.util.Optional;
+import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.concurrent.atomic.AtomicInteger;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import tellosimulator.command.Link;
 import tellosimulator.command.Peer;
+import tellosimulator.network.DatagramPort;
 import tellosimulator.time.Metronome;
 import tellosimulator.video.VideoConnection.Route;
 
@@ -78,6 +85,48 @@ class VideoConnectionTest {
 
       assertThat(receiver.sender().getAddress().getHostAddress()).isEqualTo(drone);
       assertThat(receiver.sender().getPort()).isNotEqualTo(taken.getLocalPort());
+    }
+  }
+
+  /** A machine whose answer to the first datagram of a try is that nothing receives there. */
+  @Test
+  void whereNothingReceivesOneDatagramIsATryAndThenAWholePictureGoes() throws IOException {
+    InetSocketAddress remote = new InetSocketAddress("192.0.2.7", 11_111);
+    Route route = new Route(InetAddress.getLoopbackAddress(), remote);
+    AtomicInteger told = new AtomicInteger();
+    List<byte[]> sent = new ArrayList<>();
+    AtomicBoolean receives = new AtomicBoolean();
+    VideoConnection.Connector silent =
+        (from, to, listener) -> {
+          DatagramPort port = mock(DatagramPort.class);
+          doAnswer(
+                  call -> {
+                    sent.add(call.getArgument(0));
+                    if (!receives.get()) {
+                      listener.unreachable(to);
+                    }
+                    return null;
+                  })
+              .when(port)
+              .send(any(), any());
+          return port;
+        };
+
+    try (VideoConnection tried = new VideoConnection(metronome, told::incrementAndGet, silent)) {
+      tried.send(TEN, route, 0);
+      assertThat(sent).hasSize(1);
+      assertThat(told).hasValue(1);
+      tried.send(TEN, route, 0);
+      assertThat(sent).hasSize(2);
+
+      receives.set(true);
+      long begun = metronome.nanos();
+      tried.send(TEN, route, 0);
+      assertThat(sent).hasSize(12);
+      assertThat(told).hasValue(2);
+      assertThat(metronome.nanos() - begun)
+          .as("waits for the answer to the first one")
+          .isGreaterThanOrEqualTo(20_000_000);
     }
   }
 
