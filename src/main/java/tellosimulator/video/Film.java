@@ -5,8 +5,7 @@ import java.util.Optional;
 import tellosimulator.sim.SimSnapshot;
 import tellosimulator.video.camera.FrameSource;
 import tellosimulator.video.camera.Shot;
-import tellosimulator.video.codec.EncodedPicture;
-import tellosimulator.video.codec.Encoders;
+import tellosimulator.video.codec.AccessUnit;
 import tellosimulator.video.codec.VideoEncoder;
 import tellosimulator.video.picture.Picture;
 
@@ -24,7 +23,7 @@ final class Film {
 
   private final int drone;
   private final FrameSource source;
-  private final Encoders encoders;
+  private final VideoEncoder.Factory encoders;
   private Optional<Reel> reel = Optional.empty();
   private Optional<Opening> opening = Optional.empty();
   private boolean keyOwed;
@@ -34,13 +33,13 @@ final class Film {
   private record Reel(VideoFormat format, Picture picture, VideoEncoder encoder) {}
 
   /** A first picture that was made before anybody asked for it. */
-  private record Opening(Object sight, EncodedPicture encoded) {}
+  private record Opening(Object sight, AccessUnit encoded) {}
 
   /**
    * @param drone its number, from 1
    * @param source where its pictures come from
    */
-  Film(int drone, FrameSource source, Encoders encoders) {
+  Film(int drone, FrameSource source, VideoEncoder.Factory encoders) {
     this.drone = drone;
     this.source = source;
     this.encoders = encoders;
@@ -85,18 +84,17 @@ final class Film {
    * @param nanos when it was taken; only differences mean something
    * @param fromHere whether decoding shall be able to begin with this picture
    */
-  EncodedPicture encode(long nanos, boolean fromHere) {
-    EncodedPicture encoded =
-        opening.map(Opening::encoded).orElseGet(() -> encodeNow(nanos, fromHere));
+  AccessUnit encode(long nanos, boolean fromHere) {
+    AccessUnit encoded = opening.map(Opening::encoded).orElseGet(() -> encodeNow(nanos, fromHere));
     opening = Optional.empty();
-    if (encoded.key()) {
+    if (encoded.idr()) {
       keyOwed = false;
       keyNanos = nanos;
     }
     return encoded;
   }
 
-  private EncodedPicture encodeNow(long nanos, boolean fromHere) {
+  private AccessUnit encodeNow(long nanos, boolean fromHere) {
     Reel current = reel.orElseThrow();
     long nextKey = keyNanos + KEY_PERIOD - current.format.period() / 2;
     return current.encoder.encode(current.picture, fromHere || keyOwed || nanos >= nextKey);
@@ -118,7 +116,7 @@ final class Film {
       reel = Optional.of(new Reel(format, before.get().picture, before.get().encoder));
     } else {
       Picture picture = new Picture(format.width(), format.height());
-      VideoEncoder encoder = encoders.encoder(format.width(), format.height());
+      VideoEncoder encoder = encoders.create(format.width(), format.height());
       reel = Optional.of(new Reel(format, picture, encoder));
     }
     setRate(reel.orElseThrow());

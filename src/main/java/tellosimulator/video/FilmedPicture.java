@@ -1,7 +1,7 @@
 package tellosimulator.video;
 
 import java.util.Optional;
-import tellosimulator.video.codec.EncodedPicture;
+import tellosimulator.video.codec.AccessUnit;
 import tellosimulator.video.picture.Picture;
 
 /**
@@ -14,4 +14,4 @@ import tellosimulator.video.picture.Picture;
  * @param nanos when it was taken, on any clock [ns]
  */
 public record FilmedPicture(
-    Picture picture, Optional<EncodedPicture> encoded, VideoFigures figures, long nanos) {}
+    Picture picture, Optional<AccessUnit> encoded, VideoFigures figures, long nanos) {}

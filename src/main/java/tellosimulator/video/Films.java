@@ -4,7 +4,7 @@ import java.util.Optional;
 import java.util.function.Supplier;
 import tellosimulator.sim.SimSnapshot;
 import tellosimulator.video.camera.FrameSource;
-import tellosimulator.video.codec.Encoders;
+import tellosimulator.video.codec.VideoEncoder;
 
 /**
  * Makes the film of each drone. The first picture of the first drone can be made before anybody
@@ -15,14 +15,14 @@ public final class Films {
   private static final int FIRST = 1;
 
   private final Supplier<FrameSource> sources;
-  private final Encoders encoders;
+  private final VideoEncoder.Factory encoders;
   private Optional<Film> prepared = Optional.empty();
   private boolean begun;
 
   /**
    * @param sources where pictures come from; it takes one for each film
    */
-  public Films(Supplier<FrameSource> sources, Encoders encoders) {
+  public Films(Supplier<FrameSource> sources, VideoEncoder.Factory encoders) {
     this.sources = sources;
     this.encoders = encoders;
   }

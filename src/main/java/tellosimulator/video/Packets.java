@@ -3,7 +3,7 @@ package tellosimulator.video;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import tellosimulator.video.codec.EncodedPicture;
+import tellosimulator.video.codec.AccessUnit;
 
 /**
  * Cuts encoded pictures into datagrams as the drone does: each NAL unit begins a new one, and its
@@ -17,9 +17,9 @@ final class Packets {
   private Packets() {}
 
   /** The datagrams of a picture, in their order. */
-  static List<byte[]> of(EncodedPicture picture) {
+  static List<byte[]> of(AccessUnit picture) {
     List<byte[]> packets = new ArrayList<>();
-    for (int unit = 0; unit < picture.units(); unit++) {
+    for (int unit = 0; unit < picture.nalUnits(); unit++) {
       int end = picture.start(unit + 1);
       int from = picture.start(unit);
       while (end - from >= FULL) {

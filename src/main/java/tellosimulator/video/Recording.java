@@ -12,7 +12,7 @@ import java.util.Optional;
 import tellosimulator.files.IoReason;
 import tellosimulator.video.Mp4File.Format;
 import tellosimulator.video.Mp4File.Sample;
-import tellosimulator.video.codec.EncodedPicture;
+import tellosimulator.video.codec.AccessUnit;
 import tellosimulator.video.picture.Picture;
 import tellosimulator.words.Phrase;
 
@@ -95,9 +95,9 @@ public final class Recording implements VideoWatcher, AutoCloseable {
     }
   }
 
-  private void add(Picture picture, EncodedPicture encoded, long nanos) throws IOException {
+  private void add(Picture picture, AccessUnit encoded, long nanos) throws IOException {
     if (film.isEmpty()) {
-      if (!encoded.key()) {
+      if (!encoded.idr()) {
         return;
       }
       width = picture.width();
@@ -115,12 +115,12 @@ public final class Recording implements VideoWatcher, AutoCloseable {
       flush(film.get());
       fragmentBegun = ticks;
     }
-    ByteBuffer slice = unit(encoded, encoded.units() - 1);
-    kept = Optional.of(new Kept(slice, encoded.key(), ticks));
+    ByteBuffer slice = unit(encoded, encoded.nalUnits() - 1);
+    kept = Optional.of(new Kept(slice, encoded.idr(), ticks));
   }
 
   /** A NAL unit without its start code. */
-  private static ByteBuffer unit(EncodedPicture encoded, int unit) {
+  private static ByteBuffer unit(AccessUnit encoded, int unit) {
     int start = encoded.start(unit) + START_CODE_LENGTH;
     return ByteBuffer.wrap(Arrays.copyOfRange(encoded.bytes(), start, encoded.start(unit + 1)));
   }

@@ -17,7 +17,7 @@ import tellosimulator.sim.SimSnapshot;
 import tellosimulator.sim.SimSnapshot.DroneSnapshot;
 import tellosimulator.time.Metronome;
 import tellosimulator.video.VideoConnection.Route;
-import tellosimulator.video.codec.EncodedPicture;
+import tellosimulator.video.codec.AccessUnit;
 import tellosimulator.video.picture.Picture;
 
 /**
@@ -252,13 +252,13 @@ public final class VideoStream implements AutoCloseable {
     long start = metronome.nanos();
     Picture picture = film.shoot(snapshot, format);
     long filmed = metronome.nanos();
-    Optional<EncodedPicture> encoded = Optional.empty();
+    Optional<AccessUnit> encoded = Optional.empty();
     if (wish.encoded) {
       encoded = Optional.of(film.encode(start, !wish.equals(last)));
     }
     long done = metronome.nanos();
     last = wish;
-    int bytes = encoded.map(EncodedPicture::size).orElse(0);
+    int bytes = encoded.map(AccessUnit::size).orElse(0);
     VideoFigures figures =
         meter.count(new VideoMeter.Sample(start, bytes, filmed - start, done - filmed));
     if (wish.sent) { // before anybody looks at it, who may take his time

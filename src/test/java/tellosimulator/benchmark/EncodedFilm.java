@@ -8,7 +8,7 @@ import org.jcodec.codecs.h264.encode.RateControl;
 import org.jcodec.codecs.h264.io.model.SliceType;
 import org.jcodec.common.model.ColorSpace;
 import org.jcodec.common.model.Size;
-import tellosimulator.video.codec.EncodedPicture;
+import tellosimulator.video.codec.AccessUnit;
 import tellosimulator.video.codec.H264Encoder;
 import tellosimulator.video.picture.Picture;
 
@@ -46,7 +46,7 @@ final class EncodedFilm {
     for (int i = 0; i < pictures.size(); i++) {
       Picture picture = pictures.get(i);
       boolean key = i % PICTURES_PER_SECOND == 0;
-      EncodedPicture[] encoded = new EncodedPicture[1];
+      AccessUnit[] encoded = new AccessUnit[1];
       times.add(Stopwatch.ms(() -> encoded[0] = encoder.encode(picture, key)));
       stream.write(encoded[0].bytes(), 0, encoded[0].size());
     }

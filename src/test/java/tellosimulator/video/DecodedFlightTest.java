@@ -22,7 +22,7 @@ import tellosimulator.sim.Simulation;
 import tellosimulator.testing.Ffmpeg;
 import tellosimulator.testing.Ffmpeg.Decoded;
 import tellosimulator.video.camera.DroneOptics;
-import tellosimulator.video.codec.EncodedPicture;
+import tellosimulator.video.codec.AccessUnit;
 import tellosimulator.video.codec.H264Encoder;
 
 /** A flight as an independent decoder shows it: two seconds, in which the drone turns and leans. */
@@ -96,7 +96,7 @@ class DecodedFlightTest {
       Attitude leaning = new Attitude(Math.cos(bank / 2), Math.sin(bank / 2), 0, 0);
       Pose pose = new Pose(new Vec3(-1, 0, 1), Attitude.ofHeading(-i * TURN).after(leaning));
       seen.add(film.shoot(at(pose), FORMAT).y().clone());
-      EncodedPicture encoded = film.encode(i * FORMAT.period(), false);
+      AccessUnit encoded = film.encode(i * FORMAT.period(), false);
       packets.addAll(Packets.of(encoded));
     }
   }

@@ -2,10 +2,10 @@ package tellosimulator.video;
 
 import java.util.ArrayList;
 import java.util.List;
-import tellosimulator.video.codec.EncodedPicture;
+import tellosimulator.video.codec.AccessUnit;
 
 /** An encoded picture with NAL units of given lengths, each byte its number within the unit. */
-final class FakePicture implements EncodedPicture {
+final class FakePicture implements AccessUnit {
 
   private final byte[] bytes;
   private final List<Integer> starts;
@@ -40,7 +40,7 @@ final class FakePicture implements EncodedPicture {
   }
 
   @Override
-  public int units() {
+  public int nalUnits() {
     return starts.size() - 1;
   }
 
@@ -50,7 +50,7 @@ final class FakePicture implements EncodedPicture {
   }
 
   @Override
-  public boolean key() {
-    return units() == 3;
+  public boolean idr() {
+    return nalUnits() == 3;
   }
 }

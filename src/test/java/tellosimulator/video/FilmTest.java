@@ -11,7 +11,7 @@ import tellosimulator.sim.SimSnapshot;
 import tellosimulator.sim.Simulation;
 import tellosimulator.video.camera.FrameSource;
 import tellosimulator.video.camera.Shot;
-import tellosimulator.video.codec.EncodedPicture;
+import tellosimulator.video.codec.AccessUnit;
 import tellosimulator.video.codec.VideoEncoder;
 import tellosimulator.video.picture.Picture;
 
@@ -56,7 +56,7 @@ class FilmTest {
     }
 
     @Override
-    public EncodedPicture encode(Picture picture, boolean key) {
+    public AccessUnit encode(Picture picture, boolean key) {
       asked.add(key ? "key" : "next");
       return key ? FakePicture.of(13, 8, 100) : FakePicture.of(50);
     }
@@ -148,7 +148,7 @@ class FilmTest {
     VideoFormat format = VideoFormat.of(VideoSettings.DEFAULT.withFramesPerSecond(5));
     film.prepare(snapshot, format);
     film.shoot(snapshot, format);
-    assertThat(film.encode(10 * FIFTH, true).key()).isTrue();
+    assertThat(film.encode(10 * FIFTH, true).idr()).isTrue();
 
     assertThat(taken).hasSize(1);
     assertThat(asked).endsWith("key");

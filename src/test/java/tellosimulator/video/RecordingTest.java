@@ -22,7 +22,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import tellosimulator.testing.Ffmpeg;
-import tellosimulator.video.codec.EncodedPicture;
+import tellosimulator.video.codec.AccessUnit;
 import tellosimulator.video.codec.H264Encoder;
 import tellosimulator.video.picture.Picture;
 import tellosimulator.words.Phrase;
@@ -163,7 +163,7 @@ class RecordingTest {
   private void film(int width, int height, int level, boolean key) {
     Picture picture = new Picture(width, height);
     Arrays.fill(picture.y(), (byte) level);
-    EncodedPicture encoded = encoder.encode(picture, key);
+    AccessUnit encoded = encoder.encode(picture, key);
     recording.filmed(new FilmedPicture(picture, Optional.of(encoded), VideoFigures.NONE, now));
     now += PERIOD;
   }

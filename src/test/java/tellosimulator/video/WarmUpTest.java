@@ -19,7 +19,7 @@ import tellosimulator.sim.Simulation;
 import tellosimulator.video.camera.DroneOptics;
 import tellosimulator.video.camera.FrameSource;
 import tellosimulator.video.camera.Shot;
-import tellosimulator.video.codec.EncodedPicture;
+import tellosimulator.video.codec.AccessUnit;
 import tellosimulator.video.codec.VideoEncoder;
 import tellosimulator.video.picture.Picture;
 import tellosimulator.world.Room;
@@ -40,7 +40,7 @@ class WarmUpTest {
     public void setRate(int framesPerSecond, int bitsPerSecond) {}
 
     @Override
-    public EncodedPicture encode(Picture picture, boolean key) {
+    public AccessUnit encode(Picture picture, boolean key) {
       return FakePicture.of(5, 10);
     }
   }

@@ -6,19 +6,19 @@ import java.nio.ByteOrder;
 import java.util.Arrays;
 
 /**
- * Bits one after another, the highest of each byte first. JCodec's own writer goes through a buffer
- * bit by bit; this one writes eight bytes at once, of which the next call overwrites those that are
- * not complete.
+ * Writes the bits of a raw byte sequence payload (RBSP), most significant bit first. JCodec's own
+ * writer goes through a buffer bit by bit; this one stores eight bytes at once, and the next call
+ * overwrites those that are not yet complete.
  */
 final class BitWriter {
 
   private static final VarHandle LONGS =
       MethodHandles.byteArrayViewVarHandle(long[].class, ByteOrder.BIG_ENDIAN);
 
-  /** Decided: more than any picture needs that is not noise. */
-  private static final int FIRST_CAPACITY = 1 << 17;
+  /** Decided: more than any frame needs that is not noise. */
+  private static final int INITIAL_CAPACITY = 1 << 17;
 
-  private byte[] bytes = new byte[FIRST_CAPACITY];
+  private byte[] bytes = new byte[INITIAL_CAPACITY];
   private int size;
   private long pending;
   private int pendingBits;
@@ -29,7 +29,7 @@ final class BitWriter {
     pendingBits = 0;
   }
 
-  /** Makes room for that many bytes, so that writing them need not ask. */
+  /** Ensures room for that many more bytes, so that {@link #put} need not check. */
   void reserve(int more) {
     if (size + more + Long.BYTES > bytes.length) {
       bytes = Arrays.copyOf(bytes, 2 * bytes.length + more);
@@ -37,9 +37,9 @@ final class BitWriter {
   }
 
   /**
-   * Writes the lowest bits of a value; the higher ones must be zero.
+   * Writes u(n): the lowest bits of a value, whose higher bits must be zero.
    *
-   * @param length up to 32
+   * @param length n, up to 32
    */
   void put(int value, int length) {
     pendingBits += length;
@@ -50,47 +50,48 @@ final class BitWriter {
     pendingBits &= 7;
   }
 
-  /** An Exp-Golomb code: short for small values; not negative. */
-  void putUnsigned(int value) {
-    put(value + 1, unsignedLength(value));
+  /** Writes ue(v), an unsigned Exp-Golomb code (H.264, 9.1); the value is not negative. */
+  void putUe(int value) {
+    put(value + 1, ueLength(value));
   }
 
-  /** An Exp-Golomb code for values with a sign. */
-  void putSigned(int value) {
-    putUnsigned(folded(value));
+  /** Writes se(v), a signed Exp-Golomb code (H.264, 9.1.1). */
+  void putSe(int value) {
+    putUe(codeNum(value));
   }
 
-  /** How many bits {@link #putSigned} writes. */
-  static int signedLength(int value) {
-    return unsignedLength(folded(value));
+  /** The length of {@link #putSe} in bits. */
+  static int seLength(int value) {
+    return ueLength(codeNum(value));
   }
 
-  /** How many bits {@link #putUnsigned} writes. */
-  static int unsignedLength(int value) {
+  /** The length of {@link #putUe} in bits. */
+  static int ueLength(int value) {
     return 63 - 2 * Integer.numberOfLeadingZeros(value + 1);
   }
 
-  private static int folded(int value) {
+  /** codeNum of a signed value: H.264, table 9-3. */
+  private static int codeNum(int value) {
     return value > 0 ? 2 * value - 1 : -2 * value;
   }
 
-  /** A one and zeros up to the next byte; nothing may follow. */
-  void finish() {
+  /** Writes rbsp_trailing_bits: a one, then zeros up to the next byte; nothing may follow. */
+  void putTrailingBits() {
     put(1, 1);
     put(0, -pendingBits & 7);
   }
 
-  /** How many bits were written. */
-  int bits() {
+  /** The number of bits written. */
+  int bitCount() {
     return 8 * size + pendingBits;
   }
 
-  /** What was written, not a copy; complete after {@link #finish}. */
+  /** The bytes written, not a copy; complete after {@link #putTrailingBits}. */
   byte[] bytes() {
     return bytes;
   }
 
-  /** How many bytes are complete. */
+  /** The number of complete bytes. */
   int size() {
     return size;
   }

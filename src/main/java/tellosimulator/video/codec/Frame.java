@@ -3,41 +3,41 @@ package tellosimulator.video.codec;
 import tellosimulator.video.picture.Picture;
 
 /**
- * A picture as the encoder works on it: whole macroblocks, with a border. There are three: the
- * picture to be encoded, what decoders will make of it, and what they made of the one before.
+ * A 4:2:0 frame of whole macroblocks with padded borders. The encoder has three: the source frame,
+ * the reconstructed frame, and the reference frame, which is the reconstruction of the frame
+ * before.
  */
 final class Frame {
 
-  /** Decided: how far a prediction may come from beyond the edge, and eight pixels to filter. */
+  /**
+   * Padding of the luma plane [samples]. Decided: how far a motion vector may point beyond the
+   * edge, and eight samples for the six-tap filter.
+   */
   static final int BORDER = 32;
 
   final Plane luma;
-  final Plane blue;
-  final Plane red;
-  final int columns;
-  final int rows;
+  final Plane cb;
+  final Plane cr;
+  final int widthInMbs;
+  final int heightInMbs;
 
-  /**
-   * @param columns macroblocks from left to right
-   * @param rows macroblocks from top to bottom
-   */
-  Frame(int columns, int rows) {
-    this.columns = columns;
-    this.rows = rows;
-    luma = new Plane(16 * columns, 16 * rows, BORDER);
-    blue = new Plane(8 * columns, 8 * rows, BORDER / 2);
-    red = new Plane(8 * columns, 8 * rows, BORDER / 2);
+  Frame(int widthInMbs, int heightInMbs) {
+    this.widthInMbs = widthInMbs;
+    this.heightInMbs = heightInMbs;
+    luma = new Plane(16 * widthInMbs, 16 * heightInMbs, BORDER);
+    cb = new Plane(8 * widthInMbs, 8 * heightInMbs, BORDER / 2);
+    cr = new Plane(8 * widthInMbs, 8 * heightInMbs, BORDER / 2);
   }
 
   void load(Picture picture) {
     luma.load(picture.y(), picture.width());
-    blue.load(picture.u(), picture.width() / 2);
-    red.load(picture.v(), picture.width() / 2);
+    cb.load(picture.u(), picture.width() / 2);
+    cr.load(picture.v(), picture.width() / 2);
   }
 
-  void extend() {
-    luma.extend();
-    blue.extend();
-    red.extend();
+  void expandBorders() {
+    luma.expandBorders();
+    cb.expandBorders();
+    cr.expandBorders();
   }
 }

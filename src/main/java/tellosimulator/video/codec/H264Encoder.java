@@ -3,60 +3,60 @@ package tellosimulator.video.codec;
 import tellosimulator.video.picture.Picture;
 
 /**
- * An H.264 encoder for pictures of one size: Constrained Baseline, one slice a picture, each
- * picture predicted from the one before or, if it is a key picture, from nothing.
+ * An H.264 encoder: Constrained Baseline, one slice a frame, one reference frame. A GOP is an IDR
+ * frame and the P frames up to the next; there are no B frames and no deblocking.
  *
- * <p>JCodec's own encoder searches motion by comparing pixel by pixel, never skips a macroblock and
- * makes arrays all the time. This one takes JCodec's parameter sets and code tables, and does the
- * rest on arrays that it keeps, eight pixels at once. After the first pictures it allocates nothing
- * but tables when a quality is first used.
+ * <p>JCodec's own encoder compares sample by sample in its motion search, never codes P_Skip, and
+ * allocates arrays throughout. This one takes JCodec's parameter sets and VLC tables and does the
+ * rest on arrays that it reuses, eight samples at once ({@link Swar}). After the first frames it
+ * allocates nothing but the tables of a QP that is used for the first time.
  */
 public final class H264Encoder implements VideoEncoder {
 
-  /** Documented: H.264, 7.3.1: the first byte of a unit that others refer to. */
-  private static final int SEQUENCE = 0x67;
+  /** NAL unit header bytes: nal_ref_idc and nal_unit_type. Documented: H.264, 7.3.1. */
+  private static final int NAL_SPS = 0x67;
 
-  private static final int PICTURE = 0x68;
-  private static final int KEY_SLICE = 0x65;
-  private static final int SLICE = 0x41;
+  private static final int NAL_PPS = 0x68;
+  private static final int NAL_IDR_SLICE = 0x65;
+  private static final int NAL_NON_IDR_SLICE = 0x41;
 
-  /** Documented: H.264, 7.4.3: the number of a key picture is below. */
-  private static final int KEY_NUMBERS = 1 << 16;
+  /** Documented: H.264, 7.4.3: idr_pic_id is below. */
+  private static final int IDR_PIC_IDS = 1 << 16;
 
   private final int width;
   private final int height;
-  private final ParameterSets parameters;
+  private final ParameterSets parameterSets;
   private final Frame source;
   private final MacroblockWriter writer;
-  private final PictureCoder coder;
-  private final RateControl rate;
-  private final NalUnits units = new NalUnits();
-  private final Quality[] qualities = new Quality[Quality.COARSEST + 1];
+  private final SliceEncoder slices;
+  private final RateControl rateControl;
+  private final AnnexBWriter accessUnit = new AnnexBWriter();
+  private final QpTables[] qpTables = new QpTables[QpTables.MAX_QP + 1];
   private boolean started;
-  private int number;
-  private int keyNumber;
+  private int frameNum;
+  private int idrPicId;
 
   /**
-   * @param width of the pictures in pixels, even
-   * @param height of the pictures in pixels, even
+   * @param width of the frames in pixels, even
+   * @param height of the frames in pixels, even
    */
   public H264Encoder(int width, int height) {
     this.width = width;
     this.height = height;
-    parameters = new ParameterSets(width, height);
+    parameterSets = new ParameterSets(width, height);
     source = new Frame((width + 15) / 16, (height + 15) / 16);
-    writer = new MacroblockWriter(source.columns, source.rows);
-    coder = new PictureCoder(source, writer);
-    rate = new RateControl(source.columns * source.rows, source.rows);
+    writer = new MacroblockWriter(source.widthInMbs, source.heightInMbs);
+    slices = new SliceEncoder(source, writer);
+    rateControl = new RateControl(source.widthInMbs * source.heightInMbs, source.heightInMbs);
   }
 
   @Override
   public void setRate(int framesPerSecond, int bitsPerSecond) {
-    rate.setRate(framesPerSecond, bitsPerSecond);
+    rateControl.setRate(framesPerSecond, bitsPerSecond);
   }
 
   @Override
-  public EncodedPicture encode(Picture picture, boolean key) {
+  public AccessUnit encode(Picture picture, boolean forceIdr) {
     if (picture.width() != width || picture.height() != height) {
       throw new IllegalArgumentException(
           "picture is "
@@ -68,46 +68,46 @@ public final class H264Encoder implements VideoEncoder {
               + " by "
               + height);
     }
-    boolean begin = key || !started;
+    boolean idr = forceIdr || !started;
     started = true;
     source.load(picture);
-    units.begin(begin);
-    if (begin) {
-      number = 0;
-      units.add(SEQUENCE, parameters.sequence, parameters.sequence.length);
-      units.add(PICTURE, parameters.picture, parameters.picture.length);
+    accessUnit.begin(idr);
+    if (idr) {
+      frameNum = 0;
+      accessUnit.add(NAL_SPS, parameterSets.sps, parameterSets.sps.length);
+      accessUnit.add(NAL_PPS, parameterSets.pps, parameterSets.pps.length);
     }
-    slice(begin);
-    return units;
+    encodeSlice(idr);
+    return accessUnit;
   }
 
-  /** The last picture as decoders see it, for tests. */
-  Frame coded() {
-    return coder.coded();
+  /** The reconstruction of the last frame, for tests. */
+  Frame reconstruction() {
+    return slices.reconstruction();
   }
 
-  private Quality quality(int qp) {
-    if (qualities[qp] == null) {
-      qualities[qp] = Quality.of(qp);
+  private QpTables tables(int qp) {
+    if (qpTables[qp] == null) {
+      qpTables[qp] = QpTables.of(qp);
     }
-    return qualities[qp];
+    return qpTables[qp];
   }
 
-  private void slice(boolean key) {
-    int qp = rate.begin(key);
-    writer.begin(key, number, keyNumber, qp);
-    coder.next();
-    for (int row = 0; row < source.rows; row++) {
-      coder.row(row, key, quality(qp));
-      qp = rate.row(row + 1, writer.bits());
+  private void encodeSlice(boolean idr) {
+    int qp = rateControl.beginFrame(idr);
+    writer.beginSlice(idr, frameNum, idrPicId, qp);
+    slices.beginFrame();
+    for (int mbY = 0; mbY < source.heightInMbs; mbY++) {
+      slices.encodeRow(mbY, idr, tables(qp));
+      qp = rateControl.rowCoded(mbY + 1, writer.bitCount());
     }
-    coder.coded().extend();
-    BitWriter bits = writer.finish();
-    units.add(key ? KEY_SLICE : SLICE, bits.bytes(), bits.size());
-    rate.end(8 * bits.size());
-    number = (number + 1) % (1 << ParameterSets.FRAME_NUM_BITS);
-    if (key) {
-      keyNumber = (keyNumber + 1) % KEY_NUMBERS;
+    slices.reconstruction().expandBorders();
+    BitWriter rbsp = writer.finishSlice();
+    accessUnit.add(idr ? NAL_IDR_SLICE : NAL_NON_IDR_SLICE, rbsp.bytes(), rbsp.size());
+    rateControl.endFrame(8 * rbsp.size());
+    frameNum = (frameNum + 1) % (1 << ParameterSets.FRAME_NUM_BITS);
+    if (idr) {
+      idrPicId = (idrPicId + 1) % IDR_PIC_IDS;
     }
   }
 }

@@ -1,41 +1,39 @@
 package tellosimulator.video.codec;
 
 /**
- * The macroblock that is being coded: 16 by 16 pixels. One object serves all of a picture, one
- * after another; who decides fills it in, and {@link MacroblockWriter} writes it.
+ * The current macroblock: source samples, coding decisions and residual. One object serves all
+ * macroblocks of a slice in turn; {@link SliceEncoder} fills it in, and {@link MacroblockWriter}
+ * writes it.
  */
 final class Macroblock {
 
-  /** What it shall look like. */
-  final Samples source = new Samples();
-
-  /** What its prediction lacks. */
+  final MacroblockSamples source = new MacroblockSamples();
   final Residual residual = new Residual();
 
-  /** Its place from the left. */
-  int column;
+  /** Column [macroblocks]. */
+  int mbX;
 
-  /** Its place from the top. */
-  int row;
+  /** Row [macroblocks]. */
+  int mbY;
 
-  Quality quality;
+  QpTables tables;
 
-  /** How its vector differs from the one that is expected, in quarters of a pixel. */
-  int differenceX;
+  /** Motion vector difference, horizontal [quarter samples]. */
+  int mvdX;
 
-  /** How its vector differs from the one that is expected, in quarters of a pixel. */
-  int differenceY;
+  /** Motion vector difference, vertical [quarter samples]. */
+  int mvdY;
 
-  /** How its luma is predicted from the same picture: H.264, table 8-4. */
-  int lumaMode;
+  /** Intra16x16PredMode: H.264, table 8-4. */
+  int intra16x16PredMode;
 
-  /** How its colours are predicted from the same picture: H.264, table 8-5. */
-  int colourMode;
+  /** intra_chroma_pred_mode: H.264, table 8-5. */
+  int intraChromaPredMode;
 
-  /** Goes on to a place and takes over what is there. */
-  void take(Frame frame, int newColumn, int newRow) {
-    column = newColumn;
-    row = newRow;
-    source.load(frame, column, row);
+  /** Moves on to another macroblock and loads its source samples. */
+  void load(Frame frame, int newMbX, int newMbY) {
+    mbX = newMbX;
+    mbY = newMbY;
+    source.load(frame, mbX, mbY);
   }
 }

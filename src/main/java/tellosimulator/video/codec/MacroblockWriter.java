@@ -2,190 +2,220 @@ package tellosimulator.video.codec;
 
 import org.jcodec.codecs.h264.H264Const;
 
-/** Writes the macroblocks of a slice one after another, and before them the slice's header. */
+/**
+ * Writes the syntax of a slice: its header, then its macroblocks one after another (slice_data and
+ * macroblock_layer; H.264, 7.3.3 to 7.3.5).
+ */
 final class MacroblockWriter {
 
-  /** Documented: H.264, table 7-6: a slice all of whose macroblocks are predicted from others. */
+  /**
+   * slice_type of a slice that is P, as all others of its picture. Documented: H.264, table 7-6.
+   */
   private static final int P_SLICE = 5;
 
   private static final int I_SLICE = 7;
 
-  /** Documented: H.264, table 7-13: in a P slice, types of intra macroblocks begin here. */
-  private static final int INTRA_TYPES_OF_P = 5;
+  /** mb_type of the first I macroblock in a P slice. Documented: H.264, table 7-13. */
+  private static final int I_MB_TYPE_OFFSET_IN_P = 5;
 
-  /** Decided: more than a macroblock can have. */
-  private static final int MOST_BYTES = 4096;
+  /** Decided: more than a macroblock can take. */
+  private static final int MAX_MACROBLOCK_BYTES = 4096;
 
-  private static final int[] INTER_PATTERNS = H264Const.CODED_BLOCK_PATTERN_INTER_COLOR_INV.clone();
+  /** codeNum of coded_block_pattern in Inter macroblocks: H.264, table 9-4. */
+  private static final int[] INTER_CBP_CODES =
+      H264Const.CODED_BLOCK_PATTERN_INTER_COLOR_INV.clone();
 
   private final BitWriter bits = new BitWriter();
-  private final LevelWriter levels = new LevelWriter(bits);
-  private final CountGrid luma;
-  private final CountGrid blue;
-  private final CountGrid red;
-  private boolean key;
-  private int skipped;
+  private final CavlcWriter cavlc = new CavlcWriter(bits);
+  private final TotalCoefficients lumaCounts;
+  private final TotalCoefficients cbCounts;
+  private final TotalCoefficients crCounts;
+  private boolean idr;
+  private int mbSkipRun;
   private int qp;
 
-  /**
-   * @param columns macroblocks from left to right
-   * @param rows macroblocks from top to bottom
-   */
-  MacroblockWriter(int columns, int rows) {
-    luma = new CountGrid(4 * columns, 4 * rows);
-    blue = new CountGrid(2 * columns, 2 * rows);
-    red = new CountGrid(2 * columns, 2 * rows);
+  MacroblockWriter(int widthInMbs, int heightInMbs) {
+    lumaCounts = new TotalCoefficients(4 * widthInMbs, 4 * heightInMbs);
+    cbCounts = new TotalCoefficients(2 * widthInMbs, 2 * heightInMbs);
+    crCounts = new TotalCoefficients(2 * widthInMbs, 2 * heightInMbs);
   }
 
   /**
-   * Begins a slice (H.264, 7.3.3).
+   * Begins a slice and writes its header.
    *
-   * @param number of the picture since the last key picture
-   * @param keyNumber of the key picture; only of one
+   * @param idrPicId of IDR slices only
    */
-  void begin(boolean keyPicture, int number, int keyNumber, int firstQp) {
-    key = keyPicture;
-    skipped = 0;
-    qp = firstQp;
+  void beginSlice(boolean newIdr, int frameNum, int idrPicId, int sliceQp) {
+    idr = newIdr;
+    mbSkipRun = 0;
+    qp = sliceQp;
     bits.clear();
-    bits.putUnsigned(0);
-    bits.putUnsigned(key ? I_SLICE : P_SLICE);
-    bits.putUnsigned(0);
-    bits.put(number, ParameterSets.FRAME_NUM_BITS);
-    if (key) {
-      bits.putUnsigned(keyNumber);
-      bits.put(0, 2); // what was before may be shown; no long-term reference
+    bits.putUe(0);
+    bits.putUe(idr ? I_SLICE : P_SLICE);
+    bits.putUe(0);
+    bits.put(frameNum, ParameterSets.FRAME_NUM_BITS);
+    if (idr) {
+      bits.putUe(idrPicId);
+      bits.put(0, 2); // no_output_of_prior_pics_flag, long_term_reference_flag
     } else {
-      bits.put(0, 3); // as many references as ever, in their order; none is marked
+      bits.put(0, 3); // no override of num_ref_idx, no reordering, sliding window marking
     }
-    bits.putSigned(firstQp - ParameterSets.FIRST_QP);
-    bits.putUnsigned(1); // edges are not filtered
+    bits.putSe(sliceQp - ParameterSets.PIC_INIT_QP);
+    bits.putUe(1); // disable_deblocking_filter_idc
   }
 
-  /** Ends the slice. */
-  BitWriter finish() {
-    bits.reserve(MOST_BYTES);
-    if (skipped > 0) {
-      bits.putUnsigned(skipped);
+  /** Ends the slice; its RBSP. */
+  BitWriter finishSlice() {
+    bits.reserve(MAX_MACROBLOCK_BYTES);
+    if (mbSkipRun > 0) {
+      bits.putUe(mbSkipRun);
     }
-    bits.finish();
+    bits.putTrailingBits();
     return bits;
   }
 
-  /** How many bits the slice has up to now. */
-  int bits() {
-    return bits.bits();
+  /** The size of the slice up to now [bit]. */
+  int bitCount() {
+    return bits.bitCount();
   }
 
-  /** A macroblock as predicted, with the vector that is expected. */
+  /** Codes a P_Skip macroblock. */
   void skip(Macroblock macroblock) {
-    skipped++;
+    mbSkipRun++;
     macroblock.residual.clear();
-    count(macroblock);
+    storeTotalCoeffs(macroblock);
   }
 
-  /** A macroblock that is predicted from another picture. */
-  void inter(Macroblock macroblock) {
+  /** Writes a P_L0_16x16 macroblock. */
+  void inter16x16(Macroblock macroblock) {
     Residual residual = macroblock.residual;
-    type(0);
-    bits.putSigned(macroblock.differenceX);
-    bits.putSigned(macroblock.differenceY);
-    bits.putUnsigned(INTER_PATTERNS[residual.pattern()]);
-    count(macroblock);
-    if (residual.pattern() != 0) {
-      quality(macroblock.quality.qp());
+    mbType(0);
+    bits.putSe(macroblock.mvdX);
+    bits.putSe(macroblock.mvdY);
+    bits.putUe(INTER_CBP_CODES[residual.codedBlockPattern()]);
+    storeTotalCoeffs(macroblock);
+    if (residual.codedBlockPattern() != 0) {
+      mbQpDelta(macroblock.tables.qp());
       luma(macroblock, 0);
-      colour(macroblock);
+      chroma(macroblock);
     }
   }
 
-  /** A macroblock whose luma is predicted as a whole from the same picture. */
-  void intra(Macroblock macroblock) {
+  /** Writes an Intra 16x16 macroblock. */
+  void intra16x16(Macroblock macroblock) {
     Residual residual = macroblock.residual;
-    int type = 1 + macroblock.lumaMode + 4 * residual.colourPattern;
-    type((key ? 0 : INTRA_TYPES_OF_P) + type + (residual.lumaPattern == 0 ? 0 : 12));
-    bits.putUnsigned(macroblock.colourMode);
-    quality(macroblock.quality.qp());
-    count(macroblock);
-    int context = luma.context(4 * macroblock.column, 4 * macroblock.row);
-    levels.firsts(residual.first, 0, 16, context);
+    int mbType = 1 + macroblock.intra16x16PredMode + 4 * residual.cbpChroma;
+    mbType((idr ? 0 : I_MB_TYPE_OFFSET_IN_P) + mbType + (residual.cbpLuma == 0 ? 0 : 12));
+    bits.putUe(macroblock.intraChromaPredMode);
+    mbQpDelta(macroblock.tables.qp());
+    storeTotalCoeffs(macroblock);
+    int nC = lumaCounts.nC(4 * macroblock.mbX, 4 * macroblock.mbY);
+    cavlc.writeDc(residual.dcLevels, 0, 16, nC);
     luma(macroblock, 1);
-    colour(macroblock);
+    chroma(macroblock);
   }
 
-  /** Says what kind of macroblock comes. */
-  private void type(int type) {
-    bits.reserve(MOST_BYTES);
-    if (!key) {
-      bits.putUnsigned(skipped);
-      skipped = 0;
+  /** Writes mb_skip_run, if this is a P slice, and mb_type. */
+  private void mbType(int mbType) {
+    bits.reserve(MAX_MACROBLOCK_BYTES);
+    if (!idr) {
+      bits.putUe(mbSkipRun);
+      mbSkipRun = 0;
     }
-    bits.putUnsigned(type);
+    bits.putUe(mbType);
   }
 
-  /** Tells the quality, as a difference from the last one. */
-  private void quality(int newQp) {
-    bits.putSigned(newQp - qp);
+  /** Writes mb_qp_delta. */
+  private void mbQpDelta(int newQp) {
+    bits.putSe(newQp - qp);
     qp = newQp;
   }
 
-  private void count(Macroblock macroblock) {
-    int[] masks = macroblock.residual.masks;
-    for (int block = 0; block < Samples.COLOUR; block++) {
-      luma.set(
-          4 * macroblock.column + (block & 3),
-          4 * macroblock.row + (block >> 2),
+  private void storeTotalCoeffs(Macroblock macroblock) {
+    int[] masks = macroblock.residual.nonZeroMasks;
+    for (int block = 0; block < MacroblockSamples.CHROMA; block++) {
+      lumaCounts.set(
+          4 * macroblock.mbX + (block & 3),
+          4 * macroblock.mbY + (block >> 2),
           Integer.bitCount(masks[block]));
     }
     for (int i = 0; i < 4; i++) {
-      int column = 2 * macroblock.column + (i & 1);
-      int row = 2 * macroblock.row + (i >> 1);
-      int block = Samples.COLOUR + (i >> 1) * 4 + (i & 1);
-      blue.set(column, row, Integer.bitCount(masks[block]));
-      red.set(column, row, Integer.bitCount(masks[block + 2]));
+      int column = 2 * macroblock.mbX + (i & 1);
+      int row = 2 * macroblock.mbY + (i >> 1);
+      int block = MacroblockSamples.CHROMA + (i >> 1) * 4 + (i & 1);
+      cbCounts.set(column, row, Integer.bitCount(masks[block]));
+      crCounts.set(column, row, Integer.bitCount(masks[block + 2]));
     }
   }
 
-  /** Writes the blocks of luma, a quarter after another. */
+  /** Writes the luma blocks, 8x8 block by 8x8 block. */
   private void luma(Macroblock macroblock, int first) {
     Residual residual = macroblock.residual;
     for (int i = 0; i < 16; i++) {
-      if (((residual.lumaPattern >> (i >> 2)) & 1) != 0) {
+      if (((residual.cbpLuma >> (i >> 2)) & 1) != 0) {
         int x = ((i >> 2) & 1) * 2 + (i & 1);
         int y = (i >> 3) * 2 + ((i >> 1) & 1);
         int block = 4 * y + x;
-        int context = luma.context(4 * macroblock.column + x, 4 * macroblock.row + y);
-        block(residual, block, first, context);
+        int nC = lumaCounts.nC(4 * macroblock.mbX + x, 4 * macroblock.mbY + y);
+        block(residual, block, first, nC);
       }
     }
   }
 
-  private void colour(Macroblock macroblock) {
+  private void chroma(Macroblock macroblock) {
     Residual residual = macroblock.residual;
-    if (residual.colourPattern > 0) {
-      levels.firsts(residual.first, Residual.BLUE, 4, LevelWriter.COLOUR_FIRST);
-      levels.firsts(residual.first, Residual.RED, 4, LevelWriter.COLOUR_FIRST);
+    if (residual.cbpChroma > 0) {
+      cavlc.writeDc(residual.dcLevels, Residual.CB_DC, 4, CavlcWriter.CHROMA_DC_NC);
+      cavlc.writeDc(residual.dcLevels, Residual.CR_DC, 4, CavlcWriter.CHROMA_DC_NC);
     }
-    if (residual.colourPattern == 2) {
-      colour(macroblock, blue, Samples.COLOUR);
-      colour(macroblock, red, Samples.COLOUR + 2);
+    if (residual.cbpChroma == 2) {
+      chromaAc(macroblock, cbCounts, MacroblockSamples.CHROMA);
+      chromaAc(macroblock, crCounts, MacroblockSamples.CHROMA + 2);
     }
   }
 
-  private void colour(Macroblock macroblock, CountGrid counts, int first) {
+  private void chromaAc(Macroblock macroblock, TotalCoefficients counts, int first) {
     for (int i = 0; i < 4; i++) {
-      int x = 2 * macroblock.column + (i & 1);
-      int y = 2 * macroblock.row + (i >> 1);
-      block(macroblock.residual, first + (i >> 1) * 4 + (i & 1), 1, counts.context(x, y));
+      int x = 2 * macroblock.mbX + (i & 1);
+      int y = 2 * macroblock.mbY + (i >> 1);
+      block(macroblock.residual, first + (i >> 1) * 4 + (i & 1), 1, counts.nC(x, y));
     }
   }
 
-  private void block(Residual residual, int block, int first, int context) {
-    int mask = residual.masks[block];
+  private void block(Residual residual, int block, int first, int nC) {
+    int mask = residual.nonZeroMasks[block];
     if (mask == 0) {
-      levels.none(context);
+      cavlc.writeEmptyBlock(nC);
     } else {
-      levels.block(residual.levels, 16 * block, mask, 16 - first, context);
+      cavlc.writeBlock(residual.levels, 16 * block, mask, 16 - first, nC);
+    }
+  }
+
+  /** total_coeff of each 4x4 block of one plane. */
+  private static final class TotalCoefficients {
+
+    private final byte[] counts;
+    private final int columns;
+
+    TotalCoefficients(int columns, int rows) {
+      this.columns = columns;
+      counts = new byte[columns * rows];
+    }
+
+    void set(int column, int row, int totalCoeff) {
+      counts[row * columns + column] = (byte) totalCoeff;
+    }
+
+    /** nC (H.264, 9.2.1): the mean of nA (left) and nB (above), as far as they are available. */
+    int nC(int column, int row) {
+      int at = row * columns + column;
+      if (column == 0) {
+        return row == 0 ? 0 : counts[at - columns];
+      }
+      if (row == 0) {
+        return counts[at - 1];
+      }
+      return (counts[at - 1] + counts[at - columns] + 1) >> 1;
     }
   }
 }

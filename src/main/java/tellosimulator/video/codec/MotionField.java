@@ -1,125 +1,127 @@
 package tellosimulator.video.codec;
 
 /**
- * The motion vectors of a picture's macroblocks, in quarters of a pixel, and those of the picture
- * before. A macroblock's vector is expected from those at the left, above and above right.
+ * The motion vectors of the current and of the previous frame, one for each macroblock, in quarter
+ * samples, and motion vector prediction from the neighbours A (left), B (above) and C (above
+ * right).
  */
 final class MotionField {
 
-  final int columns;
-  private int[] vectorsX;
-  private int[] vectorsY;
-  private boolean[] moved;
-  private int[] earlierX;
-  private int[] earlierY;
+  final int widthInMbs;
+  private int[] mvX;
+  private int[] mvY;
+  private int[] previousMvX;
+  private int[] previousMvY;
 
-  /** The vector from which a macroblock tells its difference; after {@link #expect}. */
-  int expectedX;
+  /** Whether each macroblock is inter coded, that is, has a motion vector. */
+  private final boolean[] inter;
 
-  int expectedY;
+  /** The motion vector prediction; after {@link #predictMv}. */
+  int mvpX;
 
-  /** The vector of a skipped macroblock; after {@link #expect}. */
-  int skipX;
+  int mvpY;
 
-  int skipY;
+  /** The motion vector of a P_Skip macroblock; after {@link #predictMv}. */
+  int pSkipMvX;
 
-  MotionField(int columns, int rows) {
-    this.columns = columns;
-    int macroblocks = columns * rows;
-    vectorsX = new int[macroblocks];
-    vectorsY = new int[macroblocks];
-    moved = new boolean[macroblocks];
-    earlierX = new int[macroblocks];
-    earlierY = new int[macroblocks];
+  int pSkipMvY;
+
+  MotionField(int widthInMbs, int heightInMbs) {
+    this.widthInMbs = widthInMbs;
+    int macroblocks = widthInMbs * heightInMbs;
+    mvX = new int[macroblocks];
+    mvY = new int[macroblocks];
+    inter = new boolean[macroblocks];
+    previousMvX = new int[macroblocks];
+    previousMvY = new int[macroblocks];
   }
 
-  /** Begins a picture; what was this picture is now the one before. */
-  void next() {
-    int[] swap = vectorsX;
-    vectorsX = earlierX;
-    earlierX = swap;
-    swap = vectorsY;
-    vectorsY = earlierY;
-    earlierY = swap;
+  /** Begins a frame; the current frame's vectors become the previous frame's. */
+  void beginFrame() {
+    int[] swap = mvX;
+    mvX = previousMvX;
+    previousMvX = swap;
+    swap = mvY;
+    mvY = previousMvY;
+    previousMvY = swap;
   }
 
-  /** A macroblock that is predicted from another picture. */
-  void set(int index, int x, int y) {
-    vectorsX[index] = x;
-    vectorsY[index] = y;
-    moved[index] = true;
+  /** Stores the vector of an inter macroblock. */
+  void set(int mbIndex, int x, int y) {
+    mvX[mbIndex] = x;
+    mvY[mbIndex] = y;
+    inter[mbIndex] = true;
   }
 
-  /** A macroblock that is predicted from the same picture; its vector counts as 0. */
-  void setIntra(int index) {
-    vectorsX[index] = 0;
-    vectorsY[index] = 0;
-    moved[index] = false;
+  /** Marks an intra macroblock; its vector counts as zero. */
+  void setIntra(int mbIndex) {
+    mvX[mbIndex] = 0;
+    mvY[mbIndex] = 0;
+    inter[mbIndex] = false;
   }
 
-  int x(int index) {
-    return vectorsX[index];
+  int mvX(int mbIndex) {
+    return mvX[mbIndex];
   }
 
-  int y(int index) {
-    return vectorsY[index];
+  int mvY(int mbIndex) {
+    return mvY[mbIndex];
   }
 
-  int earlierX(int index) {
-    return earlierX[index];
+  int previousMvX(int mbIndex) {
+    return previousMvX[mbIndex];
   }
 
-  int earlierY(int index) {
-    return earlierY[index];
+  int previousMvY(int mbIndex) {
+    return previousMvY[mbIndex];
   }
 
-  /** Finds what is expected of a macroblock (H.264, 8.4.1.1 and 8.4.1.3). */
-  void expect(int column, int row) {
-    int index = row * columns + column;
-    int left = column > 0 ? index - 1 : -1;
-    int above = row > 0 ? index - columns : -1;
-    expect(left, above, corner(column, row));
-    boolean still = left < 0 || above < 0 || still(left) || still(above);
-    skipX = still ? 0 : expectedX;
-    skipY = still ? 0 : expectedY;
+  /** Computes mvp and the P_Skip vector of a macroblock (H.264, 8.4.1.1 and 8.4.1.3). */
+  void predictMv(int mbX, int mbY) {
+    int mbIndex = mbY * widthInMbs + mbX;
+    int a = mbX > 0 ? mbIndex - 1 : -1;
+    int b = mbY > 0 ? mbIndex - widthInMbs : -1;
+    predictMv(a, b, neighborC(mbX, mbY));
+    boolean zero = a < 0 || b < 0 || isZero(a) || isZero(b);
+    pSkipMvX = zero ? 0 : mvpX;
+    pSkipMvY = zero ? 0 : mvpY;
   }
 
-  /** Above right; above left where there is none. */
-  private int corner(int column, int row) {
-    if (row == 0) {
+  /** Neighbour C (above right); D (above left) takes its place where C is not available. */
+  private int neighborC(int mbX, int mbY) {
+    if (mbY == 0) {
       return -1;
     }
-    int above = (row - 1) * columns + column;
-    return column + 1 < columns ? above + 1 : column > 0 ? above - 1 : -1;
+    int b = (mbY - 1) * widthInMbs + mbX;
+    return mbX + 1 < widthInMbs ? b + 1 : mbX > 0 ? b - 1 : -1;
   }
 
-  private void expect(int left, int above, int corner) {
-    boolean leftMoved = left >= 0 && moved[left];
-    boolean aboveMoved = above >= 0 && moved[above];
-    boolean cornerMoved = corner >= 0 && moved[corner];
+  private void predictMv(int a, int b, int c) {
+    boolean interA = a >= 0 && inter[a];
+    boolean interB = b >= 0 && inter[b];
+    boolean interC = c >= 0 && inter[c];
     int only =
-        above < 0 && corner < 0
-            ? left
-            : leftMoved && !aboveMoved && !cornerMoved
-                ? left
-                : aboveMoved && !leftMoved && !cornerMoved
-                    ? above
-                    : cornerMoved && !leftMoved && !aboveMoved ? corner : -1;
+        b < 0 && c < 0
+            ? a
+            : interA && !interB && !interC
+                ? a
+                : interB && !interA && !interC ? b : interC && !interA && !interB ? c : -1;
     if (only >= 0) {
-      expectedX = vectorsX[only];
-      expectedY = vectorsY[only];
+      mvpX = mvX[only];
+      mvpY = mvY[only];
     } else {
-      expectedX = median(at(vectorsX, left), at(vectorsX, above), at(vectorsX, corner));
-      expectedY = median(at(vectorsY, left), at(vectorsY, above), at(vectorsY, corner));
+      mvpX = median(component(mvX, a), component(mvX, b), component(mvX, c));
+      mvpY = median(component(mvY, a), component(mvY, b), component(mvY, c));
     }
   }
 
-  private boolean still(int index) {
-    return moved[index] && vectorsX[index] == 0 && vectorsY[index] == 0;
+  private boolean isZero(int mbIndex) {
+    return inter[mbIndex] && mvX[mbIndex] == 0 && mvY[mbIndex] == 0;
   }
 
-  private static int at(int[] vectors, int index) {
-    return index < 0 ? 0 : vectors[index];
+  /** A component of a neighbour's vector; zero where it is not available. */
+  private static int component(int[] components, int mbIndex) {
+    return mbIndex < 0 ? 0 : components[mbIndex];
   }
 
   private static int median(int a, int b, int c) {

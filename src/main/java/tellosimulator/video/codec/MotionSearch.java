@@ -1,226 +1,240 @@
 package tellosimulator.video.codec;
 
 /**
- * Finds where a macroblock comes from in the picture before: the best of the vectors nearby in
- * space and time, then small steps downhill, then a fraction of a pixel.
+ * Motion estimation for 16x16 luma blocks by SAD: predictors from neighbours in space and time,
+ * then a small diamond at full samples, then one step to a quarter-sample position by parabolic
+ * interpolation of the SADs.
  */
 final class MotionSearch {
 
-  /** Decided: a prediction may lie this far outside the picture; the filter needs the rest. */
-  private static final int OUTSIDE = Frame.BORDER - 8;
+  /**
+   * Decided: how far a prediction may lie outside the frame [samples]; the six-tap filter needs the
+   * rest of the border.
+   */
+  private static final int MAX_OVERHANG = Frame.BORDER - 8;
 
-  /** In pixels. Documented: H.264, table A-1: 512 up or down at level 4.0. */
-  private static final int LONGEST = 500;
+  /** In samples. Documented: H.264, table A-1: vertically 512 at level 4.0. */
+  private static final int MAX_VECTOR = 500;
 
-  /** Decided: steps of one pixel that are gone downhill. */
-  private static final int MOST_STEPS = 16;
+  /** Decided: steps of the diamond search. */
+  private static final int MAX_DESCENT_STEPS = 16;
 
-  /** The differences where no vector may point: more than there can be. */
-  private static final int NOWHERE = 1 << 16;
+  /** The SAD of vectors that are not allowed: above any real one. */
+  private static final int OUT_OF_RANGE_SAD = 1 << 16;
 
-  private final MotionField field;
-  private final Interpolation interpolation = new Interpolation();
-  private Samples best = new Samples();
-  private Samples trial = new Samples();
+  private final MotionField motion;
+  private final MotionCompensation compensation = new MotionCompensation();
+  private MacroblockSamples best = new MacroblockSamples();
+  private MacroblockSamples trial = new MacroblockSamples();
   private Frame reference;
   private Macroblock macroblock;
-  private int lowX;
-  private int highX;
-  private int lowY;
-  private int highY;
+  private int minX;
+  private int maxX;
+  private int minY;
+  private int maxY;
 
-  /** The best vector in whole pixels up to now, and what it costs. */
-  private int pixelX;
+  /** The best full-sample vector up to now, and its cost. */
+  private int fullPelX;
 
-  private int pixelY;
-  private int pixelCost;
+  private int fullPelY;
+  private int fullPelCost;
 
-  /** The differences at this vector and one pixel beside it. */
-  private int here;
+  /** SADs at that vector and one sample beside it. */
+  private int centerSad;
 
-  private int left;
-  private int right;
-  private int above;
-  private int below;
+  private int leftSad;
+  private int rightSad;
+  private int aboveSad;
+  private int belowSad;
 
-  /** The vectors in whole pixels that were tried before going downhill. */
-  private final int[] tried = new int[8];
+  /** The predictors tried before the diamond search, rounded to full samples. */
+  private final int[] candidates = new int[8];
 
-  private int tries;
+  private int candidateCount;
 
-  /** What was found, in quarters of a pixel. */
-  int x;
+  /** The motion vector found [quarter samples]. */
+  int mvX;
 
-  int y;
+  int mvY;
 
-  /** The sum of absolute differences of luma. */
-  int difference;
+  /** Its SAD of luma. */
+  int sad;
 
-  /** Differences and what the vector costs. */
+  /** Its Lagrangian cost: SAD + lambda * bits of mvd. */
   int cost;
 
-  MotionSearch(MotionField field) {
-    this.field = field;
+  MotionSearch(MotionField motion) {
+    this.motion = motion;
   }
 
-  /** Goes on to the next macroblock; nothing is found yet. */
+  /** Moves on to the next macroblock. */
   void begin(Frame newReference, Macroblock newMacroblock) {
     reference = newReference;
     macroblock = newMacroblock;
-    lowX = Math.max(-16 * macroblock.column - OUTSIDE, -LONGEST);
-    highX = Math.min(16 * (reference.columns - 1 - macroblock.column) + OUTSIDE, LONGEST);
-    lowY = Math.max(-16 * macroblock.row - OUTSIDE, -LONGEST);
-    highY = Math.min(16 * (reference.rows - 1 - macroblock.row) + OUTSIDE, LONGEST);
+    minX = Math.max(-16 * macroblock.mbX - MAX_OVERHANG, -MAX_VECTOR);
+    maxX = Math.min(16 * (reference.widthInMbs - 1 - macroblock.mbX) + MAX_OVERHANG, MAX_VECTOR);
+    minY = Math.max(-16 * macroblock.mbY - MAX_OVERHANG, -MAX_VECTOR);
+    maxY = Math.min(16 * (reference.heightInMbs - 1 - macroblock.mbY) + MAX_OVERHANG, MAX_VECTOR);
     cost = Integer.MAX_VALUE;
   }
 
   /**
-   * Takes the vector of a skipped macroblock, if it points to where there is something.
+   * Tries the P_Skip vector, if it is in range.
    *
-   * @return whether it does
+   * @return whether it is
    */
-  boolean trySkip() {
-    if (!reachable(field.skipX, field.skipY)) {
+  boolean tryPSkip() {
+    if (!inRange(motion.pSkipMvX, motion.pSkipMvY)) {
       return false;
     }
-    tryPart(field.skipX, field.skipY);
-    predictColour();
+    trySubpel(motion.pSkipMvX, motion.pSkipMvY);
+    predictChroma();
     return true;
   }
 
-  /** Searches for something better. */
+  /** Searches for a vector of lower cost. */
   void search() {
-    tries = 0;
-    pixelCost = Integer.MAX_VALUE;
-    int index = macroblock.row * field.columns + macroblock.column;
-    tryQuarters(field.expectedX, field.expectedY);
-    tryQuarters(0, 0);
-    if (macroblock.column > 0) {
-      tryQuarters(field.x(index - 1), field.y(index - 1));
+    candidateCount = 0;
+    fullPelCost = Integer.MAX_VALUE;
+    int index = macroblock.mbY * motion.widthInMbs + macroblock.mbX;
+    tryCandidate(motion.mvpX, motion.mvpY);
+    tryCandidate(0, 0);
+    if (macroblock.mbX > 0) {
+      tryCandidate(motion.mvX(index - 1), motion.mvY(index - 1));
     }
-    if (macroblock.row > 0) {
-      tryQuarters(field.x(index - field.columns), field.y(index - field.columns));
+    if (macroblock.mbY > 0) {
+      tryCandidate(motion.mvX(index - motion.widthInMbs), motion.mvY(index - motion.widthInMbs));
     }
-    tryQuarters(field.earlierX(index), field.earlierY(index));
-    if (macroblock.row + 1 < reference.rows) {
-      tryQuarters(field.earlierX(index + field.columns), field.earlierY(index + field.columns));
+    tryCandidate(motion.previousMvX(index), motion.previousMvY(index));
+    if (macroblock.mbY + 1 < reference.heightInMbs) {
+      tryCandidate(
+          motion.previousMvX(index + motion.widthInMbs),
+          motion.previousMvY(index + motion.widthInMbs));
     }
-    descend();
-    refine();
+    diamondSearch();
+    refineSubpel();
   }
 
-  /** The prediction of what was found, not a copy; only luma before {@link #predictColour}. */
-  Samples found() {
+  /** The prediction at the vector found, not a copy; luma only before {@link #predictChroma}. */
+  MacroblockSamples prediction() {
     return best;
   }
 
-  /** Predicts the colours too. */
-  void predictColour() {
-    int fromX = 64 * macroblock.column + x;
-    int fromY = 64 * macroblock.row + y;
-    interpolation.colour(reference.blue, fromX, fromY, best.bytes, Samples.BLUE);
-    interpolation.colour(reference.red, fromX, fromY, best.bytes, Samples.RED);
+  /** Predicts Cb and Cr at the vector found. */
+  void predictChroma() {
+    int fromX = 64 * macroblock.mbX + mvX;
+    int fromY = 64 * macroblock.mbY + mvY;
+    compensation.chroma(reference.cb, fromX, fromY, best.bytes, MacroblockSamples.CB);
+    compensation.chroma(reference.cr, fromX, fromY, best.bytes, MacroblockSamples.CR);
   }
 
-  private void descend() {
-    for (int step = 0; step < MOST_STEPS; step++) {
-      int fromX = pixelX;
-      int fromY = pixelY;
-      left = tryPixel(fromX - 1, fromY);
-      right = tryPixel(fromX + 1, fromY);
-      above = tryPixel(fromX, fromY - 1);
-      below = tryPixel(fromX, fromY + 1);
-      if (pixelX == fromX && pixelY == fromY) {
+  private void diamondSearch() {
+    for (int step = 0; step < MAX_DESCENT_STEPS; step++) {
+      int fromX = fullPelX;
+      int fromY = fullPelY;
+      leftSad = tryFullPel(fromX - 1, fromY);
+      rightSad = tryFullPel(fromX + 1, fromY);
+      aboveSad = tryFullPel(fromX, fromY - 1);
+      belowSad = tryFullPel(fromX, fromY + 1);
+      if (fullPelX == fromX && fullPelY == fromY) {
         return;
       }
     }
   }
 
-  /** Compares with what lies between the pixels. */
-  private void refine() {
-    int partX = 4 * pixelX + lowest(left, here, right);
-    int partY = 4 * pixelY + lowest(above, here, below);
-    if (pixelCost < cost) {
-      tryPart(4 * pixelX, 4 * pixelY);
+  /**
+   * Compares the full-sample vector with the quarter-sample one at the minimum of two parabolas.
+   */
+  private void refineSubpel() {
+    int subpelX = 4 * fullPelX + parabolaMinimum(leftSad, centerSad, rightSad);
+    int subpelY = 4 * fullPelY + parabolaMinimum(aboveSad, centerSad, belowSad);
+    if (fullPelCost < cost) {
+      trySubpel(4 * fullPelX, 4 * fullPelY);
     }
-    tryPart(partX, partY);
+    trySubpel(subpelX, subpelY);
   }
 
-  /** Where between three neighbours the lowest is, in quarters from the middle one. */
-  private static int lowest(int before, int middle, int after) {
-    int bend = before + after - 2 * middle;
-    return bend <= 0 ? 0 : Math.max(-2, Math.min(2, Math.round(2f * (before - after) / bend)));
+  /**
+   * The minimum of the parabola through three neighbouring SADs, in quarter samples from the
+   * middle.
+   */
+  private static int parabolaMinimum(int before, int middle, int after) {
+    int curvature = before + after - 2 * middle;
+    return curvature <= 0
+        ? 0
+        : Math.max(-2, Math.min(2, Math.round(2f * (before - after) / curvature)));
   }
 
-  private boolean reachable(int toX, int toY) {
-    return toX >= 4 * lowX && toX <= 4 * highX && toY >= 4 * lowY && toY <= 4 * highY;
+  private boolean inRange(int toX, int toY) {
+    return toX >= 4 * minX && toX <= 4 * maxX && toY >= 4 * minY && toY <= 4 * maxY;
   }
 
-  private void tryPart(int toX, int toY) {
-    if ((toX == x && toY == y && cost < Integer.MAX_VALUE) || !reachable(toX, toY)) {
+  private void trySubpel(int toX, int toY) {
+    if ((toX == mvX && toY == mvY && cost < Integer.MAX_VALUE) || !inRange(toX, toY)) {
       return;
     }
-    interpolation.luma(
-        reference.luma, 64 * macroblock.column + toX, 64 * macroblock.row + toY, trial);
-    int newDifference = macroblock.source.lumaDifference(trial);
-    int newCost = newDifference + vectorCost(toX, toY);
+    compensation.luma(reference.luma, 64 * macroblock.mbX + toX, 64 * macroblock.mbY + toY, trial);
+    int newSad = macroblock.source.lumaSad(trial);
+    int newCost = newSad + mvdCost(toX, toY);
     if (newCost < cost) {
       cost = newCost;
-      difference = newDifference;
-      x = toX;
-      y = toY;
-      Samples swap = best;
+      sad = newSad;
+      mvX = toX;
+      mvY = toY;
+      MacroblockSamples swap = best;
       best = trial;
       trial = swap;
     }
   }
 
-  private void tryQuarters(int quartersX, int quartersY) {
-    int toX = Math.max(lowX, Math.min(highX, (quartersX + 2) >> 2));
-    int toY = Math.max(lowY, Math.min(highY, (quartersY + 2) >> 2));
-    int both = (toX << 16) + toY;
-    for (int i = 0; i < tries; i++) {
-      if (tried[i] == both) {
+  /** Tries a predictor, rounded to full samples, unless it was tried before. */
+  private void tryCandidate(int quarterPelX, int quarterPelY) {
+    int toX = Math.max(minX, Math.min(maxX, (quarterPelX + 2) >> 2));
+    int toY = Math.max(minY, Math.min(maxY, (quarterPelY + 2) >> 2));
+    int packed = (toX << 16) + toY;
+    for (int i = 0; i < candidateCount; i++) {
+      if (candidates[i] == packed) {
         return;
       }
     }
-    tried[tries++] = both;
-    tryPixel(toX, toY);
+    candidates[candidateCount++] = packed;
+    tryFullPel(toX, toY);
   }
 
-  /** Tries a vector in pixels; its sum of absolute differences. */
-  private int tryPixel(int toX, int toY) {
-    if (toX < lowX || toX > highX || toY < lowY || toY > highY) {
-      return NOWHERE;
+  /** Tries a full-sample vector; its SAD. */
+  private int tryFullPel(int toX, int toY) {
+    if (toX < minX || toX > maxX || toY < minY || toY > maxY) {
+      return OUT_OF_RANGE_SAD;
     }
-    int newDifference = difference(toX, toY);
-    int newCost = newDifference + vectorCost(4 * toX, 4 * toY);
-    if (newCost < pixelCost) {
-      pixelCost = newCost;
-      here = newDifference;
-      pixelX = toX;
-      pixelY = toY;
+    int newSad = subsampledSad(toX, toY);
+    int newCost = newSad + mvdCost(4 * toX, 4 * toY);
+    if (newCost < fullPelCost) {
+      fullPelCost = newCost;
+      centerSad = newSad;
+      fullPelX = toX;
+      fullPelY = toY;
     }
-    return newDifference;
+    return newSad;
   }
 
-  private int vectorCost(int vectorX, int vectorY) {
-    return macroblock.quality.lambda()
-        * (BitWriter.signedLength(vectorX - field.expectedX)
-            + BitWriter.signedLength(vectorY - field.expectedY));
+  /** lambda times the bits of mvd. */
+  private int mvdCost(int vectorX, int vectorY) {
+    return macroblock.tables.lambda()
+        * (BitWriter.seLength(vectorX - motion.mvpX) + BitWriter.seLength(vectorY - motion.mvpY));
   }
 
-  private int difference(int toX, int toY) {
+  /** The SAD of each second row, doubled. */
+  private int subsampledSad(int toX, int toY) {
     Plane plane = reference.luma;
-    byte[] pixels = plane.bytes;
-    byte[] wanted = macroblock.source.bytes;
-    int at = plane.at(16 * macroblock.column + toX, 16 * macroblock.row + toY);
+    byte[] samples = plane.bytes;
+    byte[] source = macroblock.source.bytes;
+    int at = plane.offset(16 * macroblock.mbX + toX, 16 * macroblock.mbY + toY);
     long sum = 0;
-    for (int i = 0; i < Samples.BLUE; i += 2 * Samples.STRIDE) {
-      sum += Words.differences(Words.get(pixels, at), Words.get(wanted, i));
-      sum += Words.differences(Words.get(pixels, at + 8), Words.get(wanted, i + 8));
+    for (int i = 0; i < MacroblockSamples.CB; i += 2 * MacroblockSamples.STRIDE) {
+      sum += Swar.absoluteDifferences(Swar.load(samples, at), Swar.load(source, i));
+      sum += Swar.absoluteDifferences(Swar.load(samples, at + 8), Swar.load(source, i + 8));
       at += 2 * plane.stride;
     }
-    return 2 * Words.sum(sum);
+    return 2 * Swar.horizontalSum(sum);
   }
 }

@@ -6,45 +6,44 @@ import org.jcodec.codecs.h264.io.model.SeqParameterSet;
 import org.jcodec.common.model.ColorSpace;
 
 /**
- * What decoders must know before the first picture, written by JCodec: Constrained Baseline, level
- * 4.0, one reference frame, pictures in the order in which they are shown, no timing; the real
- * drone's stream says the same except for its profile.
+ * SPS and PPS, written by JCodec: Constrained Baseline, level 4.0, one reference frame, output
+ * order equal to decoding order, no VUI; the real drone's say the same except for the profile.
  */
 final class ParameterSets {
 
-  /** Documented: H.264, A.2.1. */
-  private static final int BASELINE = 66;
+  /** profile_idc. Documented: H.264, A.2.1. */
+  private static final int BASELINE_PROFILE = 66;
 
-  /** Documented: H.264, A.3; as the real drone says. */
+  /** level_idc. Documented: H.264, A.3; as the real drone says. */
   private static final int LEVEL_4_0 = 40;
 
-  /** Bits of a picture's number; as the real drone has it. */
+  /** Bits of frame_num; as the real drone has it. */
   static final int FRAME_NUM_BITS = 8;
 
-  /** The quality from which a slice's is told; as the real drone says. */
-  static final int FIRST_QP = 26;
+  /** The QP to which slice_qp_delta is relative; as the real drone says. */
+  static final int PIC_INIT_QP = 26;
 
-  /** Documented: H.264, 7.3.2; of the longest of both. */
+  /** Documented: H.264, 7.3.2; of the longer one. */
   private static final int CAPACITY = 64;
 
-  final byte[] sequence;
-  final byte[] picture;
+  final byte[] sps;
+  final byte[] pps;
 
   /**
-   * @param width of the picture in pixels, even
-   * @param height of the picture in pixels, even
+   * @param width of the frames in pixels, even
+   * @param height of the frames in pixels, even
    */
   ParameterSets(int width, int height) {
     ByteBuffer buffer = ByteBuffer.allocate(CAPACITY);
-    sequence(width, height).write(buffer);
-    sequence = written(buffer);
-    picture().write(buffer.clear());
-    picture = written(buffer);
+    sps(width, height).write(buffer);
+    sps = written(buffer);
+    pps().write(buffer.clear());
+    pps = written(buffer);
   }
 
-  private static SeqParameterSet sequence(int width, int height) {
+  private static SeqParameterSet sps(int width, int height) {
     SeqParameterSet set = new SeqParameterSet();
-    set.profileIdc = BASELINE;
+    set.profileIdc = BASELINE_PROFILE;
     set.constraintSet0Flag = true;
     set.constraintSet1Flag = true;
     set.levelIdc = LEVEL_4_0;
@@ -62,9 +61,9 @@ final class ParameterSets {
     return set;
   }
 
-  private static PictureParameterSet picture() {
+  private static PictureParameterSet pps() {
     PictureParameterSet set = new PictureParameterSet();
-    set.picInitQpMinus26 = FIRST_QP - 26;
+    set.picInitQpMinus26 = PIC_INIT_QP - 26;
     set.deblockingFilterControlPresentFlag = true;
     return set;
   }

@@ -3,12 +3,12 @@ package tellosimulator.video.codec;
 import java.util.Arrays;
 
 /**
- * One of the three planes of a {@link Frame}: bytes without sign, row by row, with a border on all
- * four sides into which motion vectors may point.
+ * A sample plane of a {@link Frame}: unsigned bytes, row by row, with a border on all four sides
+ * into which motion vectors may point.
  */
 final class Plane {
 
-  /** Whoever reads eight bytes at once may read that far beyond the last pixel. */
+  /** Loads of eight bytes may reach that far beyond the last sample. */
   private static final int SLACK = 16;
 
   final byte[] bytes;
@@ -19,7 +19,7 @@ final class Plane {
 
   /**
    * @param width a multiple of 8
-   * @param border pixels beyond each edge
+   * @param border samples beyond each edge
    */
   Plane(int width, int height, int border) {
     this.width = width;
@@ -29,33 +29,36 @@ final class Plane {
     bytes = new byte[stride * (height + 2 * border) + SLACK];
   }
 
-  /** Where a pixel is in {@link #bytes}. */
-  int at(int x, int y) {
+  /** The offset of a sample in {@link #bytes}. */
+  int offset(int x, int y) {
     return (y + border) * stride + border + x;
   }
 
-  /** Takes a smaller picture over and repeats its last column and row up to this plane's size. */
-  void load(byte[] pixels, int pixelWidth) {
-    int rows = pixels.length / pixelWidth;
+  /** Loads a smaller picture and pads it to this plane's size with its last column and row. */
+  void load(byte[] samples, int sampleWidth) {
+    int rows = samples.length / sampleWidth;
     for (int y = 0; y < height; y++) {
-      int row = at(0, y);
-      int from = Math.min(y, rows - 1) * pixelWidth;
-      System.arraycopy(pixels, from, bytes, row, pixelWidth);
-      if (pixelWidth < width) {
-        Arrays.fill(bytes, row + pixelWidth, row + width, pixels[from + pixelWidth - 1]);
+      int row = offset(0, y);
+      int from = Math.min(y, rows - 1) * sampleWidth;
+      System.arraycopy(samples, from, bytes, row, sampleWidth);
+      if (sampleWidth < width) {
+        Arrays.fill(bytes, row + sampleWidth, row + width, samples[from + sampleWidth - 1]);
       }
     }
   }
 
-  /** Repeats the pixels at the edges into the border. */
-  void extend() {
+  /**
+   * Fills the border with the nearest samples, as unrestricted motion vectors need it (H.264,
+   * 8.4.2.2.1).
+   */
+  void expandBorders() {
     for (int y = 0; y < height; y++) {
-      int row = at(0, y);
+      int row = offset(0, y);
       Arrays.fill(bytes, row - border, row, bytes[row]);
       Arrays.fill(bytes, row + width, row + width + border, bytes[row + width - 1]);
     }
-    int first = at(-border, 0);
-    int last = at(-border, height - 1);
+    int first = offset(-border, 0);
+    int last = offset(-border, height - 1);
     for (int row = 1; row <= border; row++) {
       System.arraycopy(bytes, first, bytes, first - row * stride, stride);
       System.arraycopy(bytes, last, bytes, last + row * stride, stride);

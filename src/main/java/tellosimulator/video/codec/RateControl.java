@@ -1,228 +1,239 @@
 package tellosimulator.video.codec;
 
 /**
- * Chooses how finely each picture is told, so that a stream keeps to its bit rate and all pictures
- * look equally good.
+ * Chooses the QP of each frame, so that the stream keeps to its bit rate at even quality.
  *
- * <p>It works with what a picture would take at QP 0, which changes slowly: 6 more halve the bits.
- * From what the last key picture and the last others would take follows the one QP at which all
- * pictures from a key picture to the next fit the rate; what was sent too much or too little before
- * is soon made up for. A picture that takes far more than expected, as after a cut, is told more
- * coarsely from row to row.
+ * <p>It works with the complexity of a frame: its bits at QP 0, which change slowly from frame to
+ * frame; six more QP halve the bits. The complexities of the last IDR frame and of the last P
+ * frames give the one QP at which a whole GOP fits the rate; the debt of earlier frames is soon
+ * repaid. A frame that takes far more than expected, as after a cut, gets a higher QP from
+ * macroblock row to row.
  */
 final class RateControl {
 
   /**
-   * Decided: nobody sees more. Measured: pictures that do not change take up to 2 kB for ever, at
-   * 18 nothing, but are 2 dB better. Below 10 a level could be longer than a code may be.
+   * Decided: nobody sees more. Measured: P frames of a still scene take up to 2 kB for ever, at 18
+   * nothing, but are 2 dB better. Below 10 a level could exceed its longest CAVLC code.
    */
-  private static final int LEAST_QP = 15;
+  private static final int MIN_QP = 15;
 
-  /** Decided: key pictures are finer, since those after them consist of their parts. */
-  private static final int KEY_GAIN = 3;
+  /** Decided: IDR frames are finer, since the P frames after them are predicted from them. */
+  private static final int IDR_QP_OFFSET = 3;
 
-  /** Decided: other pictures may be finer still where hardly anything changes. */
-  private static final int MOST_GAIN = 14;
+  /** Decided: P frames may be finer still where hardly anything changes. */
+  private static final int MAX_P_QP_GAIN = 14;
 
-  /** Decided: so much may QP rise from picture to picture in one scene. */
-  private static final int MOST_RISE = 2;
+  /** Decided: so much may QP rise from frame to frame in one scene. */
+  private static final int MAX_QP_RISE = 2;
 
   /**
-   * Decided: so much does it fall where it could fall by more. Measured: finest where all stands.
+   * Decided: so much does it fall where it could fall by more. Measured: finest in a still scene.
    */
-  private static final int LEAP = 4;
+  private static final int MAX_QP_FALL = 4;
 
-  /** Decided: wishes to change QP by less are not followed. */
-  private static final double DOUBT = 0.8;
+  /** Decided: smaller changes of QP are not followed. */
+  private static final double QP_HYSTERESIS = 0.8;
 
-  /** Decided: no QP swings from row to row, but a picture of only noise gets coarse in time. */
-  private static final int ROW_CHANGE = 1;
+  /** Decided: QP does not swing from row to row, but a frame of only noise gets coarse in time. */
+  private static final int ROW_QP_STEP = 1;
 
-  /** Of an average picture's bits: Decided: a third of the second that it begins. */
-  private static final double KEY_LIMIT = 10;
+  /** Bits of an IDR frame, in average frames. Decided: a third of the second that it begins. */
+  private static final double IDR_FRAME_LIMIT = 10;
 
-  /** Of the bits from key picture to key picture. Decided: half is left for the others. */
-  private static final double MOST_SHARE = 0.5;
+  /** Of a GOP's bits. Decided: half is left for the P frames. */
+  private static final double MAX_IDR_SHARE = 0.5;
 
-  /** Of an average picture's bits. Decided: as much as the network has to carry after a cut. */
-  private static final double LIMIT = 4;
+  /**
+   * Bits of a P frame, in average frames. Decided: as much as the network has to carry after a cut.
+   */
+  private static final double P_FRAME_LIMIT = 4;
 
-  /** Share of a new figure in the mean of those before, if it is larger. Decided: soon. */
-  private static final double BAD_NEWS = 0.4;
+  /** Weight of a new complexity in the running mean, if it is higher. Decided: soon. */
+  private static final double RISE_WEIGHT = 0.4;
 
-  /** Share of a new figure in the mean of those before, if it is smaller. Decided: less soon. */
-  private static final double GOOD_NEWS = 0.2;
+  /** Weight of a new complexity in the running mean, if it is lower. Decided: less soon. */
+  private static final double FALL_WEIGHT = 0.2;
 
-  /** The same, if it is below {@link #NOTHING} of those before. Decided: at once. */
-  private static final double BEST_NEWS = 0.5;
+  /** The same, if it is below {@link #STILL_SHARE} of the mean. Decided: at once. */
+  private static final double STILL_WEIGHT = 0.5;
 
-  /** Where nothing changes any more, pictures take less than this share. Measured: by a stop. */
-  private static final double NOTHING = 0.1;
+  /**
+   * Frames of a still scene have less than this share of the complexity before. Measured: by a
+   * stop.
+   */
+  private static final double STILL_SHARE = 0.1;
 
-  /** Decided: a picture may not count more times than expected; a cut says nothing of the next. */
-  private static final double MOST_NEWS = 2;
+  /**
+   * Decided: a frame counts at most that many times the mean; a cut says nothing of the next frame.
+   */
+  private static final double MAX_COMPLEXITY_RISE = 2;
 
-  /** Decided: what was sent too much or too little is made up for within this time [s]. */
-  private static final double REPAID_IN = 0.5;
+  /** Decided: debt is repaid, or savings are spent, within this time [s]. */
+  private static final double REPAY_SECONDS = 0.5;
 
-  /** Decided: so many seconds of unused bits are kept for later. */
-  private static final double MOST_SAVED = 0.25;
+  /** Decided: so many seconds of unused bits are saved. */
+  private static final double MAX_SAVED_SECONDS = 0.25;
 
-  /** Decided: so many seconds of bits are made up for. */
-  private static final double MOST_OWED = 1;
+  /** Decided: so many seconds of bits are repaid. */
+  private static final double MAX_OWED_SECONDS = 1;
 
-  /** What a macroblock of a key picture takes at QP 0, about. Measured: in the default room. */
-  private static final double FIRST_KEY_BITS = 6000;
+  /** Complexity of an IDR macroblock, about. Measured: in the default room. */
+  private static final double INITIAL_IDR_COMPLEXITY = 6000;
 
-  /** What others take of a key picture's bits, about. Measured: in slow flight. */
-  private static final double FIRST_SHARE = 0.15;
+  /** Complexity of P frames, as a share of that of IDR frames, about. Measured: in slow flight. */
+  private static final double INITIAL_P_SHARE = 0.15;
 
-  private final int rows;
-  private double bitsPerPicture;
-  private double picturesPerSecond;
+  private final int heightInMbs;
+  private double bitsPerFrame;
+  private double frameRate;
 
-  /** What pictures would take at QP 0. */
-  private double keyBits;
+  /** Bits at QP 0. */
+  private double idrComplexity;
 
-  private double otherBits;
+  private double pComplexity;
 
-  /** How much more was sent than may be; negative if less. */
-  private double balance;
+  /** Bits sent beyond the rate; negative if fewer were sent. */
+  private double debt;
 
-  /** How much more than its share the last key picture took. */
-  private double keyExcess;
+  /** Bits of the last IDR frame beyond an average frame. */
+  private double idrExcess;
 
-  private int fromKeyToKey;
-  private int sinceKey;
-  private boolean free = true;
-  private boolean key;
+  private int gopLength;
+  private int framesInGop;
+  private boolean unconstrained = true;
+  private boolean idr;
   private int qp = 30;
-  private int otherQp = 30;
-  private int keyQp = 30;
+  private int pQp = 30;
+  private int idrQp = 30;
   private long qpSum;
-  private double limit;
+  private double frameLimit;
 
   /**
-   * @param macroblocks of a picture
-   * @param rows of macroblocks
+   * @param macroblocks of a frame
+   * @param heightInMbs rows of macroblocks
    */
-  RateControl(int macroblocks, int rows) {
-    this.rows = rows;
-    keyBits = FIRST_KEY_BITS * macroblocks;
-    otherBits = FIRST_SHARE * keyBits;
+  RateControl(int macroblocks, int heightInMbs) {
+    this.heightInMbs = heightInMbs;
+    idrComplexity = INITIAL_IDR_COMPLEXITY * macroblocks;
+    pComplexity = INITIAL_P_SHARE * idrComplexity;
     setRate(30, 2_500_000);
   }
 
   /**
-   * From now on; what was sent before no longer counts, and the next picture may be as large as
-   * ever.
+   * Sets the rate from the next frame on. What was sent before no longer counts, and the next frame
+   * may be as large as ever.
    */
   void setRate(int framesPerSecond, int bitsPerSecond) {
-    picturesPerSecond = framesPerSecond;
-    bitsPerPicture = (double) bitsPerSecond / framesPerSecond;
-    fromKeyToKey = framesPerSecond;
-    sinceKey = 0;
-    balance = 0;
-    keyExcess = 0;
-    free = true;
+    frameRate = framesPerSecond;
+    bitsPerFrame = (double) bitsPerSecond / framesPerSecond;
+    gopLength = framesPerSecond;
+    framesInGop = 0;
+    debt = 0;
+    idrExcess = 0;
+    unconstrained = true;
   }
 
-  /** Begins a picture; the QP of its first row. */
-  int begin(boolean keyPicture) {
-    key = keyPicture;
-    if (key) {
-      fromKeyToKey = sinceKey > 0 ? sinceKey : fromKeyToKey;
-      sinceKey = 0;
-      keyExcess = 0;
+  /** Begins a frame; the QP of its first row. */
+  int beginFrame(boolean newIdr) {
+    idr = newIdr;
+    if (idr) {
+      gopLength = framesInGop > 0 ? framesInGop : gopLength;
+      framesInGop = 0;
+      idrExcess = 0;
     }
-    double budget =
-        Math.max(bitsPerPicture / 3, bitsPerPicture - owed() / (REPAID_IN * picturesPerSecond));
-    if (key) {
-      keyQp = clip(keyIdeal(budget));
-      qp = keyQp;
+    double budget = Math.max(bitsPerFrame / 3, bitsPerFrame - owed() / (REPAY_SECONDS * frameRate));
+    if (idr) {
+      idrQp = clip(idealIdrQp(budget));
+      qp = idrQp;
     } else {
-      double share = Math.max(bitsPerPicture / 3, budget - keyExcess / others());
-      otherQp = near(Math.max(keyQp - MOST_GAIN, qpOf(otherBits, share)));
-      qp = otherQp;
-      free = false;
+      double share = Math.max(bitsPerFrame / 3, budget - idrExcess / pFrames());
+      pQp = pQpTowards(Math.max(idrQp - MAX_P_QP_GAIN, qpFor(pComplexity, share)));
+      qp = pQp;
+      unconstrained = false;
     }
-    sinceKey++;
-    limit = key ? keyLimit() : LIMIT * bitsPerPicture;
+    framesInGop++;
+    frameLimit = idr ? idrLimit() : P_FRAME_LIMIT * bitsPerFrame;
     qpSum = 0;
     return qp;
   }
 
-  private double keyLimit() {
-    return bitsPerPicture * Math.min(KEY_LIMIT, MOST_SHARE * fromKeyToKey);
+  private double idrLimit() {
+    return bitsPerFrame * Math.min(IDR_FRAME_LIMIT, MAX_IDR_SHARE * gopLength);
   }
 
-  /** How many pictures there are from a key picture to the next. */
-  private double others() {
-    return Math.max(1, fromKeyToKey - 1);
+  /** P frames in a GOP. */
+  private double pFrames() {
+    return Math.max(1, gopLength - 1);
   }
 
-  /** What was sent more than may be, but for what is left of the last key picture's excess. */
+  /**
+   * The debt, but for the part of the IDR frame's excess that the rest of the GOP has yet to repay.
+   */
   private double owed() {
-    return balance - keyExcess * Math.max(0, fromKeyToKey - sinceKey) / others();
+    return debt - idrExcess * Math.max(0, gopLength - framesInGop) / pFrames();
   }
 
-  /** The QP at which key picture and others fit the rate, the former finer. */
-  private double keyIdeal(double budget) {
-    double group = keyBits * Math.pow(2, KEY_GAIN / 6.0) + others() * otherBits;
-    double ideal = qpOf(group, (1 + others()) * budget) - KEY_GAIN;
-    return Math.max(ideal, qpOf(keyBits, keyLimit()));
+  /** The QP at which a GOP fits the rate, with finer IDR than P frames. */
+  private double idealIdrQp(double budget) {
+    double gopComplexity =
+        idrComplexity * Math.pow(2, IDR_QP_OFFSET / 6.0) + pFrames() * pComplexity;
+    double ideal = qpFor(gopComplexity, (1 + pFrames()) * budget) - IDR_QP_OFFSET;
+    return Math.max(ideal, qpFor(idrComplexity, idrLimit()));
   }
 
-  /** Follows what is wanted with hesitation: a change that is taken back at once costs most. */
-  private int near(double wanted) {
-    double change = wanted - otherQp;
-    if (free) {
-      return clip(wanted);
+  /** Follows the target with hysteresis: a change that is taken back at once costs most. */
+  private int pQpTowards(double target) {
+    double change = target - pQp;
+    if (unconstrained) {
+      return clip(target);
     }
-    if (change < -DOUBT) {
-      return clip(otherQp - (change < -LEAP ? LEAP : 1));
+    if (change < -QP_HYSTERESIS) {
+      return clip(pQp - (change < -MAX_QP_FALL ? MAX_QP_FALL : 1));
     }
-    return change > DOUBT ? clip(otherQp + Math.min(MOST_RISE, change)) : otherQp;
+    return change > QP_HYSTERESIS ? clip(pQp + Math.min(MAX_QP_RISE, change)) : pQp;
   }
 
   private static int clip(double qp) {
-    return (int) Math.max(LEAST_QP, Math.min(Quality.COARSEST, Math.round(qp)));
+    return (int) Math.max(MIN_QP, Math.min(QpTables.MAX_QP, Math.round(qp)));
   }
 
-  private static double qpOf(double bits, double wanted) {
-    return 6 / Math.log(2) * Math.log(bits / wanted);
+  private static double qpFor(double bits, double target) {
+    return 6 / Math.log(2) * Math.log(bits / target);
   }
 
   /**
    * The QP of the next row.
    *
-   * @param done rows that are coded
-   * @param bits what these took
+   * @param rows rows that are coded
+   * @param bits of these
    */
-  int row(int done, int bits) {
+  int rowCoded(int rows, int bits) {
     qpSum += qp;
-    if (bits > limit * (done + 2) / rows) {
-      qp = Math.min(Quality.COARSEST, qp + ROW_CHANGE);
+    if (bits > frameLimit * (rows + 2) / heightInMbs) {
+      qp = Math.min(QpTables.MAX_QP, qp + ROW_QP_STEP);
     }
     return qp;
   }
 
-  /** Ends a picture; what it took. */
-  void end(int bits) {
-    double taken = bits * Math.pow(2, (double) qpSum / rows / 6);
-    double excess = bits - bitsPerPicture;
-    if (key) {
-      keyBits = taken;
-      keyExcess = excess;
+  /** Ends a frame of that size [bit]. */
+  void endFrame(int bits) {
+    double complexity = bits * Math.pow(2, (double) qpSum / heightInMbs / 6);
+    double excess = bits - bitsPerFrame;
+    if (idr) {
+      idrComplexity = complexity;
+      idrExcess = excess;
     } else {
-      learn(Math.min(taken, MOST_NEWS * otherBits));
+      updateComplexity(Math.min(complexity, MAX_COMPLEXITY_RISE * pComplexity));
     }
-    double second = bitsPerPicture * picturesPerSecond;
-    balance = Math.max(-MOST_SAVED * second, Math.min(MOST_OWED * second, balance + excess));
+    double bitsPerSecond = bitsPerFrame * frameRate;
+    debt =
+        Math.max(
+            -MAX_SAVED_SECONDS * bitsPerSecond,
+            Math.min(MAX_OWED_SECONDS * bitsPerSecond, debt + excess));
   }
 
-  private void learn(double taken) {
-    double share = taken < NOTHING * otherBits ? BEST_NEWS : GOOD_NEWS;
-    otherBits += (taken > otherBits ? BAD_NEWS : share) * (taken - otherBits);
+  private void updateComplexity(double complexity) {
+    double share = complexity < STILL_SHARE * pComplexity ? STILL_WEIGHT : FALL_WEIGHT;
+    pComplexity += (complexity > pComplexity ? RISE_WEIGHT : share) * (complexity - pComplexity);
   }
 }

@@ -3,40 +3,43 @@ package tellosimulator.video.codec;
 import java.util.Arrays;
 
 /**
- * The levels that a macroblock sends: what its prediction lacks. Blocks are counted as in {@link
- * Samples}; each block's levels are a column after another.
+ * The quantised transform coefficient levels of a macroblock and its coded block pattern. Blocks
+ * are numbered as in {@link MacroblockSamples}; the 16 levels of a block are stored column by
+ * column.
  */
 final class Residual {
 
-  /** In {@link #first}: where those of blue begin. */
-  static final int BLUE = 16;
+  /** Index of the Cb DC levels in {@link #dcLevels}. */
+  static final int CB_DC = 16;
 
-  /** In {@link #first}: where those of red begin. */
-  static final int RED = 20;
+  /** Index of the Cr DC levels in {@link #dcLevels}. */
+  static final int CR_DC = 20;
 
   /** 16 levels a block. */
-  final int[] levels = new int[Samples.BLOCKS * 16];
+  final int[] levels = new int[MacroblockSamples.BLOCKS * 16];
 
-  /** Which of a block's levels are not 0: a bit each, the lowest first in zigzag order. */
-  final int[] masks = new int[Samples.BLOCKS];
+  /**
+   * Which levels of each block are nonzero: bit i is the level at position i of the zigzag scan.
+   */
+  final int[] nonZeroMasks = new int[MacroblockSamples.BLOCKS];
 
-  /** First levels that are sent apart: of luma (intra 16 by 16 only), of blue, of red. */
-  final int[] first = new int[16 + 4 + 4];
+  /** DC levels that are coded in blocks of their own: luma (Intra 16x16 only), Cb, Cr. */
+  final int[] dcLevels = new int[16 + 4 + 4];
 
-  /** A bit for each quarter of luma that has levels; upper left, upper right, lower left, ... */
-  int lumaPattern;
+  /** CodedBlockPatternLuma: a bit for each 8x8 block with nonzero levels, in raster order. */
+  int cbpLuma;
 
-  /** 0 where colour has no levels, 1 where it has first levels only, 2 otherwise. */
-  int colourPattern;
+  /** CodedBlockPatternChroma: 0 no levels, 1 DC levels only, 2 DC and AC levels. */
+  int cbpChroma;
 
   void clear() {
-    Arrays.fill(masks, 0);
-    lumaPattern = 0;
-    colourPattern = 0;
+    Arrays.fill(nonZeroMasks, 0);
+    cbpLuma = 0;
+    cbpChroma = 0;
   }
 
-  /** Both patterns in one number. */
-  int pattern() {
-    return lumaPattern | (colourPattern << 4);
+  /** The syntax element coded_block_pattern. */
+  int codedBlockPattern() {
+    return cbpLuma | (cbpChroma << 4);
   }
 }

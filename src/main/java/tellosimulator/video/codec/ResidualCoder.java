@@ -3,51 +3,53 @@ package tellosimulator.video.codec;
 import java.util.Arrays;
 
 /**
- * Turns what a prediction lacks into levels, and the prediction into what decoders will see. Blocks
- * that are as good as predicted are left out before anything is transformed.
+ * Transforms and quantises the residual of a macroblock, and reconstructs it. Blocks whose SAD is
+ * so small that they quantise to zero are left out before the transform.
  */
 final class ResidualCoder {
 
-  /** Levels worth less are not sent for a quarter of luma. Decided, as x264 does. */
-  private static final int WORTHWHILE = 4;
-
-  /** Levels worth less are not sent for a colour. Decided, as x264 does. */
-  private static final int WORTHWHILE_COLOUR = 7;
-
-  /** What a level of 1 is worth after so many zeros. Decided, as x264 does. */
-  private static final int[] WORTH = {3, 2, 2, 1, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
-
-  /** What a larger level is worth: enough in any case. */
-  private static final int LARGE = 9;
-
-  private final Samples source;
-  private final Residual residual;
-  private final Transform transform;
-  private final long[] words = new long[Samples.BLOCKS * Transform.WORDS];
-  private final int[] coefficients = new int[Samples.BLOCKS * 16];
-  private final int[] corners = new int[16];
-  private final int[] sums = new int[Samples.BLOCKS];
+  /** An 8x8 luma block with a lower decimation score is not coded. Decided, as x264 does. */
+  private static final int LUMA_DECIMATE_THRESHOLD = 4;
 
   /**
-   * @param source the macroblock that is coded
-   * @param residual gets the levels
+   * The AC levels of Cb or Cr with a lower decimation score are not coded. Decided, as x264 does.
    */
-  ResidualCoder(Samples source, Residual residual) {
+  private static final int CHROMA_DECIMATE_THRESHOLD = 7;
+
+  /** The score of a level of 1, by the run of zeros before it. Decided, as x264 does. */
+  private static final int[] DECIMATE_SCORES = {3, 2, 2, 1, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
+
+  /** The score of a level above 1: enough in any case. */
+  private static final int MAX_DECIMATE_SCORE = 9;
+
+  private final MacroblockSamples source;
+  private final Residual residual;
+  private final Transform transform;
+  private final long[] transformed = new long[MacroblockSamples.BLOCKS * Transform.WORDS_PER_BLOCK];
+  private final int[] coefficients = new int[MacroblockSamples.BLOCKS * 16];
+  private final int[] dc = new int[16];
+  private final int[] sads = new int[MacroblockSamples.BLOCKS];
+
+  /**
+   * @param source of the current macroblock
+   * @param residual receives the levels
+   */
+  ResidualCoder(MacroblockSamples source, Residual residual) {
     this.source = source;
     transform = new Transform(source);
     this.residual = residual;
   }
 
-  /** Whether nothing need be sent. */
-  boolean quiet(Samples prediction, Quality quality) {
-    source.differences(prediction, sums);
-    for (int block = 0; block < Samples.COLOUR; block++) {
-      if (sums[block] >= quality.quietLuma()) {
+  /** Whether all blocks quantise to zero. */
+  boolean allZero(MacroblockSamples prediction, QpTables tables) {
+    source.blockSads(prediction, sads);
+    for (int block = 0; block < MacroblockSamples.CHROMA; block++) {
+      if (sads[block] >= tables.lumaZeroSad()) {
         return false;
       }
     }
-    for (int block = Samples.COLOUR; block < Samples.BLOCKS; block++) {
-      if (sums[block] >= quality.quietColour()) {
+    for (int block = MacroblockSamples.CHROMA; block < MacroblockSamples.BLOCKS; block++) {
+      if (sads[block] >= tables.chromaZeroSad()) {
         return false;
       }
     }
@@ -55,152 +57,154 @@ final class ResidualCoder {
   }
 
   /**
-   * Codes a macroblock that was predicted from another picture.
+   * Codes the residual of an Inter macroblock.
    *
-   * @param prediction becomes what decoders see
+   * @param prediction becomes the reconstruction
    */
-  void inter(Samples prediction, Quality quality) {
+  void inter(MacroblockSamples prediction, QpTables tables) {
     residual.clear();
-    source.differences(prediction, sums);
-    for (int quarter = 0; quarter < 4; quarter++) {
-      if (quarter(prediction, quality, (quarter >> 1) * 8 + (quarter & 1) * 2)) {
-        residual.lumaPattern |= 1 << quarter;
+    source.blockSads(prediction, sads);
+    for (int luma8x8 = 0; luma8x8 < 4; luma8x8++) {
+      if (luma8x8(prediction, tables, (luma8x8 >> 1) * 8 + (luma8x8 & 1) * 2)) {
+        residual.cbpLuma |= 1 << luma8x8;
       }
     }
-    colour(prediction, quality.colour(), quality.quietColour());
+    chroma(prediction, tables.chroma(), tables.chromaZeroSad());
   }
 
-  /** Codes a quarter of luma; whether anything is sent for it. */
-  private boolean quarter(Samples prediction, Quality quality, int first) {
-    int worth = 0;
+  /** Codes an 8x8 luma block; whether it has nonzero levels. */
+  private boolean luma8x8(MacroblockSamples prediction, QpTables tables, int first) {
+    int score = 0;
     for (int pair = first; pair < first + 8; pair += 4) {
-      if (Math.max(sums[pair], sums[pair + 1]) >= quality.quietLuma()) {
-        transform.forward(prediction, pair, words);
-        worth += quantize(quality.luma(), pair, 0) + quantize(quality.luma(), pair + 1, 0);
+      if (Math.max(sads[pair], sads[pair + 1]) >= tables.lumaZeroSad()) {
+        transform.forward(prediction, pair, transformed);
+        score += quantize(tables.luma(), pair, 0) + quantize(tables.luma(), pair + 1, 0);
       }
     }
     for (int i = 0; i < 4; i++) {
       int block = first + (i >> 1) * 4 + (i & 1);
-      if (worth < WORTHWHILE) {
-        residual.masks[block] = 0;
-      } else if (residual.masks[block] != 0) {
-        Transform.addInverse(coefficients, 16 * block, prediction, Samples.at(block));
+      if (score < LUMA_DECIMATE_THRESHOLD) {
+        residual.nonZeroMasks[block] = 0;
+      } else if (residual.nonZeroMasks[block] != 0) {
+        Transform.addInverse(coefficients, 16 * block, prediction, MacroblockSamples.offset(block));
       }
     }
-    return worth >= WORTHWHILE;
+    return score >= LUMA_DECIMATE_THRESHOLD;
   }
 
-  /** Finds a block's levels; how much they are worth. */
+  /** Quantises a block; its decimation score. */
   private int quantize(Quantizer quantizer, int block, int first) {
-    quantizer.block(words, block, residual, coefficients);
-    return worth(block, first);
+    quantizer.quantizeBlock(transformed, block, residual, coefficients);
+    return score(block, first);
   }
 
-  /** How much a block's levels are worth; much if one is above 1. */
-  private int worth(int block, int first) {
-    int worth = 0;
+  /** The decimation score of a block, from a scan position on. */
+  private int score(int block, int first) {
+    int score = 0;
     int next = first;
-    for (int left = residual.masks[block]; left != 0; left &= left - 1) {
+    for (int left = residual.nonZeroMasks[block]; left != 0; left &= left - 1) {
       int i = Integer.numberOfTrailingZeros(left);
-      if (Math.abs(residual.levels[16 * block + Quantizer.place(i)]) > 1) {
-        return LARGE;
+      if (Math.abs(residual.levels[16 * block + Quantizer.zigzag(i)]) > 1) {
+        return MAX_DECIMATE_SCORE;
       }
-      worth += WORTH[i - next];
+      score += DECIMATE_SCORES[i - next];
       next = i + 1;
     }
-    return worth;
+    return score;
   }
 
   /**
-   * Codes a macroblock whose luma was predicted as a whole from the same picture.
+   * Codes the residual of an Intra 16x16 macroblock.
    *
-   * @param prediction becomes what decoders see
+   * @param prediction becomes the reconstruction
    */
-  void intra(Samples prediction, Quality quality) {
+  void intra16x16(MacroblockSamples prediction, QpTables tables) {
     residual.clear();
-    int any = 0;
-    for (int block = 0; block < Samples.COLOUR; block++) {
+    int anyAc = 0;
+    for (int block = 0; block < MacroblockSamples.CHROMA; block++) {
       if ((block & 1) == 0) {
-        transform.forward(prediction, block, words);
+        transform.forward(prediction, block, transformed);
       }
-      corners[Samples.turned(block)] = Transform.first(words, block);
-      Transform.dropFirst(words, block);
+      dc[MacroblockSamples.transposed(block)] = Transform.dc(transformed, block);
+      Transform.clearDc(transformed, block);
     }
-    quality.intraLuma().blocks(words, 0, Samples.COLOUR, residual, coefficients);
-    for (int block = 0; block < Samples.COLOUR; block++) {
-      any |= residual.masks[block];
+    tables
+        .intraLuma()
+        .quantizeBlocks(transformed, 0, MacroblockSamples.CHROMA, residual, coefficients);
+    for (int block = 0; block < MacroblockSamples.CHROMA; block++) {
+      anyAc |= residual.nonZeroMasks[block];
     }
-    residual.lumaPattern = any != 0 ? 15 : 0;
-    lumaFirsts(quality.intraLuma());
-    for (int block = 0; block < Samples.COLOUR; block++) {
-      add(prediction, block, corners[Samples.turned(block)]);
+    residual.cbpLuma = anyAc != 0 ? 15 : 0;
+    lumaDc(tables.intraLuma());
+    for (int block = 0; block < MacroblockSamples.CHROMA; block++) {
+      reconstruct(prediction, block, dc[MacroblockSamples.transposed(block)]);
     }
-    source.differences(prediction, sums);
-    colour(prediction, quality.intraColour(), 1);
+    source.blockSads(prediction, sads);
+    chroma(prediction, tables.intraChroma(), 1);
   }
 
-  private void lumaFirsts(Quantizer quantizer) {
-    Transform.hadamard(corners);
+  private void lumaDc(Quantizer quantizer) {
+    Transform.hadamard4x4(dc);
     for (int i = 0; i < 16; i++) {
-      residual.first[i] = (corners[Quantizer.place(i)] + 1) >> 1;
+      residual.dcLevels[i] = (dc[Quantizer.zigzag(i)] + 1) >> 1;
     }
-    quantizer.first(residual.first, 0, 16);
+    quantizer.quantizeDc(residual.dcLevels, 0, 16);
     for (int i = 0; i < 16; i++) {
-      corners[Quantizer.place(i)] = residual.first[i];
+      dc[Quantizer.zigzag(i)] = residual.dcLevels[i];
     }
-    Transform.hadamard(corners);
+    Transform.hadamard4x4(dc);
     for (int i = 0; i < 16; i++) {
-      corners[i] = quantizer.lumaFirst(corners[i]);
+      dc[i] = quantizer.dequantizeLumaDc(dc[i]);
     }
   }
 
-  /** Codes both colours; one with smaller differences than quiet has no levels. */
-  private void colour(Samples prediction, Quantizer quantizer, int quiet) {
-    int blue = colour(prediction, quantizer, quiet, Residual.BLUE);
-    int red = colour(prediction, quantizer, quiet, Residual.RED);
-    residual.colourPattern = Math.max(blue, red);
+  /** Codes Cb and Cr; one whose blocks all have a lower SAD than {@code zeroSad} has no levels. */
+  private void chroma(MacroblockSamples prediction, Quantizer quantizer, int allZero) {
+    int cb = chroma(prediction, quantizer, allZero, Residual.CB_DC);
+    int cr = chroma(prediction, quantizer, allZero, Residual.CR_DC);
+    residual.cbpChroma = Math.max(cb, cr);
   }
 
-  private int colour(Samples prediction, Quantizer quantizer, int quiet, int first) {
-    int block = Samples.COLOUR + (first == Residual.RED ? 2 : 0);
-    int[] levels = residual.first;
-    if (Math.max(Math.max(sums[block], sums[block + 1]), Math.max(sums[block + 4], sums[block + 5]))
-        < quiet) {
+  private int chroma(MacroblockSamples prediction, Quantizer quantizer, int allZero, int first) {
+    int block = MacroblockSamples.CHROMA + (first == Residual.CR_DC ? 2 : 0);
+    int[] levels = residual.dcLevels;
+    if (Math.max(Math.max(sads[block], sads[block + 1]), Math.max(sads[block + 4], sads[block + 5]))
+        < allZero) {
       Arrays.fill(levels, first, first + 4, 0);
       return 0;
     }
-    int worth = 0;
+    int score = 0;
     for (int i = 0; i < 4; i++) {
       int at = block + (i >> 1) * 4 + (i & 1);
       if ((i & 1) == 0) {
-        transform.forward(prediction, at, words);
+        transform.forward(prediction, at, transformed);
       }
-      levels[first + i] = Transform.first(words, at);
-      Transform.dropFirst(words, at);
-      worth += quantize(quantizer, at, 1);
+      levels[first + i] = Transform.dc(transformed, at);
+      Transform.clearDc(transformed, at);
+      score += quantize(quantizer, at, 1);
     }
-    Transform.smallHadamard(levels, first);
-    int firsts = quantizer.first(levels, first, 4);
-    System.arraycopy(levels, first, corners, 0, 4);
-    Transform.smallHadamard(corners, 0);
+    Transform.hadamard2x2(levels, first);
+    int nonZeroDc = quantizer.quantizeDc(levels, first, 4);
+    System.arraycopy(levels, first, dc, 0, 4);
+    Transform.hadamard2x2(dc, 0);
     for (int i = 0; i < 4; i++) {
       int at = block + (i >> 1) * 4 + (i & 1);
-      if (worth < WORTHWHILE_COLOUR) {
-        residual.masks[at] = 0;
+      if (score < CHROMA_DECIMATE_THRESHOLD) {
+        residual.nonZeroMasks[at] = 0;
       }
-      add(prediction, at, quantizer.colourFirst(corners[i]));
+      reconstruct(prediction, at, quantizer.dequantizeChromaDc(dc[i]));
     }
-    return worth >= WORTHWHILE_COLOUR ? 2 : firsts > 0 ? 1 : 0;
+    return score >= CHROMA_DECIMATE_THRESHOLD ? 2 : nonZeroDc > 0 ? 1 : 0;
   }
 
-  /** Adds what decoders make of a block's levels and of its first coefficient. */
-  private void add(Samples prediction, int block, int first) {
-    int at = Samples.at(block);
-    if (residual.masks[block] != 0) {
+  /** Adds the inverse transform of a block, with its rescaled DC coefficient, to the prediction. */
+  private void reconstruct(MacroblockSamples prediction, int block, int first) {
+    int at = MacroblockSamples.offset(block);
+    if (residual.nonZeroMasks[block] != 0) {
       coefficients[16 * block] = first;
       Transform.addInverse(coefficients, 16 * block, prediction, at);
     } else if (first != 0) {
-      Transform.addFirst(first, prediction, at);
+      Transform.addDcInverse(first, prediction, at);
     }
   }
 }

@@ -1,69 +1,76 @@
 package tellosimulator.video.codec;
 
 /**
- * H.264's integer transform of blocks of 4 by 4, there and back, and the one of their first
- * coefficients.
+ * The 4x4 integer transform and its inverse (H.264, 8.5.12), and the Hadamard transforms of DC
+ * coefficients (8.5.10 and 8.5.11.1).
  *
- * <p>Forward works on two blocks beside each other, four numbers at once. A word stands for four
- * numbers with sign: the sum of the first, the second times 2^16, and so on. So words add up as
- * their numbers do; only taking numbers out needs a bias that makes them positive.
+ * <p>The forward transform works on two blocks side by side, four signed numbers in a word: the sum
+ * of the first, the second times 2^16, and so on. Words add up as their numbers do; only extracting
+ * numbers needs a bias that makes them positive.
  */
 final class Transform {
 
-  private static final int STRIDE = Samples.STRIDE;
+  private static final int STRIDE = MacroblockSamples.STRIDE;
 
-  /** Words that a block has after {@link #forward}. */
-  static final int WORDS = 4;
+  /** Words of a block after {@link #forward}. */
+  static final int WORDS_PER_BLOCK = 4;
 
-  /** Above 1530, the largest number after the first half of the transform. */
+  /** Above 1530, the largest number after the vertical pass. */
   private static final int BIAS = 0x1000;
 
   private static final long EVEN_LANES = 0x0000_FFFF_0000_FFFFL;
   private static final long LOW_HALF = 0xFFFF_FFFFL;
 
-  private final Samples source;
-  private final long[] even = new long[4];
-  private final long[] odd = new long[4];
+  private final MacroblockSamples source;
+  private final long[] evenColumns = new long[4];
+  private final long[] oddColumns = new long[4];
 
   /**
-   * @param source what is transformed is its difference from a prediction
+   * @param source the transform is of its difference from a prediction
    */
-  Transform(Samples source) {
+  Transform(MacroblockSamples source) {
     this.source = source;
   }
 
   /**
-   * Transforms the difference between what two blocks are and what was predicted.
+   * Transforms the residual of two blocks.
    *
    * @param block the left one
-   * @param to gets four words for each block, at four times its number: a column of coefficients
-   *     each, from the top
+   * @param to receives four words for each block, at four times its number: one for each column of
+   *     coefficients, the top one lowest
    */
-  void forward(Samples prediction, int block, long[] to) {
-    int at = Samples.at(block);
+  void forward(MacroblockSamples prediction, int block, long[] to) {
+    int at = MacroblockSamples.offset(block);
     for (int y = 0; y < 4; y++) {
-      long wanted = Words.get(source.bytes, at + STRIDE * y);
-      long predicted = Words.get(prediction.bytes, at + STRIDE * y);
-      even[y] = (wanted & Words.LANES) - (predicted & Words.LANES);
-      odd[y] = ((wanted >>> 8) & Words.LANES) - ((predicted >>> 8) & Words.LANES);
+      long wanted = Swar.load(source.bytes, at + STRIDE * y);
+      long predicted = Swar.load(prediction.bytes, at + STRIDE * y);
+      evenColumns[y] = (wanted & Swar.LOW_BYTES) - (predicted & Swar.LOW_BYTES);
+      oddColumns[y] = ((wanted >>> 8) & Swar.LOW_BYTES) - ((predicted >>> 8) & Swar.LOW_BYTES);
     }
-    columns(even);
-    columns(odd);
-    rows(even[0], odd[0], even[1], odd[1], to, WORDS * block);
-    rows(even[2], odd[2], even[3], odd[3], to, WORDS * block + WORDS);
+    transformVertically(evenColumns);
+    transformVertically(oddColumns);
+    transformHorizontally(
+        evenColumns[0], oddColumns[0], evenColumns[1], oddColumns[1], to, WORDS_PER_BLOCK * block);
+    transformHorizontally(
+        evenColumns[2],
+        oddColumns[2],
+        evenColumns[3],
+        oddColumns[3],
+        to,
+        WORDS_PER_BLOCK * block + WORDS_PER_BLOCK);
   }
 
-  /** Transforms four rows of four numbers downwards and turns rows into columns. */
-  private static void columns(long[] rows) {
-    long outer = rows[0] + rows[3];
-    long outerGap = rows[0] - rows[3];
-    long inner = rows[1] + rows[2];
-    long innerGap = rows[1] - rows[2];
-    long bias = Words.lanes(BIAS);
-    long a = outer + inner + bias;
-    long b = (outerGap << 1) + innerGap + bias;
-    long c = outer - inner + bias;
-    long d = outerGap - (innerGap << 1) + bias;
+  /** Transforms four rows of four numbers vertically and transposes them. */
+  private static void transformVertically(long[] rows) {
+    long s03 = rows[0] + rows[3];
+    long d03 = rows[0] - rows[3];
+    long s12 = rows[1] + rows[2];
+    long d12 = rows[1] - rows[2];
+    long bias = Swar.broadcast16(BIAS);
+    long a = s03 + s12 + bias;
+    long b = (d03 << 1) + d12 + bias;
+    long c = s03 - s12 + bias;
+    long d = d03 - (d12 << 1) + bias;
     long first = (a & EVEN_LANES) | ((b & EVEN_LANES) << 16);
     long second = ((a >>> 16) & EVEN_LANES) | (b & ~EVEN_LANES);
     long third = (c & EVEN_LANES) | ((d & EVEN_LANES) << 16);
@@ -74,109 +81,110 @@ final class Transform {
     rows[3] = (second >>> 32) | (fourth & ~LOW_HALF);
   }
 
-  /** Transforms four columns to the right; all but the first lose their bias by themselves. */
-  private static void rows(long p0, long p1, long p2, long p3, long[] to, int offset) {
-    long outer = p0 + p3;
-    long outerGap = p0 - p3;
-    long inner = p1 + p2;
-    long innerGap = p1 - p2;
-    to[offset] = outer + inner - Words.lanes(4 * BIAS);
-    to[offset + 1] = (outerGap << 1) + innerGap;
-    to[offset + 2] = outer - inner;
-    to[offset + 3] = outerGap - (innerGap << 1);
+  /** Transforms four columns horizontally; the bias cancels out in all but the first. */
+  private static void transformHorizontally(
+      long p0, long p1, long p2, long p3, long[] to, int offset) {
+    long s03 = p0 + p3;
+    long d03 = p0 - p3;
+    long s12 = p1 + p2;
+    long d12 = p1 - p2;
+    to[offset] = s03 + s12 - Swar.broadcast16(4 * BIAS);
+    to[offset + 1] = (d03 << 1) + d12;
+    to[offset + 2] = s03 - s12;
+    to[offset + 3] = d03 - (d12 << 1);
   }
 
-  /** The first coefficient of a block. */
-  static int first(long[] words, int block) {
-    return (short) words[WORDS * block];
+  /** The DC coefficient of a block. */
+  static int dc(long[] words, int block) {
+    return (short) words[WORDS_PER_BLOCK * block];
   }
 
-  /** Sets the first coefficient of a block to 0. */
-  static void dropFirst(long[] words, int block) {
-    words[WORDS * block] -= (short) words[WORDS * block];
+  /** Sets the DC coefficient of a block to zero. */
+  static void clearDc(long[] words, int block) {
+    words[WORDS_PER_BLOCK * block] -= (short) words[WORDS_PER_BLOCK * block];
   }
 
-  /** Adds what a first coefficient alone stands for to the prediction. */
-  static void addFirst(int coefficient, Samples prediction, int at) {
-    int value = (coefficient + 32) >> 6;
-    byte[] pixels = prediction.bytes;
+  /** Adds the inverse transform of a block with only a DC coefficient to the prediction. */
+  static void addDcInverse(int dc, MacroblockSamples prediction, int at) {
+    int value = (dc + 32) >> 6;
+    byte[] samples = prediction.bytes;
     for (int row = at; row < at + 4 * STRIDE; row += STRIDE) {
-      pixels[row] = clip((pixels[row] & 0xFF) + value);
-      pixels[row + 1] = clip((pixels[row + 1] & 0xFF) + value);
-      pixels[row + 2] = clip((pixels[row + 2] & 0xFF) + value);
-      pixels[row + 3] = clip((pixels[row + 3] & 0xFF) + value);
+      samples[row] = clip1((samples[row] & 0xFF) + value);
+      samples[row + 1] = clip1((samples[row + 1] & 0xFF) + value);
+      samples[row + 2] = clip1((samples[row + 2] & 0xFF) + value);
+      samples[row + 3] = clip1((samples[row + 3] & 0xFF) + value);
     }
   }
 
   /**
-   * Adds what coefficients stand for to the prediction.
+   * Adds the inverse transform of a block to the prediction.
    *
    * @param from 16 coefficients column by column from offset on; they are changed
-   * @param at where the block begins in the prediction
+   * @param at offset of the block in the prediction
    */
-  static void addInverse(int[] from, int offset, Samples prediction, int at) {
+  static void addInverse(int[] from, int offset, MacroblockSamples prediction, int at) {
     for (int row = offset; row < offset + 4; row++) {
-      int even = from[row] + from[row + 8];
-      int evenGap = from[row] - from[row + 8];
-      int oddGap = (from[row + 4] >> 1) - from[row + 12];
-      int odd = from[row + 4] + (from[row + 12] >> 1);
-      from[row] = even + odd;
-      from[row + 4] = evenGap + oddGap;
-      from[row + 8] = evenGap - oddGap;
-      from[row + 12] = even - odd;
+      int s02 = from[row] + from[row + 8];
+      int d02 = from[row] - from[row + 8];
+      int d13 = (from[row + 4] >> 1) - from[row + 12];
+      int s13 = from[row + 4] + (from[row + 12] >> 1);
+      from[row] = s02 + s13;
+      from[row + 4] = d02 + d13;
+      from[row + 8] = d02 - d13;
+      from[row + 12] = s02 - s13;
     }
-    byte[] pixels = prediction.bytes;
+    byte[] samples = prediction.bytes;
     for (int x = 0; x < 4; x++) {
       int column = offset + 4 * x;
-      int even = from[column] + from[column + 2] + 32;
-      int evenGap = from[column] - from[column + 2] + 32;
-      int oddGap = (from[column + 1] >> 1) - from[column + 3];
-      int odd = from[column + 1] + (from[column + 3] >> 1);
+      int s02 = from[column] + from[column + 2] + 32;
+      int d02 = from[column] - from[column + 2] + 32;
+      int d13 = (from[column + 1] >> 1) - from[column + 3];
+      int s13 = from[column + 1] + (from[column + 3] >> 1);
       int to = at + x;
-      pixels[to] = clip((pixels[to] & 0xFF) + ((even + odd) >> 6));
+      samples[to] = clip1((samples[to] & 0xFF) + ((s02 + s13) >> 6));
       to += STRIDE;
-      pixels[to] = clip((pixels[to] & 0xFF) + ((evenGap + oddGap) >> 6));
+      samples[to] = clip1((samples[to] & 0xFF) + ((d02 + d13) >> 6));
       to += STRIDE;
-      pixels[to] = clip((pixels[to] & 0xFF) + ((evenGap - oddGap) >> 6));
+      samples[to] = clip1((samples[to] & 0xFF) + ((d02 - d13) >> 6));
       to += STRIDE;
-      pixels[to] = clip((pixels[to] & 0xFF) + ((even - odd) >> 6));
+      samples[to] = clip1((samples[to] & 0xFF) + ((s02 - s13) >> 6));
     }
   }
 
-  private static byte clip(int value) {
+  private static byte clip1(int value) {
     return (byte) Math.max(0, Math.min(255, value));
   }
 
-  /** Transforms 4 by 4 numbers; twice is 16 times the same. */
-  static void hadamard(int[] numbers) {
+  /** The 4x4 Hadamard transform; applied twice it multiplies by 16. */
+  static void hadamard4x4(int[] values) {
     for (int i = 0; i < 16; i += 4) {
-      butterfly(numbers, i, 1);
+      butterfly(values, i, 1);
     }
     for (int i = 0; i < 4; i++) {
-      butterfly(numbers, i, 4);
+      butterfly(values, i, 4);
     }
   }
 
-  private static void butterfly(int[] numbers, int first, int step) {
-    int a = numbers[first];
-    int b = numbers[first + step];
-    int c = numbers[first + 2 * step];
-    int d = numbers[first + 3 * step];
-    numbers[first] = a + b + c + d;
-    numbers[first + step] = a + b - c - d;
-    numbers[first + 2 * step] = a - b - c + d;
-    numbers[first + 3 * step] = a - b + c - d;
+  private static void butterfly(int[] values, int first, int step) {
+    int a = values[first];
+    int b = values[first + step];
+    int c = values[first + 2 * step];
+    int d = values[first + 3 * step];
+    values[first] = a + b + c + d;
+    values[first + step] = a + b - c - d;
+    values[first + 2 * step] = a - b - c + d;
+    values[first + 3 * step] = a - b + c - d;
   }
 
-  /** Transforms 2 by 2 numbers from an offset on; twice is 4 times the same. */
-  static void smallHadamard(int[] numbers, int offset) {
-    int a = numbers[offset];
-    int b = numbers[offset + 1];
-    int c = numbers[offset + 2];
-    int d = numbers[offset + 3];
-    numbers[offset] = a + b + c + d;
-    numbers[offset + 1] = a - b + c - d;
-    numbers[offset + 2] = a + b - c - d;
-    numbers[offset + 3] = a - b - c + d;
+  /** The 2x2 Hadamard transform from an offset on; applied twice it multiplies by 4. */
+  static void hadamard2x2(int[] values, int offset) {
+    int a = values[offset];
+    int b = values[offset + 1];
+    int c = values[offset + 2];
+    int d = values[offset + 3];
+    values[offset] = a + b + c + d;
+    values[offset + 1] = a - b + c - d;
+    values[offset + 2] = a + b - c - d;
+    values[offset + 3] = a - b - c + d;
   }
 }

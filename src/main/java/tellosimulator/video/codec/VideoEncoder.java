@@ -2,23 +2,36 @@ package tellosimulator.video.codec;
 
 import tellosimulator.video.picture.Picture;
 
-/** Makes a stream of pictures of one size. For one thread at a time. */
+/** Encodes a sequence of frames of one size. For one thread at a time. */
 public interface VideoEncoder {
 
+  /** Creates encoders. For any thread. */
+  @FunctionalInterface
+  interface Factory {
+
+    /**
+     * Creates an encoder.
+     *
+     * @param width of its frames in pixels, even
+     * @param height of its frames in pixels, even
+     */
+    VideoEncoder create(int width, int height);
+  }
+
   /**
-   * How much may be sent from now on.
+   * Sets the target bit rate, from the next frame on.
    *
-   * @param framesPerSecond pictures a second
+   * @param framesPerSecond frames a second
    * @param bitsPerSecond bits a second, on average
    */
   void setRate(int framesPerSecond, int bitsPerSecond);
 
   /**
-   * Encodes the next picture.
+   * Encodes the next frame.
    *
    * @param picture is read only during the call
-   * @param key whether decoding shall be able to begin here
-   * @return the encoded picture, valid until the next call
+   * @param forceIdr whether the frame must be an IDR frame
+   * @return the encoded frame, valid until the next call
    */
-  EncodedPicture encode(Picture picture, boolean key);
+  AccessUnit encode(Picture picture, boolean forceIdr);
 }

@@ -1,6 +1,8 @@
 /**
- * Makes an H.264 stream of pictures. {@link tellosimulator.video.codec.VideoEncoder} is its type;
- * the encoder is built on parts of JCodec. It knows neither drones nor sockets, starts no threads
- * and reads no clock.
+ * An H.264 encoder (Constrained Baseline, CAVLC). {@link tellosimulator.video.codec.VideoEncoder}
+ * is the interface, {@link tellosimulator.video.codec.H264Encoder} the implementation; parameter
+ * sets and VLC tables come from JCodec. The terms are those of the standard (ITU-T H.264) and of
+ * x264; {@code docs/glossary.md} lists them. The package knows neither drones nor sockets, starts
+ * no threads and reads no clock.
  */
 package tellosimulator.video.codec;

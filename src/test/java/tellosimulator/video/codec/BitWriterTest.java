@@ -22,17 +22,17 @@ class BitWriterTest {
     "7, 0001000, 4, 0001000",
     "254, 000000011111111, -127, 000000011111111"
   })
-  void numbersAreWrittenAsTheStandardSays(int number, String code, int signed, String signedCode) {
-    bits.putUnsigned(number);
-    bits.putSigned(signed);
+  void expGolombCodesAreThoseOfTheStandard(int number, String code, int signed, String signedCode) {
+    bits.putUe(number);
+    bits.putSe(signed);
 
     assertThat(written()).isEqualTo(code + signedCode);
-    assertThat(BitWriter.unsignedLength(number)).isEqualTo(code.length());
-    assertThat(BitWriter.signedLength(signed)).isEqualTo(signedCode.length());
+    assertThat(BitWriter.ueLength(number)).isEqualTo(code.length());
+    assertThat(BitWriter.seLength(signed)).isEqualTo(signedCode.length());
   }
 
   @Test
-  void bitsOfAnyLengthFollowEachOther() {
+  void bitStringsOfAnyLengthFollowEachOther() {
     Random random = new Random(3);
     StringBuilder expected = new StringBuilder();
     for (int i = 0; i < 100_000; i++) {
@@ -40,7 +40,7 @@ class BitWriterTest {
       int value = length == 0 ? 0 : random.nextInt() >>> (32 - length);
       bits.reserve(4);
       bits.put(value, length);
-      assertThat(bits.bits()).isEqualTo(expected.length() + length);
+      assertThat(bits.bitCount()).isEqualTo(expected.length() + length);
       for (int bit = length - 1; bit >= 0; bit--) {
         expected.append((value >> bit) & 1);
       }
@@ -50,7 +50,7 @@ class BitWriterTest {
   }
 
   @Test
-  void whatWasWrittenBeforeIsForgotten() {
+  void clearDropsWhatWasWritten() {
     bits.put(0x7FFFFFFF, 31);
     bits.clear();
     bits.put(0b101, 3);
@@ -61,7 +61,7 @@ class BitWriterTest {
   /** All bits but the one at the end and the zeros behind it. */
   private String written() {
     bits.reserve(8);
-    bits.finish();
+    bits.putTrailingBits();
     StringBuilder all = new StringBuilder();
     for (int i = 0; i < bits.size(); i++) {
       for (int bit = 7; bit >= 0; bit--) {

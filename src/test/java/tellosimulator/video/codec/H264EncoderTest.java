@@ -23,61 +23,66 @@ class H264EncoderTest {
 
   private static final int PICTURES = 8;
 
-  private static final List<Act> ACTS = List.of(Act.values());
+  private static final List<TestSequence> SEQUENCES = List.of(TestSequence.values());
 
-  private final Motif motif = new Motif(1);
+  private final TestPattern pattern = new TestPattern(1);
 
   @ParameterizedTest
-  @MethodSource("actsAndSizes")
-  void decodersSeeExactlyWhatTheEncoderBelievesTheySee(Act act, int width, int height) {
+  @MethodSource("sequencesAndSizes")
+  void decodedFramesEqualTheReconstruction(TestSequence sequence, int width, int height) {
     H264Encoder encoder = new H264Encoder(width, height);
-    ForeignDecoder decoder = new ForeignDecoder();
+    JcodecDecoder decoder = new JcodecDecoder();
     Picture picture = new Picture(width, height);
     for (int i = 0; i < PICTURES; i++) {
-      act.play(motif, picture, i);
+      sequence.fill(pattern, picture, i);
       decoder.decode(encoder.encode(picture, i == 5));
-      assertThat(decoder.differences(encoder.coded())).as("picture %d", i).isZero();
+      assertThat(decoder.differences(encoder.reconstruction())).as("picture %d", i).isZero();
     }
   }
 
-  /** All acts at sizes that are and are not whole macroblocks, some at the drone's own size. */
-  static Stream<Arguments> actsAndSizes() {
+  /**
+   * All sequences at sizes that are and are not whole macroblocks, some at the drone's own size.
+   */
+  static Stream<Arguments> sequencesAndSizes() {
     Stream<Arguments> small =
-        ACTS.stream()
-            .flatMap(act -> Stream.of(Arguments.of(act, 648, 478), Arguments.of(act, 320, 720)));
+        SEQUENCES.stream()
+            .flatMap(
+                sequence ->
+                    Stream.of(Arguments.of(sequence, 648, 478), Arguments.of(sequence, 320, 720)));
     Stream<Arguments> whole =
-        Stream.of(Act.SLOW, Act.FAST, Act.CUT).map(act -> Arguments.of(act, 960, 720));
+        Stream.of(TestSequence.SLOW, TestSequence.FAST, TestSequence.CUT)
+            .map(sequence -> Arguments.of(sequence, 960, 720));
     return Stream.concat(small, whole);
   }
 
   @ParameterizedTest
   @CsvSource({"20000", "200000", "20000000", "500000000"})
-  void decodersSeeTheSameAtAnyRate(int bitsPerSecond) {
+  void decodedFramesEqualTheReconstructionAtAnyRate(int bitsPerSecond) {
     H264Encoder encoder = new H264Encoder(160, 112);
     encoder.setRate(30, bitsPerSecond);
-    ForeignDecoder decoder = new ForeignDecoder();
+    JcodecDecoder decoder = new JcodecDecoder();
     Picture picture = new Picture(160, 112);
     for (int i = 0; i < 60; i++) {
-      ACTS.get(i / 15).play(motif, picture, i);
+      SEQUENCES.get(i / 15).fill(pattern, picture, i);
       decoder.decode(encoder.encode(picture, i % 20 == 0));
-      assertThat(decoder.differences(encoder.coded())).as("picture %d", i).isZero();
+      assertThat(decoder.differences(encoder.reconstruction())).as("picture %d", i).isZero();
     }
   }
 
   @Test
-  void decodersSeeTheSameWhateverIsFilmed() {
+  void decodedFramesEqualTheReconstructionForRandomSizesRatesAndSequences() {
     Random random = new Random(7);
     for (int round = 0; round < 20; round++) {
       int width = 16 + 2 * random.nextInt(80);
       int height = 16 + 2 * random.nextInt(80);
       H264Encoder encoder = new H264Encoder(width, height);
-      ForeignDecoder decoder = new ForeignDecoder();
+      JcodecDecoder decoder = new JcodecDecoder();
       Picture picture = new Picture(width, height);
       for (int i = 0; i < 20; i++) {
         encoder.setRate(1 + random.nextInt(30), 10_000 + random.nextInt(5_000_000));
-        ACTS.get(random.nextInt(ACTS.size())).play(motif, picture, random.nextInt(30));
+        SEQUENCES.get(random.nextInt(SEQUENCES.size())).fill(pattern, picture, random.nextInt(30));
         decoder.decode(encoder.encode(picture, random.nextInt(10) == 0));
-        assertThat(decoder.differences(encoder.coded()))
+        assertThat(decoder.differences(encoder.reconstruction()))
             .as("picture %d of round %d, %d by %d", i, round, width, height)
             .isZero();
       }
@@ -85,9 +90,9 @@ class H264EncoderTest {
   }
 
   @Test
-  void whatIsBeyondTheEdgeOfThePictureIsCutOff() {
+  void paddingToWholeMacroblocksIsCropped() {
     H264Encoder encoder = new H264Encoder(648, 478);
-    ForeignDecoder decoder = new ForeignDecoder();
+    JcodecDecoder decoder = new JcodecDecoder();
 
     decoder.decode(encoder.encode(new Picture(648, 478), true));
 
@@ -97,47 +102,47 @@ class H264EncoderTest {
   }
 
   @Test
-  void theFirstPictureIsAKeyPictureEvenWhereNoneIsAskedFor() {
-    EncodedPicture encoded = new H264Encoder(64, 48).encode(new Picture(64, 48), false);
+  void theFirstFrameIsIdrEvenIfNotForced() {
+    AccessUnit encoded = new H264Encoder(64, 48).encode(new Picture(64, 48), false);
 
-    assertThat(encoded.key()).isTrue();
-    assertThat(unitTypes(encoded)).containsExactly(7, 8, 5);
+    assertThat(encoded.idr()).isTrue();
+    assertThat(nalUnitTypes(encoded)).containsExactly(7, 8, 5);
   }
 
   @Test
-  void parametersComeBeforeEachKeyPictureAndNowhereElse() {
+  void spsAndPpsComeBeforeEachIdrSliceAndNowhereElse() {
     H264Encoder encoder = new H264Encoder(64, 48);
     List<List<Integer>> types = new ArrayList<>();
     for (int i = 0; i < 4; i++) {
-      types.add(unitTypes(encoder.encode(new Picture(64, 48), i % 2 == 0)));
+      types.add(nalUnitTypes(encoder.encode(new Picture(64, 48), i % 2 == 0)));
     }
 
-    // Documented: H.264, table 7-1: 7 and 8 are parameters, 5 a key picture's slice, 1 another's.
+    // Documented: H.264, table 7-1: 7 SPS, 8 PPS, 5 IDR slice, 1 non-IDR slice.
     assertThat(types).containsExactly(List.of(7, 8, 5), List.of(1), List.of(7, 8, 5), List.of(1));
   }
 
   @ParameterizedTest
   @EnumSource
-  void startCodesAreWhereTheyAreSaidToBeAndNowhereElse(Act act) {
+  void startCodesAreAtNalUnitStartsAndNowhereElse(TestSequence sequence) {
     H264Encoder encoder = new H264Encoder(320, 240);
     Picture picture = new Picture(320, 240);
     for (int i = 0; i < PICTURES; i++) {
-      act.play(motif, picture, i);
-      EncodedPicture encoded = encoder.encode(picture, false);
+      sequence.fill(pattern, picture, i);
+      AccessUnit encoded = encoder.encode(picture, false);
       List<Integer> expected = new ArrayList<>();
-      for (int unit = 0; unit < encoded.units(); unit++) {
-        expected.add(encoded.start(unit));
+      for (int nalUnit = 0; nalUnit < encoded.nalUnits(); nalUnit++) {
+        expected.add(encoded.start(nalUnit));
       }
       assertThat(startCodes(encoded)).isEqualTo(expected);
-      assertThat(encoded.start(encoded.units())).isEqualTo(encoded.size());
+      assertThat(encoded.start(encoded.nalUnits())).isEqualTo(encoded.size());
     }
   }
 
-  /** Where two zeros come that a decoder could take for the beginning of a unit. */
-  private static List<Integer> startCodes(EncodedPicture picture) {
-    byte[] bytes = picture.bytes();
+  /** Offsets of byte sequences that a decoder would take for a start code. */
+  private static List<Integer> startCodes(AccessUnit accessUnit) {
+    byte[] bytes = accessUnit.bytes();
     List<Integer> starts = new ArrayList<>();
-    for (int i = 0; i + 2 < picture.size(); i++) {
+    for (int i = 0; i + 2 < accessUnit.size(); i++) {
       if (bytes[i] == 0 && bytes[i + 1] == 0 && bytes[i + 2] >= 0 && bytes[i + 2] <= 2) {
         starts.add(i);
         assertThat(bytes[i + 2]).as("third byte of a start code").isZero();
@@ -148,26 +153,26 @@ class H264EncoderTest {
     return starts;
   }
 
-  private static List<Integer> unitTypes(EncodedPicture picture) {
+  private static List<Integer> nalUnitTypes(AccessUnit accessUnit) {
     List<Integer> types = new ArrayList<>();
-    for (int unit = 0; unit < picture.units(); unit++) {
-      types.add(picture.bytes()[picture.start(unit) + 4] & 0x1f);
+    for (int nalUnit = 0; nalUnit < accessUnit.nalUnits(); nalUnit++) {
+      types.add(accessUnit.bytes()[accessUnit.start(nalUnit) + 4] & 0x1f);
     }
     return types;
   }
 
   @Test
-  void pictureWithoutChangeTakesHardlyAnything() {
+  void aStillSceneTakesHardlyAnyBits() {
     H264Encoder encoder = new H264Encoder(960, 720);
     Picture picture = new Picture(960, 720);
-    Act.STILL.play(motif, picture, 0);
-    int keySize = encoder.encode(picture, true).size();
-    int size = keySize;
+    TestSequence.STILL.fill(pattern, picture, 0);
+    int idrSize = encoder.encode(picture, true).size();
+    int size = idrSize;
     for (int i = 0; i < 60; i++) {
       size = encoder.encode(picture, false).size();
     }
 
-    assertThat(size).isLessThan(keySize / 25);
+    assertThat(size).isLessThan(idrSize / 25);
   }
 
   @ParameterizedTest
@@ -178,7 +183,7 @@ class H264EncoderTest {
     Picture picture = new Picture(640, 480);
     long bits = 0;
     for (int i = 0; i < 3 * framesPerSecond; i++) {
-      motif.textured(picture, 5 * i, 3 * i);
+      pattern.textured(picture, 5 * i, 3 * i);
       bits += 8L * encoder.encode(picture, i % framesPerSecond == 0).size();
     }
 
@@ -186,12 +191,12 @@ class H264EncoderTest {
   }
 
   @Test
-  void noMemoryIsTakenForAPictureAfterTheFirstOnes() {
+  void nothingIsAllocatedPerFrameAfterTheFirstOnes() {
     H264Encoder encoder = new H264Encoder(320, 240);
     List<Picture> pictures = new ArrayList<>();
     for (int i = 0; i < 30; i++) {
       Picture picture = new Picture(320, 240);
-      ACTS.get(i % ACTS.size()).play(motif, picture, i);
+      SEQUENCES.get(i % SEQUENCES.size()).fill(pattern, picture, i);
       pictures.add(picture);
     }
     ThreadMXBean thread = (ThreadMXBean) ManagementFactory.getThreadMXBean();
@@ -211,7 +216,7 @@ class H264EncoderTest {
   }
 
   @Test
-  void pictureOfAnotherSizeIsRefused() {
+  void aPictureOfAnotherSizeIsRefused() {
     H264Encoder encoder = new H264Encoder(960, 720);
 
     assertThatIllegalArgumentException()

@@ -10,17 +10,17 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** Pictures are only numbers here: what each would take at QP 0; 6 more halve that. */
+/** Frames are only their complexities here: bits at QP 0, which six more QP halve. */
 class RateControlTest {
 
   private static final int ROWS = 45;
   private static final int MACROBLOCKS = 60 * ROWS;
 
   /** At QP 0 [bit]. Calculated: 50 kB at QP 30 is 400,000 bits times 2^5. */
-  private static final double KEY = 12.8e6;
+  private static final double IDR_COMPLEXITY = 12.8e6;
 
   /** At QP 0 [bit]: slow flight. Calculated: 8 kB at QP 30. */
-  private static final double OTHER = 2.05e6;
+  private static final double P_COMPLEXITY = 2.05e6;
 
   private final RateControl rate = new RateControl(MACROBLOCKS, ROWS);
   private final List<Integer> qps = new ArrayList<>();
@@ -42,18 +42,18 @@ class RateControlTest {
   })
   void theRateIsKept(int framesPerSecond, int bitsPerSecond) {
     rate.setRate(framesPerSecond, bitsPerSecond);
-    flight(2, framesPerSecond);
+    slowFlight(2, framesPerSecond);
 
-    assertThat(flight(3, framesPerSecond))
+    assertThat(slowFlight(3, framesPerSecond))
         .isCloseTo(3.0 * bitsPerSecond, Percentage.withPercentage(10));
   }
 
   @Test
-  void qualityIsEvenWhereAllPicturesAreAlike() {
-    flight(2, 30);
+  void qpIsEvenWhereAllFramesAreAlike() {
+    slowFlight(2, 30);
     qps.clear();
 
-    flight(3, 30);
+    slowFlight(3, 30);
 
     int least = qps.stream().mapToInt(qp -> qp).min().orElseThrow();
     int most = qps.stream().mapToInt(qp -> qp).max().orElseThrow();
@@ -61,81 +61,81 @@ class RateControlTest {
   }
 
   @Test
-  void keyPicturesAreAtLeastAsFineAsThoseAfterThem() {
-    flight(2, 30);
-    int keyQp = rate.begin(true);
+  void idrFramesHaveNoHigherQpThanTheFramesBefore() {
+    slowFlight(2, 30);
+    int idrQp = rate.beginFrame(true);
 
-    assertThat(keyQp).isLessThanOrEqualTo(qps.get(qps.size() - 1));
+    assertThat(idrQp).isLessThanOrEqualTo(qps.get(qps.size() - 1));
   }
 
   @Test
-  void pictureAfterCutDoesNotTakeManyTimesItsShare() {
-    flight(2, 30);
+  void aFrameAfterACutDoesNotTakeManyTimesItsShare() {
+    slowFlight(2, 30);
 
-    int cut = picture(false, KEY);
+    int cut = frame(false, IDR_COMPLEXITY);
 
     assertThat(cut).isLessThan((int) (2.5e6 / 30 * 4));
-    assertThat(qps.get(qps.size() - 1)).as("of its last row").isGreaterThan(rate.begin(false));
+    assertThat(qps.get(qps.size() - 1)).as("of its last row").isGreaterThan(rate.beginFrame(false));
   }
 
   @Test
-  void theRateIsKeptAgainSoonAfterCut() {
-    flight(2, 30);
-    picture(false, KEY);
-    flight(1, 30);
+  void theRateIsKeptAgainSoonAfterACut() {
+    slowFlight(2, 30);
+    frame(false, IDR_COMPLEXITY);
+    slowFlight(1, 30);
 
-    assertThat(flight(2, 30)).isCloseTo(2 * 2.5e6, Percentage.withPercentage(10));
+    assertThat(slowFlight(2, 30)).isCloseTo(2 * 2.5e6, Percentage.withPercentage(10));
   }
 
   @Test
-  void anotherRateHoldsFromTheNextPictureOn() {
-    flight(3, 30);
+  void aNewRateHoldsFromTheNextFrameOn() {
+    slowFlight(3, 30);
 
     rate.setRate(30, 1_000_000);
 
-    assertThat(flight(1, 30)).isCloseTo(1e6, Percentage.withPercentage(15));
+    assertThat(slowFlight(1, 30)).isCloseTo(1e6, Percentage.withPercentage(15));
   }
 
   @Test
-  void afterAPictureThatNobodyGetsTheNextKeyPictureIsAsFine() {
-    int first = rate.begin(true);
-    picture(true, KEY);
+  void afterARestartTheNextIdrFrameIsAsFine() {
+    int first = rate.beginFrame(true);
+    frame(true, IDR_COMPLEXITY);
     rate.setRate(30, 2_500_000);
 
-    assertThat(rate.begin(true)).isLessThanOrEqualTo(first + 1);
+    assertThat(rate.beginFrame(true)).isLessThanOrEqualTo(first + 1);
   }
 
   @Test
-  void bitsThatNobodyNeedsAreNotUsed() {
-    flight(2, 30);
+  void unusedBitsAreSavedOnlyInPart() {
+    slowFlight(2, 30);
     for (int i = 0; i < 30; i++) {
-      picture(false, 1000);
+      frame(false, 1000);
     }
 
-    assertThat(picture(false, 1000)).isLessThan(1000);
-    assertThat(picture(false, OTHER))
+    assertThat(frame(false, 1000)).isLessThan(1000);
+    assertThat(frame(false, P_COMPLEXITY))
         .as("and are not all there later")
         .isLessThan((int) (2.5e6 / 30 * 5));
   }
 
-  /** Seconds of slow flight with a key picture each; what they took. */
-  private double flight(int seconds, int framesPerSecond) {
+  /** Seconds of slow flight, each a GOP; their bits. */
+  private double slowFlight(int seconds, int framesPerSecond) {
     double bits = 0;
     for (int i = 0; i < seconds * framesPerSecond; i++) {
-      bits += i % framesPerSecond == 0 ? picture(true, KEY) : picture(false, OTHER);
+      bits += i % framesPerSecond == 0 ? frame(true, IDR_COMPLEXITY) : frame(false, P_COMPLEXITY);
     }
     return bits;
   }
 
-  private int picture(boolean key, double atZero) {
+  private int frame(boolean idr, double complexity) {
     double bits = 0;
-    int qp = rate.begin(key);
+    int qp = rate.beginFrame(idr);
     for (int row = 0; row < ROWS; row++) {
-      bits += atZero / ROWS * Math.pow(2, -qp / 6.0);
+      bits += complexity / ROWS * Math.pow(2, -qp / 6.0);
       qps.add(qp);
-      qp = rate.row(row + 1, (int) bits);
+      qp = rate.rowCoded(row + 1, (int) bits);
     }
-    rate.end((int) bits);
+    rate.endFrame((int) bits);
     return (int) bits;
   }
 }

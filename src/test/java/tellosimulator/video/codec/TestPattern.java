@@ -5,10 +5,10 @@ import java.util.Random;
 import tellosimulator.video.picture.Picture;
 
 /**
- * Something to be filmed that makes encoders work: a texture with coarse and fine detail that
- * repeats itself in all directions. The same seed gives the same pictures.
+ * A test pattern that makes encoders work: a texture with coarse and fine detail that repeats in
+ * all directions. The same seed gives the same pattern.
  */
-final class Motif {
+final class TestPattern {
 
   /** Pixels after which the texture repeats itself; a power of 2. */
   private static final int PERIOD = 1024;
@@ -19,7 +19,7 @@ final class Motif {
   private final int[] texture = new int[PERIOD * PERIOD];
   private final Random random;
 
-  Motif(long seed) {
+  TestPattern(long seed) {
     random = new Random(seed);
     int[] points = random.ints(PERIOD / COARSE * PERIOD / COARSE, 40, 200).toArray();
     for (int y = 0; y < PERIOD; y++) {
@@ -72,12 +72,12 @@ final class Motif {
 
   private void plane(byte[] plane, int width, int left, int top) {
     for (int i = 0; i < plane.length; i++) {
-      plane[i] = (byte) at(left + 4 * (i % width), top + 4 * (i / width));
+      plane[i] = (byte) sample(left + 4 * (i % width), top + 4 * (i / width));
     }
   }
 
   /** Between the points of the texture. */
-  private int at(int x, int y) {
+  private int sample(int x, int y) {
     int column = (x >> 2) & (PERIOD - 1);
     int row = (y >> 2) & (PERIOD - 1);
     int beside = (column + 1) & (PERIOD - 1);

@@ -8,9 +8,9 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-class NalUnitsTest {
+class AnnexBWriterTest {
 
-  private final NalUnits units = new NalUnits();
+  private final AnnexBWriter writer = new AnnexBWriter();
 
   /** Documented: H.264, 7.4.1: a 3 comes between two zeros and a byte of at most 3. */
   @ParameterizedTest
@@ -26,48 +26,48 @@ class NalUnitsTest {
     "FF00, FF00",
     "0100FF0001, 0100FF0001"
   })
-  void threesKeepZerosFromLookingLikeAStartCode(String payload, String escaped) {
+  void emulationPreventionBytesBreakUpStartCodes(String payload, String escaped) {
     byte[] bytes = HexFormat.of().parseHex(payload);
-    units.begin(true);
+    writer.begin(true);
 
-    units.add(0x65, bytes, bytes.length);
+    writer.add(0x65, bytes, bytes.length);
 
     assertThat(written()).isEqualTo("0000000165" + escaped);
   }
 
   @Test
-  void eachUnitBeginsWhereTheOneBeforeEnds() {
-    units.begin(true);
-    units.add(0x67, new byte[] {1}, 1);
-    units.add(0x68, new byte[] {2, 3, 4}, 2);
+  void eachNalUnitBeginsWhereTheOneBeforeEnds() {
+    writer.begin(true);
+    writer.add(0x67, new byte[] {1}, 1);
+    writer.add(0x68, new byte[] {2, 3, 4}, 2);
 
-    assertThat(units.units()).isEqualTo(2);
+    assertThat(writer.nalUnits()).isEqualTo(2);
     assertThat(written()).isEqualTo("000000016701" + "00000001680203");
-    assertThat(new int[] {units.start(0), units.start(1), units.start(2)})
+    assertThat(new int[] {writer.start(0), writer.start(1), writer.start(2)})
         .containsExactly(0, 6, 6 + 7);
   }
 
   @Test
-  void thePictureBeforeIsForgotten() {
-    units.begin(true);
-    units.add(0x65, new byte[] {1}, 1);
-    units.begin(false);
-    units.add(0x41, new byte[] {2}, 1);
+  void beginDropsTheAccessUnitBefore() {
+    writer.begin(true);
+    writer.add(0x65, new byte[] {1}, 1);
+    writer.begin(false);
+    writer.add(0x41, new byte[] {2}, 1);
 
-    assertThat(units.key()).isFalse();
+    assertThat(writer.idr()).isFalse();
     assertThat(written()).isEqualTo("000000014102");
   }
 
   @Test
-  void thereIsRoomForMoreThanAnyPictureNeeds() {
+  void theBufferGrowsBeyondWhatAnyFrameNeeds() {
     byte[] zeros = new byte[1_000_000];
-    units.begin(true);
-    units.add(0x65, zeros, zeros.length);
+    writer.begin(true);
+    writer.add(0x65, zeros, zeros.length);
 
-    assertThat(units.size()).as("a 3 after each two zeros").isEqualTo(5 + 1_500_000 - 1);
+    assertThat(writer.size()).as("a 3 after each two zeros").isEqualTo(5 + 1_500_000 - 1);
   }
 
   private String written() {
-    return HexFormat.of().withUpperCase().formatHex(Arrays.copyOf(units.bytes(), units.size()));
+    return HexFormat.of().withUpperCase().formatHex(Arrays.copyOf(writer.bytes(), writer.size()));
   }
 }

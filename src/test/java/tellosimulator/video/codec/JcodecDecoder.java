@@ -17,10 +17,10 @@ import org.jcodec.common.model.ColorSpace;
 import org.jcodec.common.model.Rect;
 
 /**
- * JCodec's decoder, which knows nothing of our encoder. Its parts, for as a whole it filters edges
- * even in pictures that say that they are not to be filtered.
+ * JCodec's decoder, which knows nothing of our encoder. Assembled from its parts, because as a
+ * whole it applies the deblocking filter even where a slice disables it.
  */
-final class ForeignDecoder {
+final class JcodecDecoder {
 
   /** JCodec's samples are 128 less. */
   private static final int OFFSET = 128;
@@ -29,7 +29,7 @@ final class ForeignDecoder {
   private final Frame[] references = new Frame[1 << ParameterSets.FRAME_NUM_BITS];
   private Frame decoded;
 
-  void decode(EncodedPicture picture) {
+  void decode(AccessUnit picture) {
     ByteBuffer bytes = ByteBuffer.wrap(picture.bytes(), 0, picture.size());
     SliceReader slice = reader.readFrame(H264Utils.splitFrame(bytes)).get(0);
     SliceHeader header = slice.getSliceHeader();
@@ -76,16 +76,19 @@ final class ForeignDecoder {
     return frame;
   }
 
-  /** What of the last picture is shown. */
+  /** The cropping rectangle of the last frame. */
   Rect shown() {
     return decoded.getCrop();
   }
 
-  /** In how many samples the last picture differs; colours and what is not shown included. */
+  /**
+   * In how many samples the last frame differs from a reconstruction, chroma and cropped samples
+   * included.
+   */
   long differences(tellosimulator.video.codec.Frame frame) {
     return differences(frame.luma, decoded.getPlaneData(0))
-        + differences(frame.blue, decoded.getPlaneData(1))
-        + differences(frame.red, decoded.getPlaneData(2));
+        + differences(frame.cb, decoded.getPlaneData(1))
+        + differences(frame.cr, decoded.getPlaneData(2));
   }
 
   private static long differences(Plane plane, byte[] samples) {
@@ -93,7 +96,7 @@ final class ForeignDecoder {
     for (int y = 0; y < plane.height; y++) {
       for (int x = 0; x < plane.width; x++) {
         int sample = samples[y * plane.width + x] + OFFSET;
-        if (sample != (plane.bytes[plane.at(x, y)] & 0xFF)) {
+        if (sample != (plane.bytes[plane.offset(x, y)] & 0xFF)) {
           count++;
         }
       }
