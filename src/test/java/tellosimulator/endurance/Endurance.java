@@ -123,7 +123,7 @@ public final class Endurance {
     trials.put("determinism", new Entry(Lane.IN_TURN, DeterminismTrial::run));
     trials.put("ending", new Entry(Lane.BESIDE, EndingTrial::landsTooEarly));
     trials.put("timeout", new Entry(Lane.BESIDE, EndingTrial::neverTakesOff));
-    trials.put("window", new Entry(Lane.IN_TURN, again(WindowTrial::run)));
+    trials.put("window", new Entry(Lane.BESIDE, again(WindowTrial::run)));
     trials.put("class", new Entry(Lane.IN_TURN, inNetwork(ClassTrial::run)));
     trials.put("soak", new Entry(Lane.IN_TURN, SoakTrial::run));
     return trials;
