@@ -36,7 +36,7 @@ class UdpDeterminismTest {
   /** Threads that do nothing but keep the processors busy. */
   private static final int LOAD = 2;
 
-  private static final int RUNS = 3;
+  private static final int RUNS = 2;
 
   /** What a program may think about at the most, from one command to the next [ms]. */
   private static final int LONGEST_PAUSE_MS = 12;

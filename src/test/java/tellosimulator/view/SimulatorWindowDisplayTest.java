@@ -59,18 +59,21 @@ class SimulatorWindowDisplayTest {
                 && bounds("scene-3d").getWidth() == screen.getWidth()
                 && bounds("scene-3d").getHeight() == screen.getHeight());
     for (String part : new String[] {"simulator-controls", "network-controls", "log"}) {
-      assertThat(bounds("scene-3d").contains(bounds(part))).as(part).isTrue();
-      assertThat(bounds(part).getHeight()).as("height of %s", part).isGreaterThan(100);
+      waitUntil( // they are laid out a frame or more after the scene
+          () -> bounds("scene-3d").contains(bounds(part)) && bounds(part).getHeight() > 100);
     }
-    assertThat(bounds("network-controls").getHeight())
-        .as("no higher than its content")
-        .isLessThan(bounds("log").getMinY() - bounds("window-bar").getMaxY() - 10);
+    waitUntil( // no higher than its content
+        () ->
+            bounds("network-controls").getHeight()
+                < bounds("log").getMinY() - bounds("window-bar").getMaxY() - 10);
 
     robot.type(KeyCode.F11);
 
     waitUntil(() -> !window.stage().isFullScreen());
-    waitUntil(() -> bounds("scene-3d").equals(before));
-    assertThat(bounds("network-controls").getMaxY()).isEqualTo(before.getMaxY());
+    waitUntil(
+        () ->
+            bounds("scene-3d").equals(before)
+                && bounds("network-controls").getMaxY() == before.getMaxY());
   }
 
   @Test

@@ -47,20 +47,25 @@ class NetworkControlsFxTest {
   @Test
   void timeThatWasLostIsShownBesideTheTime(FxRobot robot) {
     Label lost = robot.lookup("#lost-time").queryAs(Label.class);
-    assertThat(lost.isVisible()).isFalse();
-    FxSimulation simulation = window.context().simulation();
     robot.interact(
-        () -> {
-          SimSnapshot present = simulation.snapshot();
-          simulation.update(
-              new SimSnapshot(
-                  present.time(),
-                  new SimSnapshot.Clock(TimeFactor.REAL_TIME, false, 12.34),
-                  present.arena(),
-                  present.drones()));
+        () -> { // a busy machine may have lost some in earnest
+          showLost(0);
+          assertThat(lost.isVisible()).isFalse();
+          showLost(12.34);
           assertThat(lost.getText()).isEqualTo("12.3 s lost");
           assertThat(lost.isVisible()).isTrue();
         });
+  }
+
+  private void showLost(double seconds) {
+    FxSimulation simulation = window.context().simulation();
+    SimSnapshot present = simulation.snapshot();
+    simulation.update(
+        new SimSnapshot(
+            present.time(),
+            new SimSnapshot.Clock(TimeFactor.REAL_TIME, false, seconds),
+            present.arena(),
+            present.drones()));
   }
 
   @Test
