@@ -121,8 +121,8 @@ public final class Endurance {
     trials.put("files", new Entry(Lane.IN_TURN, FilesTrial::run));
     trials.put("recording", new Entry(Lane.IN_TURN, RecordingTrial::run));
     trials.put("determinism", new Entry(Lane.IN_TURN, DeterminismTrial::run));
-    trials.put("ending", new Entry(Lane.BESIDE, EndingTrial::landsTooEarly));
-    trials.put("timeout", new Entry(Lane.BESIDE, EndingTrial::neverTakesOff));
+    trials.put("ending", new Entry(Lane.IN_TURN, again(EndingTrial::landsTooEarly)));
+    trials.put("timeout", new Entry(Lane.IN_TURN, again(EndingTrial::neverTakesOff)));
     trials.put("window", new Entry(Lane.BESIDE, again(WindowTrial::run)));
     trials.put("class", new Entry(Lane.IN_TURN, inNetwork(ClassTrial::run)));
     trials.put("soak", new Entry(Lane.IN_TURN, SoakTrial::run));

@@ -97,8 +97,10 @@ final class FloodTrial {
               from,
               what)) {
         sender.await("sending", PATIENCE_SECONDS);
+        OtherLoad others = new OtherLoad();
         pilot.type("go");
         Matcher served = match(SERVED, pilot.await("served", seconds + PATIENCE_SECONDS));
+        double share = others.share();
         Matcher sent = match(SENT, sender.await("sent", PATIENCE_SECONDS));
         double rate = Double.parseDouble(sent.group(1)) / Double.parseDouble(sent.group(2));
         double residentGrowth = simulator.figures().residentMegabytes() - resident;
@@ -110,7 +112,7 @@ final class FloodTrial {
         rows.add(Row.atMost("… heap grows by", LARGEST_GROWTH_MB, heapGrowth, "MB"));
         rows.add(Row.atMost("… log grows in a minute by", LARGEST_LOG_MB, logGrowth, "MB"));
         rows.add(Insides.row("… log", simulator));
-        return rows;
+        return rows.stream().map(row -> OtherLoad.judged(row, share)).toList();
       }
     }
   }
