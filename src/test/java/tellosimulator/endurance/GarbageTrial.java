@@ -45,6 +45,7 @@ final class GarbageTrial {
               from,
               "garbage")) {
         senders.await("sending", PATIENCE_SECONDS);
+        OtherLoad others = new OtherLoad();
         CompletableFuture<String> sent =
             CompletableFuture.supplyAsync(() -> sent(senders, seconds + PATIENCE_SECONDS));
         List<Row> rows = new ArrayList<>();
@@ -59,12 +60,13 @@ final class GarbageTrial {
             Row.beside(
                 "Eight senders of garbage for " + Math.round(seconds) + " s",
                 String.format(Locale.ROOT, "%.1f million", Double.parseDouble(count) / 1e6)));
-        rows.add(
+        Row flight =
             new Row(
                 "… a client that flies",
                 "is not harmed",
                 harm.isEmpty() ? tours + " tours without harm" : harm,
-                harm.isEmpty()));
+                harm.isEmpty());
+        rows.add(OtherLoad.judged(flight, others.share())); // a full socket buffer takes no more
         rows.add(Insides.row("… log", simulator));
         rows.add(Health.row("… after that", simulator));
         return rows;
