@@ -88,7 +88,8 @@ final class OptionTypes {
     @Override
     public Double convert(String word) {
       return word.equals("manual")
-          ? Math.toDegrees(DroneOptics.across(Math.toRadians(DroneOptics.MANUALS_DIAGONAL_DEG)))
+          ? Math.toDegrees(
+              DroneOptics.horizontalFieldOfView(Math.toRadians(DroneOptics.MANUALS_DIAGONAL_DEG)))
           : degrees(word, 10, 150);
     }
   }

@@ -3,8 +3,8 @@ package tellosimulator.video;
 import java.util.List;
 import java.util.Optional;
 import tellosimulator.sim.SimSnapshot;
+import tellosimulator.video.camera.CameraId;
 import tellosimulator.video.camera.FrameSource;
-import tellosimulator.video.camera.Shot;
 import tellosimulator.video.codec.AccessUnit;
 import tellosimulator.video.codec.VideoEncoder;
 import tellosimulator.video.picture.Picture;
@@ -52,27 +52,27 @@ final class Film {
   void prepare(SimSnapshot snapshot, VideoFormat format) {
     shoot(snapshot, format);
     if (opening.isEmpty()) {
-      Object sight = source.sight(snapshot, new Shot(drone, format.downward()));
+      Object sight = source.sight(snapshot, new CameraId(drone, format.downward()));
       opening = Optional.of(new Opening(sight, encode(0, true)));
     }
   }
 
   /** What there is to see: where it equals that of before, the next picture is as the last. */
   Object sight(SimSnapshot snapshot, VideoFormat format) {
-    return List.of(format, source.sight(snapshot, new Shot(drone, format.downward())));
+    return List.of(format, source.sight(snapshot, new CameraId(drone, format.downward())));
   }
 
   /** Takes the next picture, if it is not there in advance; it is valid until the next call. */
   Picture shoot(SimSnapshot snapshot, VideoFormat format) {
     adopt(format);
     Picture picture = reel.orElseThrow().picture;
-    Shot shot = new Shot(drone, format.downward());
-    if (opening.isPresent() && !opening.get().sight.equals(source.sight(snapshot, shot))) {
+    CameraId camera = new CameraId(drone, format.downward());
+    if (opening.isPresent() && !opening.get().sight.equals(source.sight(snapshot, camera))) {
       beginAnew();
       setRate(reel.orElseThrow()); // nobody gets the picture that the encoder has counted
     }
     if (opening.isEmpty()) {
-      source.film(snapshot, shot, picture);
+      source.film(snapshot, camera, picture);
     }
     return picture;
   }

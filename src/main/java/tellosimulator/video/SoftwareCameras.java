@@ -5,29 +5,29 @@ import tellosimulator.scenery.Stage;
 import tellosimulator.video.camera.ColorSpace;
 import tellosimulator.video.camera.DroneOptics;
 import tellosimulator.video.camera.FrameSource;
-import tellosimulator.video.camera.Props;
+import tellosimulator.video.camera.RenderCache;
 import tellosimulator.video.camera.SoftwareFrameSource;
 
-/** Makes software cameras that share what they draw. For any thread. */
+/** Creates software cameras that share a render cache. For any thread. */
 public final class SoftwareCameras implements Supplier<FrameSource> {
 
   private final Stage stage;
-  private final Props props;
+  private final RenderCache cache;
   private final DroneOptics optics;
 
   public SoftwareCameras(DroneOptics optics) {
-    this(new Stage(), new Props(ColorSpace.YUV), optics);
+    this(new Stage(), new RenderCache(ColorSpace.YUV), optics);
   }
 
-  private SoftwareCameras(Stage stage, Props props, DroneOptics optics) {
+  private SoftwareCameras(Stage stage, RenderCache cache, DroneOptics optics) {
     this.stage = stage;
-    this.props = props;
+    this.cache = cache;
     this.optics = optics;
   }
 
-  /** Cameras with other optics, which share with these what they draw. */
+  /** Cameras with other optics, which share this render cache. */
   public SoftwareCameras withOptics(DroneOptics newOptics) {
-    return new SoftwareCameras(stage, props, newOptics);
+    return new SoftwareCameras(stage, cache, newOptics);
   }
 
   /** What makes the scenes that they draw. */
@@ -38,6 +38,6 @@ public final class SoftwareCameras implements Supplier<FrameSource> {
   /** One more camera; for one thread. */
   @Override
   public FrameSource get() {
-    return new SoftwareFrameSource(props, optics, stage::scene);
+    return new SoftwareFrameSource(cache, optics, stage::scene);
   }
 }

@@ -11,9 +11,9 @@ import tellosimulator.sim.SimSnapshot;
 import tellosimulator.sim.SimSnapshot.DroneSnapshot;
 import tellosimulator.sim.Simulation;
 import tellosimulator.video.SoftwareCameras;
+import tellosimulator.video.camera.CameraId;
 import tellosimulator.video.camera.DroneOptics;
 import tellosimulator.video.camera.FrameSource;
-import tellosimulator.video.camera.Shot;
 import tellosimulator.video.picture.Picture;
 
 /** Films the recorded flight with the software camera, in the default room. */
@@ -45,7 +45,7 @@ final class Projectionist {
   }
 
   private void film(Moment moment, Picture picture) {
-    camera.film(at(moment), new Shot(1, false), picture);
+    camera.film(at(moment), new CameraId(1, false), picture);
   }
 
   private SimSnapshot at(Moment moment) {

@@ -9,8 +9,8 @@ import tellosimulator.model.VideoSettings;
 import tellosimulator.sim.SimConfig;
 import tellosimulator.sim.SimSnapshot;
 import tellosimulator.sim.Simulation;
+import tellosimulator.video.camera.CameraId;
 import tellosimulator.video.camera.FrameSource;
-import tellosimulator.video.camera.Shot;
 import tellosimulator.video.codec.AccessUnit;
 import tellosimulator.video.codec.VideoEncoder;
 import tellosimulator.video.picture.Picture;
@@ -24,7 +24,7 @@ class FilmTest {
   private final SimSnapshot snapshot =
       new Simulation(SimConfig.DEFAULT, drone -> (peer, text) -> {}, report -> {}, List.of())
           .snapshot();
-  private final List<Shot> taken = new ArrayList<>();
+  private final List<CameraId> taken = new ArrayList<>();
   private Object sight = "a room";
   private final Film film =
       new Film(
@@ -38,12 +38,12 @@ class FilmTest {
   /** A camera that writes down what it takes, and sees what a test says. */
   private final class Camera implements FrameSource {
     @Override
-    public void film(SimSnapshot moment, Shot shot, Picture picture) {
+    public void film(SimSnapshot moment, CameraId shot, Picture picture) {
       taken.add(shot);
     }
 
     @Override
-    public Object sight(SimSnapshot moment, Shot shot) {
+    public Object sight(SimSnapshot moment, CameraId shot) {
       return sight;
     }
   }
@@ -135,11 +135,11 @@ class FilmTest {
   @Test
   void theCameraThatLooksDownFilmsWhenItIsAskedFor() {
     Picture ahead = film.shoot(snapshot, VideoFormat.of(VideoSettings.DEFAULT));
-    assertThat(taken).containsExactly(new Shot(1, false));
+    assertThat(taken).containsExactly(new CameraId(1, false));
     assertThat(ahead.width()).isEqualTo(960);
 
     Picture below = film.shoot(snapshot, VideoFormat.of(VideoSettings.DEFAULT.withDownward(true)));
-    assertThat(taken).containsExactly(new Shot(1, false), new Shot(1, true));
+    assertThat(taken).containsExactly(new CameraId(1, false), new CameraId(1, true));
     assertThat(List.of(below.width(), below.height())).containsExactly(320, 720);
   }
 

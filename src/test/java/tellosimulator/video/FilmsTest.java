@@ -11,8 +11,8 @@ import tellosimulator.model.VideoSettings;
 import tellosimulator.sim.SimConfig;
 import tellosimulator.sim.SimSnapshot;
 import tellosimulator.sim.Simulation;
+import tellosimulator.video.camera.CameraId;
 import tellosimulator.video.camera.FrameSource;
-import tellosimulator.video.camera.Shot;
 import tellosimulator.video.codec.H264Encoder;
 import tellosimulator.video.picture.Picture;
 
@@ -31,7 +31,7 @@ class FilmsTest {
     private int pictures;
 
     @Override
-    public void film(SimSnapshot moment, Shot shot, Picture picture) {
+    public void film(SimSnapshot moment, CameraId shot, Picture picture) {
       fault.ifPresent(
           exception -> {
             throw exception;
@@ -40,7 +40,7 @@ class FilmsTest {
     }
 
     @Override
-    public Object sight(SimSnapshot moment, Shot shot) {
+    public Object sight(SimSnapshot moment, CameraId shot) {
       return seen;
     }
   }

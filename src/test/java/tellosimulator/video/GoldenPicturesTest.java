@@ -11,7 +11,7 @@ import org.junit.jupiter.params.provider.EnumSource;
 import tellosimulator.math.Attitude;
 import tellosimulator.math.Pose;
 import tellosimulator.math.Vec3;
-import tellosimulator.video.camera.Shot;
+import tellosimulator.video.camera.CameraId;
 import tellosimulator.world.Arena;
 
 /**
@@ -59,7 +59,7 @@ class GoldenPicturesTest {
     }
 
     Still take() {
-      return Still.of(Moments.flying(arena, drones), new Shot(1, downward));
+      return Still.of(Moments.flying(arena, drones), new CameraId(1, downward));
     }
   }
 

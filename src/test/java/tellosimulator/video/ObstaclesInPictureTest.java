@@ -9,9 +9,9 @@ import org.junit.jupiter.params.provider.ValueSource;
 import tellosimulator.math.Attitude;
 import tellosimulator.math.Pose;
 import tellosimulator.math.Vec3;
+import tellosimulator.video.camera.CameraIntrinsics;
 import tellosimulator.video.camera.DroneOptics;
-import tellosimulator.video.camera.Lens;
-import tellosimulator.video.camera.Viewpoint;
+import tellosimulator.video.camera.PinholeCamera;
 import tellosimulator.world.Arena;
 import tellosimulator.world.Cover;
 import tellosimulator.world.Cover.Pattern;
@@ -143,11 +143,11 @@ class ObstaclesInPictureTest {
 
   /** What is seen in the direction of a place in the room. */
   private static int rgb(Still still, Vec3 place) {
-    Viewpoint eye = DroneOptics.DEFAULT.ahead(DRONE, Still.WIDTH, Still.HEIGHT);
+    PinholeCamera eye = DroneOptics.DEFAULT.ahead(DRONE, Still.WIDTH, Still.HEIGHT);
     Vec3 seen = eye.pose().attitude().toBody(place.minus(eye.pose().position()));
-    Lens lens = eye.lens();
-    double x = lens.width() / 2.0 - lens.focalLength() * seen.y() / seen.x();
-    double y = lens.height() / 2.0 - lens.focalLength() * seen.z() / seen.x();
+    CameraIntrinsics intrinsics = eye.intrinsics();
+    double x = intrinsics.width() / 2.0 - intrinsics.focalLength() * seen.y() / seen.x();
+    double y = intrinsics.height() / 2.0 - intrinsics.focalLength() * seen.z() / seen.x();
     return still.rgb((int) x, (int) y);
   }
 

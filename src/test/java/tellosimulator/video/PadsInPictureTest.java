@@ -15,10 +15,10 @@ import tellosimulator.math.Vec3;
 import tellosimulator.scenery.Stage;
 import tellosimulator.video.camera.ColorSpace;
 import tellosimulator.video.camera.DroneOptics;
-import tellosimulator.video.camera.Props;
-import tellosimulator.video.camera.Raster;
+import tellosimulator.video.camera.FrameBuffer;
+import tellosimulator.video.camera.PinholeCamera;
+import tellosimulator.video.camera.RenderCache;
 import tellosimulator.video.camera.SoftwareCamera;
-import tellosimulator.video.camera.Viewpoint;
 import tellosimulator.world.Arena;
 import tellosimulator.world.Decor;
 import tellosimulator.world.MissionPad;
@@ -113,10 +113,10 @@ class PadsInPictureTest {
     return picture(pad, DroneOptics.DEFAULT.below(above, WIDTH, HEIGHT));
   }
 
-  private static int[] picture(MissionPad pad, Viewpoint viewpoint) {
-    Raster raster = Raster.forScreen(WIDTH, HEIGHT);
+  private static int[] picture(MissionPad pad, PinholeCamera viewpoint) {
+    FrameBuffer raster = FrameBuffer.forScreen(WIDTH, HEIGHT);
     Pose elsewhere = new Pose(new Vec3(-2, -2, 1), Attitude.LEVEL);
-    new SoftwareCamera(new Props(ColorSpace.RGB))
+    new SoftwareCamera(new RenderCache(ColorSpace.RGB))
         .draw(
             new Stage().scene(Moments.flying(EMPTY.withPads(List.of(pad)), elsewhere), 1),
             viewpoint,

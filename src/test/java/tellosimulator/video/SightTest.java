@@ -7,15 +7,15 @@ import tellosimulator.math.Attitude;
 import tellosimulator.math.Pose;
 import tellosimulator.math.Vec3;
 import tellosimulator.sim.SimSnapshot;
+import tellosimulator.video.camera.CameraId;
 import tellosimulator.video.camera.DroneOptics;
 import tellosimulator.video.camera.FrameSource;
-import tellosimulator.video.camera.Shot;
 import tellosimulator.world.Decor;
 
 /** What the software camera sees is the same only while its pictures are. */
 class SightTest {
 
-  private static final Shot AHEAD = new Shot(1, false);
+  private static final CameraId AHEAD = new CameraId(1, false);
   private static final Pose HERE = at(0, 0);
   private static final Pose THERE = at(2, 0);
 
@@ -53,7 +53,7 @@ class SightTest {
   void downwardItIsAnother() {
     SimSnapshot moment = Moments.flying(HERE, THERE);
 
-    assertThat(camera.sight(moment, new Shot(1, true))).isNotEqualTo(sight);
+    assertThat(camera.sight(moment, new CameraId(1, true))).isNotEqualTo(sight);
   }
 
   private Object sight(SimSnapshot moment) {

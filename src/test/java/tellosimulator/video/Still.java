@@ -8,9 +8,9 @@ import java.util.function.IntPredicate;
 import java.util.function.Supplier;
 import javax.imageio.ImageIO;
 import tellosimulator.sim.SimSnapshot;
+import tellosimulator.video.camera.CameraId;
 import tellosimulator.video.camera.DroneOptics;
 import tellosimulator.video.camera.FrameSource;
-import tellosimulator.video.camera.Shot;
 import tellosimulator.video.picture.Picture;
 
 /** A picture that the first drone takes, and questions about it. */
@@ -31,10 +31,10 @@ final class Still {
 
   /** Through the camera in the nose. */
   static Still ahead(SimSnapshot snapshot) {
-    return of(snapshot, new Shot(1, false));
+    return of(snapshot, new CameraId(1, false));
   }
 
-  static Still of(SimSnapshot snapshot, Shot shot) {
+  static Still of(SimSnapshot snapshot, CameraId shot) {
     Picture picture = new Picture(WIDTH, HEIGHT);
     CAMERAS.get().film(snapshot, shot, picture);
     return new Still(image(picture));

@@ -21,8 +21,8 @@ import tellosimulator.sim.SimConfig.Outlets;
 import tellosimulator.sim.SimSnapshot;
 import tellosimulator.sim.Simulation;
 import tellosimulator.testing.CapturedLog;
+import tellosimulator.video.camera.CameraId;
 import tellosimulator.video.camera.FrameSource;
-import tellosimulator.video.camera.Shot;
 import tellosimulator.video.codec.H264Encoder;
 import tellosimulator.video.picture.Picture;
 
@@ -62,7 +62,7 @@ class VideoStreamTest {
     films.incrementAndGet();
     return new FrameSource() {
       @Override
-      public void film(SimSnapshot snapshot, Shot shot, Picture picture) {
+      public void film(SimSnapshot snapshot, CameraId shot, Picture picture) {
         Error broken = failure.get();
         filmed.add(broken == null ? "picture" : "failure");
         if (broken != null) {
@@ -71,7 +71,7 @@ class VideoStreamTest {
       }
 
       @Override
-      public Object sight(SimSnapshot snapshot, Shot shot) {
+      public Object sight(SimSnapshot snapshot, CameraId shot) {
         return sight.get();
       }
     };

@@ -16,7 +16,7 @@ import tellosimulator.math.Attitude;
 import tellosimulator.math.Pose;
 import tellosimulator.math.Vec3;
 import tellosimulator.sim.SimSnapshot;
-import tellosimulator.video.camera.Shot;
+import tellosimulator.video.camera.CameraId;
 import tellosimulator.world.Decor;
 import tellosimulator.world.Poster;
 import tellosimulator.world.Surface;
@@ -93,7 +93,7 @@ class ViewFromTheDroneTest {
     Poster ahead = new Poster(Surface.FLOOR, 0, 0.3, 0.2, file(Color.WHITE));
     Decor decor = PLAIN.withPosters(List.of(ahead));
 
-    Still still = Still.of(Moments.flying(decor, at(MIDDLE, 0)), new Shot(1, true));
+    Still still = Still.of(Moments.flying(decor, at(MIDDLE, 0)), new CameraId(1, true));
 
     assertThat(still.column(rgb -> rgb == 0xffffff)).isBetween(0.0, Still.WIDTH * 0.45);
   }

@@ -16,9 +16,9 @@ import tellosimulator.sim.SimConfig;
 import tellosimulator.sim.SimSnapshot;
 import tellosimulator.sim.SimSnapshot.DroneSnapshot;
 import tellosimulator.sim.Simulation;
+import tellosimulator.video.camera.CameraId;
 import tellosimulator.video.camera.DroneOptics;
 import tellosimulator.video.camera.FrameSource;
-import tellosimulator.video.camera.Shot;
 import tellosimulator.video.codec.AccessUnit;
 import tellosimulator.video.codec.VideoEncoder;
 import tellosimulator.video.picture.Picture;
@@ -54,12 +54,12 @@ class WarmUpTest {
     }
 
     @Override
-    public void film(SimSnapshot moment, Shot shot, Picture picture) {
+    public void film(SimSnapshot moment, CameraId shot, Picture picture) {
       filmed.add(moment);
     }
 
     @Override
-    public Object sight(SimSnapshot moment, Shot shot) {
+    public Object sight(SimSnapshot moment, CameraId shot) {
       return eye.sight(moment, shot);
     }
   }

@@ -5,35 +5,35 @@ import tellosimulator.math.Pose;
 import tellosimulator.math.Vec3;
 
 /**
- * The optics of a drone's cameras, which pitch and roll with it. What is not known for sure can be
+ * The optics of a drone's cameras, which are fixed to its body. What is not known for sure can be
  * chosen.
  *
- * @param fieldOfView of the camera in the nose, from the left to the right edge [rad]
- * @param tilt how far it looks down [rad]
+ * @param fieldOfView horizontal, of the forward camera [rad]
+ * @param tilt how far the forward camera looks down [rad]
  */
 public record DroneOptics(double fieldOfView, double tilt) {
 
-  /** Width of a picture in pixels. Measured: 960 by 720 (CAP and others). */
+  /** Width of a frame in pixels. Measured: 960 by 720 (CAP and others). */
   public static final int WIDTH = 960;
 
-  /** Height of a picture in pixels. */
+  /** Height of a frame in pixels. */
   public static final int HEIGHT = 720;
 
   /**
-   * Field of view from left to right [degrees]. Measured: 55, from calibrated pictures of the
-   * stream of several drones.
+   * Horizontal field of view [degrees]. Measured: 55, from camera calibrations of the stream of
+   * several drones.
    */
   public static final double FIELD_OF_VIEW_DEG = 55;
 
   /**
-   * Field of view from corner to corner [degrees]. Documented: Tello User Manual; it does not
-   * describe the stream.
+   * Diagonal field of view [degrees]. Documented: Tello User Manual; it does not describe the
+   * stream.
    */
   public static final double MANUALS_DIAGONAL_DEG = 82.6;
 
   /**
-   * How far the camera looks down [degrees]. Measured: about 15, the only concrete figure, from a
-   * model of the drone for another simulator; other sources assume 0.
+   * How far the forward camera looks down [degrees]. Measured: about 15, the only concrete figure,
+   * from a model of the drone for another simulator; other sources assume 0.
    */
   public static final double TILT_DEG = 15;
 
@@ -41,31 +41,32 @@ public record DroneOptics(double fieldOfView, double tilt) {
       new DroneOptics(Math.toRadians(FIELD_OF_VIEW_DEG), Math.toRadians(TILT_DEG));
 
   /**
-   * Where the camera in the nose is, body frame [m]. Measured: 3.5 cm ahead of the middle (from the
+   * Position of the forward camera, body frame [m]. Measured: 3.5 cm ahead of the middle (from the
    * same model); the height is that of the lens.
    */
   private static final Vec3 NOSE = new Vec3(0.035, 0, 0.0185);
 
   /**
-   * Where the camera that looks down is, body frame [m]. Assumed: in the middle of the underside, 8
-   * mm above the feet.
+   * Position of the downward camera, body frame [m]. Assumed: in the middle of the underside, 8 mm
+   * above the feet.
    */
   private static final Vec3 UNDERSIDE = new Vec3(0, 0, 0.008);
 
-  /** Decided: nearer than what a drone can touch with its nose, 2 cm. */
-  private static final double FARTHEST_NEAR = 0.02;
+  /** Farthest near plane [m]. Decided: nearer than what a drone can touch with its nose, 2 cm. */
+  private static final double MAX_NEAR = 0.02;
 
-  /** What is left to the floor. Decided. */
-  private static final double MARGIN = 0.9;
+  /** The near plane's distance, as a share of the floor's. Decided. */
+  private static final double NEAR_MARGIN = 0.9;
 
   /**
-   * What is nearer to the camera that looks down is not in its picture [m]. Decided: nearer than
-   * the floor on which it stands.
+   * Near plane of the downward camera [m]. Decided: nearer than the floor on which the drone
+   * stands.
    */
   private static final double NEAR_BELOW = 0.004;
 
   /**
-   * Looks straight down, with the nose to the left: x down, y ahead, z to the right of the body.
+   * Straight down, with the nose to the left of the image: x down, y ahead, z to the right of the
+   * body.
    */
   private static final Attitude DOWN = new Attitude(0.5, 0.5, 0.5, -0.5);
 
@@ -81,61 +82,60 @@ public record DroneOptics(double fieldOfView, double tilt) {
   }
 
   /**
-   * The field of view from left to right.
+   * Converts a diagonal field of view to a horizontal one.
    *
-   * @param diagonal from corner to corner of a picture of the drone's shape [rad]
+   * @param diagonal for the aspect ratio of the drone's frames [rad]
    */
-  public static double across(double diagonal) {
+  public static double horizontalFieldOfView(double diagonal) {
     double share = WIDTH / Math.hypot(WIDTH, HEIGHT);
     return 2 * Math.atan(share * Math.tan(diagonal / 2));
   }
 
-  /** The pose of the camera in the nose, room frame; it looks along its x axis. */
+  /** The pose of the forward camera, room frame; it looks along its x axis. */
   public Pose nose(Pose drone) {
     Attitude down = new Attitude(Math.cos(tilt / 2), 0, Math.sin(tilt / 2), 0);
     return mounted(drone, NOSE, down);
   }
 
   /**
-   * Through the camera in the nose. A picture of another shape shows as much from left to right.
+   * The forward camera. The horizontal field of view is the same for any aspect ratio.
    *
-   * @param width of the picture in pixels
-   * @param height of the picture in pixels
+   * @param width of the image in pixels
+   * @param height of the image in pixels
    */
-  public Viewpoint ahead(Pose drone, int width, int height) {
-    return new Viewpoint(nose(drone), new Lens(width, height, fieldOfView), near());
+  public PinholeCamera ahead(Pose drone, int width, int height) {
+    return new PinholeCamera(nose(drone), new CameraIntrinsics(width, height, fieldOfView), near());
   }
 
   /**
-   * What is nearer to the camera in the nose, along its axis, is not in the picture [m]: nearer
-   * than the floor is at the lower edge of the picture while the drone stands, but not so far that
-   * it would cut things in front of the drone.
+   * Near plane of the forward camera, along its axis [m]: nearer than the floor is at the lower
+   * edge of the image while the drone stands, but not so far that it would clip things in front of
+   * the drone.
    */
   public double near() {
     double halfHeight = Math.atan(Math.tan(fieldOfView / 2) * HEIGHT / WIDTH);
     double down = tilt + halfHeight;
     double floor =
         down <= 0
-            ? FARTHEST_NEAR
+            ? MAX_NEAR
             : NOSE.z() * Math.cos(halfHeight) / Math.sin(Math.min(down, Math.PI / 2));
-    return Math.min(FARTHEST_NEAR, MARGIN * floor);
+    return Math.min(MAX_NEAR, NEAR_MARGIN * floor);
   }
 
   /**
-   * Through the camera in the underside, which sees as much from left to right as the one in the
-   * nose does by default. The drone's nose is to the left in the picture. Assumed: the field of
-   * view. Measured: the direction (DTP #140).
+   * The downward camera, with the default horizontal field of view. The drone's nose is to the left
+   * in the image. Assumed: the field of view. Measured: the direction (DTP #140).
    *
-   * @param width of the picture in pixels
-   * @param height of the picture in pixels
+   * @param width of the image in pixels
+   * @param height of the image in pixels
    */
-  public Viewpoint below(Pose drone, int width, int height) {
-    Lens lens = new Lens(width, height, DEFAULT.fieldOfView);
-    return new Viewpoint(mounted(drone, UNDERSIDE, DOWN), lens, NEAR_BELOW);
+  public PinholeCamera below(Pose drone, int width, int height) {
+    CameraIntrinsics intrinsics = new CameraIntrinsics(width, height, DEFAULT.fieldOfView);
+    return new PinholeCamera(mounted(drone, UNDERSIDE, DOWN), intrinsics, NEAR_BELOW);
   }
 
-  private static Pose mounted(Pose drone, Vec3 place, Attitude turn) {
+  private static Pose mounted(Pose drone, Vec3 offset, Attitude rotation) {
     Attitude attitude = drone.attitude();
-    return new Pose(drone.position().plus(attitude.toRoom(place)), attitude.after(turn));
+    return new Pose(drone.position().plus(attitude.toRoom(offset)), attitude.after(rotation));
   }
 }

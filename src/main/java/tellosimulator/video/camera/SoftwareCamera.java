@@ -7,126 +7,135 @@ import tellosimulator.scenery.Placed;
 import tellosimulator.scenery.Scene;
 
 /**
- * A camera that draws a scene without display, graphics card or toolkit. It keeps what it needs for
- * a picture, so that it takes no memory for the next one. For one thread at a time; cameras of
- * several threads share their {@link Props}.
+ * A software rasteriser: scanline rasterisation with a depth buffer, perspective-correct bilinear
+ * mip-mapped textures and Gouraud shading, without display, graphics card or toolkit. It keeps its
+ * working memory, so that the next frame allocates nothing. For one thread at a time; cameras of
+ * several threads share a {@link RenderCache}.
  */
 public final class SoftwareCamera {
 
-  private final Props props;
-  private final Projection projection = new Projection();
-  private final Corners corners = new Corners();
+  private final RenderCache cache;
+  private final ModelViewProjection transform = new ModelViewProjection();
+  private final ProjectedVertices vertices = new ProjectedVertices();
   private final Lighting lighting = new Lighting();
-  private final Outline outline = new Outline();
-  private final Slopes slopes = new Slopes();
-  private final PolygonFiller filler = new PolygonFiller();
-  private final Strip strip = new Strip();
-  private final PlainBrush plain = new PlainBrush(slopes, strip);
-  private final SurfaceBrush surface = new SurfaceBrush(slopes, strip);
-  private final DecalBrush decal = new DecalBrush(slopes, strip);
+  private final ClippedPolygon polygon = new ClippedPolygon();
+  private final Gradients gradients = new Gradients();
+  private final PolygonRasterizer rasterizer = new PolygonRasterizer();
+  private final Span span = new Span();
+  private final GouraudShader gouraud = new GouraudShader(gradients, span);
+  private final TextureShader.Opaque opaque = new TextureShader.Opaque(gradients, span);
+  private final TextureShader.Translucent translucent =
+      new TextureShader.Translucent(gradients, span);
   private final int[] triangle = new int[3];
 
-  public SoftwareCamera(Props props) {
-    this.props = props;
+  public SoftwareCamera(RenderCache cache) {
+    this.cache = cache;
   }
 
   /**
-   * Draws what is seen from a place. What is not covered becomes black.
+   * Renders a scene. Uncovered pixels become black.
    *
-   * @param raster of the size of the viewpoint's lens, and of the colour space of the props
+   * @param frameBuffer of the size of the camera's image, and of the cache's colour space
    */
-  public void draw(Scene scene, Viewpoint viewpoint, Raster raster) {
-    Lens lens = viewpoint.lens();
-    if (raster.width() != lens.width() || raster.height() != lens.height()) {
+  public void draw(Scene scene, PinholeCamera camera, FrameBuffer frameBuffer) {
+    CameraIntrinsics intrinsics = camera.intrinsics();
+    if (frameBuffer.width() != intrinsics.width() || frameBuffer.height() != intrinsics.height()) {
       throw new IllegalArgumentException(
-          "raster is " + raster.width() + " by " + raster.height() + ", but the lens has " + lens);
+          "frameBuffer is "
+              + frameBuffer.width()
+              + " by "
+              + frameBuffer.height()
+              + ", but the camera has "
+              + intrinsics);
     }
-    raster.clear();
-    begin(viewpoint, raster);
+    frameBuffer.clear();
+    setUp(camera, frameBuffer);
     List<Placed> parts = scene.parts();
-    // The room comes first and is behind all else: drawn last, it need not be painted there.
+    // The room comes first and is behind all else: drawn last, it fails most depth tests.
     for (int i = parts.size() - 1; i >= 0; i--) {
-      if (!translucent(parts.get(i).part().finish())) {
+      if (!isTranslucent(parts.get(i).part().finish())) {
         draw(parts.get(i));
       }
     }
     for (int i = 0; i < parts.size(); i++) {
-      if (translucent(parts.get(i).part().finish())) {
+      if (isTranslucent(parts.get(i).part().finish())) {
         draw(parts.get(i));
       }
     }
   }
 
-  private void begin(Viewpoint viewpoint, Raster raster) {
-    projection.aim(viewpoint);
-    filler.size(raster.width(), raster.height());
-    strip.room(raster.width());
-    plain.on(raster);
-    surface.on(raster);
-    decal.on(raster);
+  private void setUp(PinholeCamera camera, FrameBuffer frameBuffer) {
+    transform.setCamera(camera);
+    rasterizer.setViewport(frameBuffer.width(), frameBuffer.height());
+    span.ensureCapacity(frameBuffer.width());
+    gouraud.setTarget(frameBuffer);
+    opaque.setTarget(frameBuffer);
+    translucent.setTarget(frameBuffer);
   }
 
   private void draw(Placed placed) {
-    Shape shape = props.shape(placed.part());
-    projection.place(placed);
-    if (!projection.sees(shape.middle, shape.radius * placed.scale())) {
+    RenderMesh mesh = cache.mesh(placed.part());
+    transform.setModel(placed);
+    if (!transform.intersectsFrustum(mesh.center, mesh.radius * placed.scale())) {
       return;
     }
-    corners.project(shape, projection);
+    vertices.project(mesh, transform);
     Finish finish = placed.part().finish();
-    finish.lamps().ifPresent(lamps -> lighting.shine(lamps, shape, placed.pose().attitude()));
-    decal.opacity(placed.opacity(), finish == Finish.DECAL);
-    drawTriangles(shape, placed.part());
+    finish.lamps().ifPresent(lamps -> lighting.illuminate(lamps, mesh, placed.pose().attitude()));
+    translucent.setOpacity(placed.opacity(), finish == Finish.DECAL);
+    drawTriangles(mesh, placed.part());
   }
 
-  private void drawTriangles(Shape shape, Part part) {
-    boolean lighted = part.finish().lamps().isPresent();
-    TextureBrush brush = translucent(part.finish()) ? decal : surface;
-    MipMaps texture = null;
-    for (int i = 0; i < shape.triangles(); i++) {
-      if (!outlined(shape, i)) {
+  private void drawTriangles(RenderMesh mesh, Part part) {
+    boolean lit = part.finish().lamps().isPresent();
+    TextureShader shader = isTranslucent(part.finish()) ? translucent : opaque;
+    MipMap texture = null;
+    for (int i = 0; i < mesh.triangles(); i++) {
+      if (!setUpTriangle(mesh, i)) {
         continue;
       }
-      if (lighted) {
-        slopes.light(lighting.lights(), shape.normalOf, 3 * i);
+      if (lit) {
+        gradients.setLight(lighting.intensities(), mesh.normalIndices, 3 * i);
       } else {
-        slopes.fullLight();
+        gradients.setFullLight();
       }
-      if (shape.plain[i] && brush == surface) {
-        plain.color(props.color(part, shape.places[6 * i], shape.places[6 * i + 1]));
-        filler.fill(outline, plain);
+      if (mesh.solid[i] && shader == opaque) {
+        gouraud.setColor(cache.color(part, mesh.texCoords[6 * i], mesh.texCoords[6 * i + 1]));
+        rasterizer.rasterize(polygon, gouraud);
         continue;
       }
-      if (texture == null) { // not before, as it takes long to make one
-        texture = props.texture(part);
-        brush.texture(texture, lighted);
+      if (texture == null) { // not before, as it takes long to build a mip map
+        texture = cache.texture(part);
+        shader.setTexture(texture, lit);
       }
-      slopes.texture(shape.places, 6 * i, texture);
-      filler.fill(outline, brush);
+      gradients.setTexture(mesh.texCoords, 6 * i, texture);
+      rasterizer.rasterize(polygon, shader);
     }
   }
 
-  /** Whether a triangle is seen; then outline and slopes are its own. */
-  private boolean outlined(Shape shape, int number) {
-    int a = shape.pointOf[3 * number];
-    int b = shape.pointOf[3 * number + 1];
-    int c = shape.pointOf[3 * number + 2];
-    int[] outside = corners.outside;
-    if ((outside[a] & outside[b] & outside[c]) != 0) {
+  /**
+   * Clips and culls a triangle and sets up its polygon and gradients; whether it may be visible.
+   */
+  private boolean setUpTriangle(RenderMesh mesh, int index) {
+    int a = mesh.positionIndices[3 * index];
+    int b = mesh.positionIndices[3 * index + 1];
+    int c = mesh.positionIndices[3 * index + 2];
+    int[] outcodes = vertices.outcodes;
+    if ((outcodes[a] & outcodes[b] & outcodes[c]) != 0) {
       return false;
     }
     triangle[0] = a;
     triangle[1] = b;
     triangle[2] = c;
-    if (((outside[a] | outside[b] | outside[c]) & Corners.NEAR) != 0) {
-      outline.cut(corners, triangle, projection.near());
-    } else if (!outline.whole(corners, triangle)) {
+    if (((outcodes[a] | outcodes[b] | outcodes[c]) & ProjectedVertices.NEAR) != 0) {
+      polygon.clip(vertices, triangle, transform.near());
+    } else if (!polygon.setTriangle(vertices, triangle)) {
       return false;
     }
-    return slopes.face(corners.seen, triangle);
+    return gradients.setTriangle(vertices.homogeneous, triangle);
   }
 
-  private static boolean translucent(Finish finish) {
+  private static boolean isTranslucent(Finish finish) {
     return finish == Finish.DECAL || finish == Finish.SHEER;
   }
 }

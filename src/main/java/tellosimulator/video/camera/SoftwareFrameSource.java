@@ -7,78 +7,78 @@ import tellosimulator.scenery.Scene;
 import tellosimulator.sim.SimSnapshot;
 import tellosimulator.video.picture.Picture;
 
-/** Films with a software camera. For one thread at a time. */
+/** Renders the drones' cameras with a software camera. For one thread at a time. */
 public final class SoftwareFrameSource implements FrameSource {
 
-  /** Makes the scene of a moment. */
+  /** Makes the scene of a snapshot. */
   @FunctionalInterface
-  public interface Setting {
+  public interface SceneFactory {
 
-    /** What the cameras on a drone see: all but the drone itself. */
+    /** What the cameras of a drone see: all but the drone itself. */
     Scene scene(SimSnapshot snapshot, int drone);
   }
 
-  /** All that a picture depends on, besides its size and the optics. */
+  /** All that a frame depends on, besides its size and the optics. */
   record Sight(Scene scene, Pose drone, boolean downward) {}
 
-  /** No colour. */
+  /** Cb and Cr of grey. */
   private static final byte NEUTRAL = (byte) 128;
 
-  private final SoftwareCamera camera;
+  private final SoftwareCamera renderer;
   private final DroneOptics optics;
-  private final Setting setting;
-  private Optional<Raster> raster = Optional.empty();
+  private final SceneFactory scenes;
+  private Optional<FrameBuffer> frameBuffer = Optional.empty();
 
   /**
-   * @param props for {@link ColorSpace#YUV}; those of all sources, as they take much memory
+   * @param cache for {@link ColorSpace#YUV}; shared by all sources, as it takes much memory
    */
-  public SoftwareFrameSource(Props props, DroneOptics optics, Setting setting) {
-    if (props.space() != ColorSpace.YUV) {
-      throw new IllegalArgumentException("props is for " + props.space() + ", but must be for YUV");
+  public SoftwareFrameSource(RenderCache cache, DroneOptics optics, SceneFactory scenes) {
+    if (cache.space() != ColorSpace.YUV) {
+      throw new IllegalArgumentException("cache is for " + cache.space() + ", but must be for YUV");
     }
-    camera = new SoftwareCamera(props);
+    renderer = new SoftwareCamera(cache);
     this.optics = optics;
-    this.setting = setting;
+    this.scenes = scenes;
   }
 
   @Override
-  public void film(SimSnapshot snapshot, Shot shot, Picture picture) {
-    Sight sight = sight(snapshot, shot);
-    if (shot.downward()) {
-      filmBelow(sight.scene, sight.drone, picture);
+  public void film(SimSnapshot snapshot, CameraId camera, Picture picture) {
+    Sight sight = sight(snapshot, camera);
+    if (camera.downward()) {
+      filmDownward(sight.scene, sight.drone, picture);
     } else {
-      Viewpoint ahead = optics.ahead(sight.drone, picture.width(), picture.height());
-      camera.draw(sight.scene, ahead, raster(picture, picture.height()));
+      PinholeCamera ahead = optics.ahead(sight.drone, picture.width(), picture.height());
+      renderer.draw(sight.scene, ahead, frameBuffer(picture, picture.height()));
     }
   }
 
   @Override
-  public Sight sight(SimSnapshot snapshot, Shot shot) {
-    Pose drone = pose(snapshot, shot.drone());
-    return new Sight(setting.scene(snapshot, shot.drone()), drone, shot.downward());
+  public Sight sight(SimSnapshot snapshot, CameraId camera) {
+    Pose drone = pose(snapshot, camera.drone());
+    return new Sight(scenes.scene(snapshot, camera.drone()), drone, camera.downward());
   }
 
   /**
-   * The camera in the underside has no colours, and only the upper part of its picture is one: as
-   * wide as three quarters of that are high. The rest is zero, which is green. Measured: 320 by 240
-   * of 320 by 720 pixels (DTP #140).
+   * The downward camera has no chroma, and only the upper part of the frame is its image, with an
+   * aspect ratio of 4:3. The rest is zero, which is green. Measured: 320 by 240 of 320 by 720
+   * pixels (DTP #140).
    */
-  private void filmBelow(Scene scene, Pose drone, Picture picture) {
+  private void filmDownward(Scene scene, Pose drone, Picture picture) {
     int width = picture.width();
     int height = Math.min(picture.height(), width * 3 / 4 / 2 * 2);
-    camera.draw(scene, optics.below(drone, width, height), raster(picture, height));
+    renderer.draw(scene, optics.below(drone, width, height), frameBuffer(picture, height));
     Arrays.fill(picture.y(), width * height, picture.y().length, (byte) 0);
-    for (byte[] color : new byte[][] {picture.u(), picture.v()}) {
-      Arrays.fill(color, 0, width * height / 4, NEUTRAL);
-      Arrays.fill(color, width * height / 4, color.length, (byte) 0);
+    for (byte[] chroma : new byte[][] {picture.u(), picture.v()}) {
+      Arrays.fill(chroma, 0, width * height / 4, NEUTRAL);
+      Arrays.fill(chroma, width * height / 4, chroma.length, (byte) 0);
     }
   }
 
-  private Raster raster(Picture picture, int height) {
-    if (raster.isEmpty() || !raster.get().isOn(picture, height)) {
-      raster = Optional.of(Raster.on(picture, height));
+  private FrameBuffer frameBuffer(Picture picture, int height) {
+    if (frameBuffer.isEmpty() || !frameBuffer.get().isOn(picture, height)) {
+      frameBuffer = Optional.of(FrameBuffer.on(picture, height));
     }
-    return raster.get();
+    return frameBuffer.get();
   }
 
   private static Pose pose(SimSnapshot snapshot, int drone) {

@@ -1,8 +1,8 @@
 package tellosimulator.view.video;
 
 import tellosimulator.sim.SimSnapshot;
+import tellosimulator.video.camera.CameraId;
 import tellosimulator.video.camera.FrameSource;
-import tellosimulator.video.camera.Shot;
 import tellosimulator.video.picture.Picture;
 
 /**
@@ -22,7 +22,7 @@ final class SceneSnapshotSource implements FrameSource {
 
   /** The scene may show a moment that is a little later than the snapshot. */
   @Override
-  public void film(SimSnapshot snapshot, Shot shot, Picture picture) {
+  public void film(SimSnapshot snapshot, CameraId shot, Picture picture) {
     if (shot.downward() || !photographed(shot.drone(), picture)) {
       other.film(snapshot, shot, picture);
     }
@@ -30,7 +30,7 @@ final class SceneSnapshotSource implements FrameSource {
 
   /** Photographs of the same scene look the same, and as it is drawn but for details. */
   @Override
-  public Object sight(SimSnapshot snapshot, Shot shot) {
+  public Object sight(SimSnapshot snapshot, CameraId shot) {
     return other.sight(snapshot, shot);
   }
 

@@ -5,8 +5,8 @@ import java.util.OptionalInt;
 import javafx.scene.Node;
 import javafx.scene.image.ImageView;
 import tellosimulator.math.Pose;
-import tellosimulator.video.camera.Lens;
-import tellosimulator.video.camera.Viewpoint;
+import tellosimulator.video.camera.CameraIntrinsics;
+import tellosimulator.video.camera.PinholeCamera;
 import tellosimulator.view.FxSimulation;
 import tellosimulator.view.ScreenPixels;
 import tellosimulator.view.ViewContext;
@@ -107,18 +107,18 @@ final class DrawnPicture implements WorldPicture {
     if (seen == ViewCamera.DRONE) {
       int drone = simulation.selected().number();
       Pose pose = simulation.selected().poseProperty().get();
-      Viewpoint ahead = droneCamera.optics().ahead(pose, width, height);
+      PinholeCamera ahead = droneCamera.optics().ahead(pose, width, height);
       return new Painter.View(simulation.pictured(), OptionalInt.of(drone), ahead, List.of());
     }
-    Viewpoint orbiting = new Viewpoint(camera.pose(), lens(width, height), camera.near());
+    PinholeCamera orbiting = new PinholeCamera(camera.pose(), lens(width, height), camera.near());
     return new Painter.View(
         simulation.pictured(), OptionalInt.empty(), orbiting, aids.parts(camera.pose()));
   }
 
   /** As high as the camera sees, and as wide as the picture then is. */
-  private static Lens lens(int width, int height) {
+  private static CameraIntrinsics lens(int width, int height) {
     double half = Math.tan(Math.toRadians(SimulatorCamera.FIELD_OF_VIEW_DEG / 2));
-    return new Lens(width, height, 2 * Math.atan(half * width / height));
+    return new CameraIntrinsics(width, height, 2 * Math.atan(half * width / height));
   }
 
   @Override

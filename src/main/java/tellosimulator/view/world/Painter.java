@@ -13,12 +13,12 @@ import tellosimulator.scenery.Scene;
 import tellosimulator.scenery.Stage;
 import tellosimulator.sim.SimSnapshot;
 import tellosimulator.time.Metronome;
+import tellosimulator.video.camera.CameraIntrinsics;
 import tellosimulator.video.camera.ColorSpace;
-import tellosimulator.video.camera.Lens;
-import tellosimulator.video.camera.Props;
-import tellosimulator.video.camera.Raster;
+import tellosimulator.video.camera.FrameBuffer;
+import tellosimulator.video.camera.PinholeCamera;
+import tellosimulator.video.camera.RenderCache;
 import tellosimulator.video.camera.SoftwareCamera;
-import tellosimulator.video.camera.Viewpoint;
 
 /**
  * Draws views of the world with the software camera, one after the other, on a thread of its own.
@@ -26,7 +26,7 @@ import tellosimulator.video.camera.Viewpoint;
  */
 final class Painter implements AutoCloseable {
 
-  private static final Raster NOTHING = Raster.forScreen(0, 0);
+  private static final FrameBuffer NOTHING = FrameBuffer.forScreen(0, 0);
   private static final int[] NO_PIXELS = {};
 
   /**
@@ -35,15 +35,16 @@ final class Painter implements AutoCloseable {
    * @param without a drone that is not to be seen, because its camera looks
    * @param aids what there is beside the world itself
    */
-  record View(SimSnapshot snapshot, OptionalInt without, Viewpoint viewpoint, List<Placed> aids) {}
+  record View(
+      SimSnapshot snapshot, OptionalInt without, PinholeCamera viewpoint, List<Placed> aids) {}
 
   /** What was drawn. */
   static final class Painted {
 
-    private final Lens lens;
+    private final CameraIntrinsics lens;
     private final int[] argb;
 
-    private Painted(Lens lens, int[] argb) {
+    private Painted(CameraIntrinsics lens, int[] argb) {
       this.lens = lens;
       this.argb = argb;
     }
@@ -65,10 +66,10 @@ final class Painter implements AutoCloseable {
   }
 
   /** All that decides what a picture looks like. */
-  private record Sight(Scene scene, Viewpoint viewpoint) {}
+  private record Sight(Scene scene, PinholeCamera viewpoint) {}
 
   private final Stage stage;
-  private final SoftwareCamera camera = new SoftwareCamera(new Props(ColorSpace.RGB));
+  private final SoftwareCamera camera = new SoftwareCamera(new RenderCache(ColorSpace.RGB));
   private final Metronome metronome = new Metronome();
   private final AtomicReference<Optional<View>> wanted = new AtomicReference<>(Optional.empty());
   private final AtomicReference<Optional<Painted>> painted =
@@ -77,7 +78,7 @@ final class Painter implements AutoCloseable {
   private volatile boolean settled;
   private final Worker worker;
   private Optional<Sight> last = Optional.empty();
-  private Raster raster = NOTHING;
+  private FrameBuffer raster = NOTHING;
   private int[] argb = NO_PIXELS;
 
   Painter(Stage stage) {
@@ -153,9 +154,9 @@ final class Painter implements AutoCloseable {
       settled = true;
       return Optional.empty();
     }
-    Lens lens = view.viewpoint().lens();
+    CameraIntrinsics lens = view.viewpoint().intrinsics();
     if (raster.width() != lens.width() || raster.height() != lens.height()) {
-      raster = Raster.forScreen(lens.width(), lens.height());
+      raster = FrameBuffer.forScreen(lens.width(), lens.height());
       argb = new int[lens.width() * lens.height()];
     }
     camera.draw(sight.scene(), sight.viewpoint(), raster);

@@ -20,19 +20,19 @@ class ColorSpaceTest {
           ff00ff00, 145,  54,  34
           ff0000ff,  41, 240, 110
           """)
-  void coloursAreThoseOfTheStandard(String argb, int y, int u, int v) {
-    int packed = ColorSpace.YUV.of(Integer.parseUnsignedInt(argb, 16));
+  void yCbCrIsThatOfBt601(String argb, int y, int u, int v) {
+    int packed = ColorSpace.YUV.pack(Integer.parseUnsignedInt(argb, 16));
 
     assertThat((packed >> 16) & 255).as("Y").isCloseTo(y, within(0));
-    assertThat((packed >> 8) & 255).as("U").isCloseTo(u, within(0));
-    assertThat(packed & 255).as("V").isCloseTo(v, within(0));
-    assertThat(packed >>> 24).as("opacity").isEqualTo(255);
+    assertThat((packed >> 8) & 255).as("Cb").isCloseTo(u, within(0));
+    assertThat(packed & 255).as("Cr").isCloseTo(v, within(0));
+    assertThat(packed >>> 24).as("alpha").isEqualTo(255);
   }
 
   @ParameterizedTest
   @CsvSource({"0", "1", "128", "255"})
-  void opacityStays(int opacity) {
-    assertThat(ColorSpace.YUV.of(opacity << 24 | 0x123456) >>> 24).isEqualTo(opacity);
-    assertThat(ColorSpace.RGB.of(opacity << 24 | 0x123456)).isEqualTo(opacity << 24 | 0x123456);
+  void alphaIsKept(int alpha) {
+    assertThat(ColorSpace.YUV.pack(alpha << 24 | 0x123456) >>> 24).isEqualTo(alpha);
+    assertThat(ColorSpace.RGB.pack(alpha << 24 | 0x123456)).isEqualTo(alpha << 24 | 0x123456);
   }
 }

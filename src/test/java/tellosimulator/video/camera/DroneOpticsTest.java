@@ -2,7 +2,7 @@ package tellosimulator.video.camera;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
-import static tellosimulator.video.camera.Sketches.RED;
+import static tellosimulator.video.camera.TestScenes.RED;
 
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -10,14 +10,14 @@ import org.junit.jupiter.params.provider.CsvSource;
 import tellosimulator.math.Attitude;
 import tellosimulator.math.Pose;
 import tellosimulator.math.Vec3;
-import tellosimulator.video.camera.Sketches.Sheet;
+import tellosimulator.video.camera.TestScenes.Quad;
 
 class DroneOpticsTest {
 
   private static final DroneOptics OPTICS = DroneOptics.DEFAULT;
 
   @Test
-  void onALevelDroneItLooksAheadAndFifteenDegreesDown() {
+  void theForwardCameraOfALevelDroneLooksFifteenDegreesDown() {
     Attitude attitude = Attitude.ofHeading(Math.toRadians(90));
 
     Pose camera = OPTICS.nose(new Pose(new Vec3(1, 1, 1), attitude));
@@ -30,23 +30,25 @@ class DroneOpticsTest {
 
   @ParameterizedTest
   @CsvSource({"55, 15", "55, 90", "55, -90", "150, 15", "150, 60", "10, 0"})
-  void theFloorOnWhichADroneStandsIsNotCutAway(double fieldOfViewDeg, double tiltDeg) {
+  void theNearPlaneDoesNotClipTheFloorBelowAStandingDrone(double fieldOfViewDeg, double tiltDeg) {
     DroneOptics optics = new DroneOptics(Math.toRadians(fieldOfViewDeg), Math.toRadians(tiltDeg));
-    Sheet floor = new Sheet(new Vec3(-50, 50, 0), new Vec3(0, -100, 0), new Vec3(100, 0, 0));
+    Quad floor = new Quad(new Vec3(-50, 50, 0), new Vec3(0, -100, 0), new Vec3(100, 0, 0));
 
-    Screen seen =
-        Screen.of(
-            optics.ahead(Sketches.ORIGIN, 96, 72), Sketches.painted(Sketches.plain(RED), floor));
+    RenderedFrame seen =
+        RenderedFrame.of(
+            optics.ahead(TestScenes.ORIGIN, 96, 72),
+            TestScenes.painted(TestScenes.plain(RED), floor));
 
-    // As a camera that cuts nothing sees it.
-    Viewpoint viewpoint = optics.ahead(Sketches.ORIGIN, 96, 72);
-    Viewpoint all = new Viewpoint(viewpoint.pose(), viewpoint.lens(), 1e-4);
+    // As a camera with a near plane close to zero sees it.
+    PinholeCamera camera = optics.ahead(TestScenes.ORIGIN, 96, 72);
+    PinholeCamera all = new PinholeCamera(camera.pose(), camera.intrinsics(), 1e-4);
     assertThat(seen.count(RED))
-        .isEqualTo(Screen.of(all, Sketches.painted(Sketches.plain(RED), floor)).count(RED));
+        .isEqualTo(
+            RenderedFrame.of(all, TestScenes.painted(TestScenes.plain(RED), floor)).count(RED));
   }
 
   @Test
-  void itPitchesAndRollsWithTheDrone() {
+  void theForwardCameraPitchesAndRollsWithTheDrone() {
     double half = Math.toRadians(10) / 2;
     Attitude noseDown = new Attitude(Math.cos(half), 0, Math.sin(half), 0);
     Attitude rightDown = new Attitude(Math.cos(half), Math.sin(half), 0, 0);

@@ -21,8 +21,8 @@ import tellosimulator.math.Vec3;
 import tellosimulator.model.FlightPhase;
 import tellosimulator.sim.SimConfig;
 import tellosimulator.video.SoftwareCameras;
+import tellosimulator.video.camera.CameraId;
 import tellosimulator.video.camera.DroneOptics;
-import tellosimulator.video.camera.Shot;
 import tellosimulator.video.picture.Picture;
 import tellosimulator.view.testing.NeedsDisplay;
 import tellosimulator.view.world.SceneFixture;
@@ -113,7 +113,7 @@ class SceneSnapshotSourceDisplayTest {
     Picture picture = new Picture(DroneOptics.WIDTH, DroneOptics.HEIGHT);
     new SoftwareCameras(DroneOptics.DEFAULT)
         .get()
-        .film(fixture.snapshot(), new Shot(1, false), picture);
+        .film(fixture.snapshot(), new CameraId(1, false), picture);
     return argb(picture);
   }
 

@@ -10,7 +10,7 @@ import org.junit.jupiter.api.Test;
 import tellosimulator.sim.SimConfig;
 import tellosimulator.sim.SimSnapshot;
 import tellosimulator.sim.Simulation;
-import tellosimulator.video.camera.Shot;
+import tellosimulator.video.camera.CameraId;
 import tellosimulator.video.picture.Picture;
 
 /** When the window's scene is photographed for a drone's video, and when another source films. */
@@ -18,8 +18,8 @@ class SceneSnapshotSourceTest {
 
   private static final long MS = 1_000_000;
   private static final long MINUTE = 60_000 * MS;
-  private static final Shot AHEAD = new Shot(1, false);
-  private static final Shot BELOW = new Shot(1, true);
+  private static final CameraId AHEAD = new CameraId(1, false);
+  private static final CameraId BELOW = new CameraId(1, true);
 
   /** Brightness of what is photographed, and of what the other source draws. */
   private static final byte PHOTOGRAPHED = (byte) 235;
@@ -48,7 +48,7 @@ class SceneSnapshotSourceTest {
     beCheap();
 
     assertThat(filmedWhileServing(AHEAD)).isEqualTo(PHOTOGRAPHED);
-    assertThat(filmedWhileServing(new Shot(4, false))).isEqualTo(PHOTOGRAPHED);
+    assertThat(filmedWhileServing(new CameraId(4, false))).isEqualTo(PHOTOGRAPHED);
     assertThat(drones).endsWith(1, 4);
   }
 
@@ -146,14 +146,14 @@ class SceneSnapshotSourceTest {
     now.addAndGet(cost);
   }
 
-  private byte filmed(Shot shot) {
+  private byte filmed(CameraId shot) {
     Picture picture = new Picture(4, 4);
     source.film(snapshot, shot, picture);
     return picture.y()[5];
   }
 
   /** What is filmed while this thread serves as that of JavaFX does. */
-  private byte filmedWhileServing(Shot shot) {
+  private byte filmedWhileServing(CameraId shot) {
     Picture picture = new Picture(4, 4);
     Thread film = new Thread(() -> source.film(snapshot, shot, picture), "film");
     film.start();

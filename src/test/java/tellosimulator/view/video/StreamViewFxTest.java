@@ -22,7 +22,7 @@ import tellosimulator.sim.Simulation;
 import tellosimulator.video.Films;
 import tellosimulator.video.VideoFigures;
 import tellosimulator.video.VideoStreams;
-import tellosimulator.video.camera.Shot;
+import tellosimulator.video.camera.CameraId;
 import tellosimulator.video.codec.H264Encoder;
 import tellosimulator.video.picture.Picture;
 import tellosimulator.world.Room;
@@ -59,7 +59,7 @@ class StreamViewFxTest {
   }
 
   /** The first drone sees grey, the second one blue. */
-  private void film(SimSnapshot snapshot, Shot shot, Picture picture) {
+  private void film(SimSnapshot snapshot, CameraId shot, Picture picture) {
     Arrays.fill(picture.y(), (byte) brightness.get());
     Arrays.fill(picture.u(), (byte) (shot.drone() == 1 ? 128 : 240));
   }

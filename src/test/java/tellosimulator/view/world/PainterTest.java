@@ -19,8 +19,8 @@ import tellosimulator.sim.SimSnapshot;
 import tellosimulator.sim.Simulation;
 import tellosimulator.testing.CapturedLog;
 import tellosimulator.time.SimTime;
-import tellosimulator.video.camera.Lens;
-import tellosimulator.video.camera.Viewpoint;
+import tellosimulator.video.camera.CameraIntrinsics;
+import tellosimulator.video.camera.PinholeCamera;
 import tellosimulator.world.Decor;
 import tellosimulator.world.Walls;
 
@@ -89,9 +89,11 @@ class PainterTest {
   @Test
   void aPictureForWhichMemoryIsNotEnoughCostsThatPictureAlone() throws InterruptedException {
     // 41706 x 51491 = 2^31 - 2: more elements than any array of the Java machine may have
-    Viewpoint huge =
-        new Viewpoint(
-            new Pose(Vec3.ZERO, Attitude.LEVEL), new Lens(41_706, 51_491, Math.PI / 3), 0.02);
+    PinholeCamera huge =
+        new PinholeCamera(
+            new Pose(Vec3.ZERO, Attitude.LEVEL),
+            new CameraIntrinsics(41_706, 51_491, Math.PI / 3),
+            0.02);
     try (CapturedLog log = CapturedLog.of(Verdict.class)) {
       assertThat(painted(new Painter.View(snapshot, OptionalInt.empty(), huge, List.of())))
           .isEmpty();
@@ -112,9 +114,11 @@ class PainterTest {
 
   /** Ahead, from the middle of the room or from behind it. */
   private static Painter.View view(SimSnapshot snapshot, double x) {
-    Viewpoint viewpoint =
-        new Viewpoint(
-            new Pose(new Vec3(x, 0, 1), Attitude.LEVEL), new Lens(64, 32, Math.PI / 3), 0.02);
+    PinholeCamera viewpoint =
+        new PinholeCamera(
+            new Pose(new Vec3(x, 0, 1), Attitude.LEVEL),
+            new CameraIntrinsics(64, 32, Math.PI / 3),
+            0.02);
     return new Painter.View(snapshot, OptionalInt.empty(), viewpoint, List.of());
   }
 }

@@ -30,8 +30,8 @@ import tellosimulator.sim.SimConfig;
 import tellosimulator.sim.Swarm;
 import tellosimulator.video.camera.ColorSpace;
 import tellosimulator.video.camera.DroneOptics;
-import tellosimulator.video.camera.Props;
-import tellosimulator.video.camera.Raster;
+import tellosimulator.video.camera.FrameBuffer;
+import tellosimulator.video.camera.RenderCache;
 import tellosimulator.video.camera.SoftwareCamera;
 import tellosimulator.view.testing.NeedsDisplay;
 import tellosimulator.view.world.SceneFixture.Spot;
@@ -134,8 +134,8 @@ class SameWorldDisplayTest {
 
   /** What the software camera sees from the first drone. */
   private Image drawn() {
-    SoftwareCamera camera = new SoftwareCamera(new Props(ColorSpace.RGB));
-    Raster raster = Raster.forScreen(WIDTH, HEIGHT);
+    SoftwareCamera camera = new SoftwareCamera(new RenderCache(ColorSpace.RGB));
+    FrameBuffer raster = FrameBuffer.forScreen(WIDTH, HEIGHT);
     Pose pose = fixture.snapshot().drones().get(0).state().motion().pose();
     camera.draw(
         new Stage().scene(fixture.snapshot(), 1),

@@ -7,27 +7,27 @@ import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 import tellosimulator.video.picture.Picture;
 
-class RasterTest {
+class FrameBufferTest {
 
   private static final int WIDTH = 16;
 
-  /** So many pictures; the same with each run. */
-  private static final int PICTURES = 200;
+  /** Random frames; the same in each run. */
+  private static final int FRAMES = 200;
 
-  private static final float NEAR = 0.5f;
-  private static final float NEARER = 1;
+  private static final float FAR_INV_Z = 0.5f;
+  private static final float NEAR_INV_Z = 1;
 
   private final Picture picture = new Picture(WIDTH, 4);
-  private final Raster raster = Raster.on(picture, 2);
+  private final FrameBuffer frameBuffer = FrameBuffer.on(picture, 2);
 
-  RasterTest() {
-    raster.clear();
+  FrameBufferTest() {
+    frameBuffer.clear();
   }
 
   @Test
-  void eachPixelHasItsBrightnessAndThoseInEvenRowsAndColumnsTheirColour() {
-    raster.draw(0, strip(1, 5, 10), NEAR, 0);
-    raster.draw(1, strip(1, 5, 20), NEAR, 0);
+  void lumaIsWrittenForEachPixelAndChromaForEvenRowsAndColumns() {
+    frameBuffer.draw(0, span(1, 5, 10), FAR_INV_Z, 0);
+    frameBuffer.draw(1, span(1, 5, 20), FAR_INV_Z, 0);
 
     assertThat(unsigned(picture.y(), 0, 7)).containsExactly(16, 10, 11, 12, 13, 14, 16);
     assertThat(unsigned(picture.y(), WIDTH, 7)).containsExactly(16, 20, 21, 22, 23, 24, 16);
@@ -36,51 +36,53 @@ class RasterTest {
   }
 
   @Test
-  void belowItsPartOfThePictureNothingChanges() {
+  void rowsBelowTheFrameBufferDoNotChange() {
     Arrays.fill(picture.y(), (byte) 7);
 
-    raster.clear();
-    raster.draw(1, strip(0, WIDTH, 90), NEAR, 0);
+    frameBuffer.clear();
+    frameBuffer.draw(1, span(0, WIDTH, 90), FAR_INV_Z, 0);
 
     assertThat(unsigned(picture.y(), 2 * WIDTH, 2 * WIDTH)).containsOnly(7);
   }
 
   @Test
-  void whatIsTranslucentIsMixedWithWhatIsBehindAndHidesNothing() {
-    raster.draw(0, strip(0, 8, 100), NEAR, 0);
-    Strip half = strip(3, 3, 40);
-    Arrays.fill(half.opacity, 128);
-    Arrays.fill(half.colorOpacity, 128);
-    raster.blend(0, half, NEARER, 0, 256);
+  void translucentSpansAreBlendedAndDoNotWriteDepth() {
+    frameBuffer.draw(0, span(0, 8, 100), FAR_INV_Z, 0);
+    Span half = span(3, 3, 40);
+    Arrays.fill(half.alpha, 128);
+    Arrays.fill(half.chromaAlpha, 128);
+    frameBuffer.blend(0, half, NEAR_INV_Z, 0, 256);
 
     // 40 + 103 / 2, 41 + 104 / 2, ...; the colour of column 4: 140 + 202 / 2
     assertThat(unsigned(picture.y(), 2, 5)).containsExactly(102, 91, 92, 94, 106);
     assertThat(unsigned(picture.u(), 1, 3)).containsExactly(201, 240, 203);
 
-    raster.blend(0, half, NEAR / 2, 0, 256);
+    frameBuffer.blend(0, half, FAR_INV_Z / 2, 0, 256);
     assertThat(unsigned(picture.y(), 2, 5)).as("behind").containsExactly(102, 91, 92, 94, 106);
 
-    raster.draw(0, strip(0, 8, 60), (NEAR + NEARER) / 2, 0);
+    frameBuffer.draw(0, span(0, 8, 60), (FAR_INV_Z + NEAR_INV_Z) / 2, 0);
     assertThat(unsigned(picture.y(), 2, 5)).containsExactly(62, 63, 64, 65, 66);
   }
 
-  /** It remembers what was drawn on, so this is tried with many overlaps, odd and even. */
+  /**
+   * The depth test is limited to the covered interval, so many overlaps are tried, odd and even.
+   */
   @Test
-  void inWhateverOrderPartsComeTheNearestIsSeen() {
+  void theNearestSpanIsSeenInAnyDrawingOrder() {
     SplittableRandom random = new SplittableRandom(7);
-    for (int i = 0; i < PICTURES; i++) {
-      raster.clear();
+    for (int i = 0; i < FRAMES; i++) {
+      frameBuffer.clear();
       int[] wanted = new int[WIDTH];
       float[] nearest = new float[WIDTH];
       Arrays.fill(wanted, 16);
       for (int part = 0; part < 6; part++) {
         int from = random.nextInt(WIDTH);
         int count = 1 + random.nextInt(WIDTH - from);
-        float near = 0.1f + random.nextFloat();
-        float step = (random.nextFloat() - 0.5f) * 0.01f;
-        raster.draw(0, strip(from, count, 20 * part + 20), near, step);
+        float invZ = 0.1f + random.nextFloat();
+        float invZdx = (random.nextFloat() - 0.5f) * 0.01f;
+        frameBuffer.draw(0, span(from, count, 20 * part + 20), invZ, invZdx);
         for (int x = from; x < from + count; x++) {
-          float here = near + step * (x - from);
+          float here = invZ + invZdx * (x - from);
           if (here > nearest[x]) {
             nearest[x] = here;
             wanted[x] = 20 * part + 20 + x - from;
@@ -93,16 +95,16 @@ class RasterTest {
   }
 
   @Test
-  void coloursFollowTheBrightnessOfTheirPixel() {
+  void chromaPassesTheSameDepthTestAsLuma() {
     SplittableRandom random = new SplittableRandom(8);
-    for (int i = 0; i < PICTURES; i++) {
-      raster.clear();
+    for (int i = 0; i < FRAMES; i++) {
+      frameBuffer.clear();
       for (int part = 0; part < 6; part++) {
         int from = random.nextInt(WIDTH);
-        Strip strip = strip(from, 1 + random.nextInt(WIDTH - from), 0);
-        Arrays.fill(strip.first, 30 + part);
-        Arrays.fill(strip.second, 130 + part);
-        raster.draw(0, strip, 0.1f + random.nextFloat(), 0);
+        Span span = span(from, 1 + random.nextInt(WIDTH - from), 0);
+        Arrays.fill(span.first, 30 + part);
+        Arrays.fill(span.second, 130 + part);
+        frameBuffer.draw(0, span, 0.1f + random.nextFloat(), 0);
       }
       for (int x = 0; x < WIDTH; x += 2) {
         int brightness = picture.y()[x] & 255;
@@ -112,16 +114,16 @@ class RasterTest {
     }
   }
 
-  /** With brightness a, a + 1, ..., and colours 100 and 200 above a. */
-  private static Strip strip(int from, int count, int a) {
-    Strip strip = new Strip();
-    strip.room(WIDTH);
-    strip.from = from;
-    strip.count = count;
-    Arrays.setAll(strip.first, i -> a + i);
-    Arrays.setAll(strip.second, i -> 100 + a + i);
-    Arrays.setAll(strip.third, i -> 200 + a + i);
-    return strip;
+  /** With luma a, a + 1, ..., and chroma 100 and 200 above a. */
+  private static Span span(int from, int count, int a) {
+    Span span = new Span();
+    span.ensureCapacity(WIDTH);
+    span.x = from;
+    span.count = count;
+    Arrays.setAll(span.first, i -> a + i);
+    Arrays.setAll(span.second, i -> 100 + a + i);
+    Arrays.setAll(span.third, i -> 200 + a + i);
+    return span;
   }
 
   private static int[] unsigned(byte[] plane, int from, int count) {

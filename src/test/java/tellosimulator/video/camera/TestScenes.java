@@ -13,8 +13,8 @@ import tellosimulator.scenery.Placed;
 import tellosimulator.scenery.Scene;
 import tellosimulator.scenery.Texture;
 
-/** Simple things to look at. */
-final class Sketches {
+/** Simple meshes, textures and scenes. */
+final class TestScenes {
 
   static final int WHITE = 0xffffffff;
   static final int BLACK = 0xff000000;
@@ -26,38 +26,38 @@ final class Sketches {
 
   private static final float SQUARE = 1;
 
-  private Sketches() {}
+  private TestScenes() {}
 
-  /** A parallelogram and how often the picture is repeated on it. */
-  record Sheet(Vec3 corner, Vec3 right, Vec3 up, double across, double down) {
-    Sheet(Vec3 corner, Vec3 right, Vec3 up) {
+  /** A parallelogram and how often its texture repeats. */
+  record Quad(Vec3 corner, Vec3 right, Vec3 up, double across, double down) {
+    Quad(Vec3 corner, Vec3 right, Vec3 up) {
       this(corner, right, up, 1, 1);
     }
 
-    /** Upright at a distance ahead, facing an eye at the origin that looks along x. */
-    static Sheet ahead(double distance, Vec3 middle, double size) {
-      return new Sheet(
+    /** Upright at a distance ahead, facing a camera at the origin that looks along x. */
+    static Quad ahead(double distance, Vec3 middle, double size) {
+      return new Quad(
           new Vec3(distance, middle.y() + size / 2, middle.z() - size / 2),
           new Vec3(0, -size, 0),
           new Vec3(0, 0, size));
     }
   }
 
-  /** Seen from where right is to the right and up is up. */
-  static Mesh mesh(Sheet... sheets) {
-    float[] points = new float[12 * sheets.length];
-    float[] normals = new float[3 * sheets.length];
-    float[] places = new float[8 * sheets.length];
-    int[] corners = new int[18 * sheets.length];
-    for (int i = 0; i < sheets.length; i++) {
-      Sheet sheet = sheets[i];
-      put(points, 12 * i, sheet.corner);
-      put(points, 12 * i + 3, sheet.corner.plus(sheet.right));
-      put(points, 12 * i + 6, sheet.corner.plus(sheet.right).plus(sheet.up));
-      put(points, 12 * i + 9, sheet.corner.plus(sheet.up));
-      put(normals, 3 * i, sheet.right.cross(sheet.up).normalized());
-      float u = (float) sheet.across;
-      float v = (float) sheet.down;
+  /** Front faces are where right is to the right and up is up. */
+  static Mesh mesh(Quad... quads) {
+    float[] points = new float[12 * quads.length];
+    float[] normals = new float[3 * quads.length];
+    float[] places = new float[8 * quads.length];
+    int[] corners = new int[18 * quads.length];
+    for (int i = 0; i < quads.length; i++) {
+      Quad quad = quads[i];
+      put(points, 12 * i, quad.corner);
+      put(points, 12 * i + 3, quad.corner.plus(quad.right));
+      put(points, 12 * i + 6, quad.corner.plus(quad.right).plus(quad.up));
+      put(points, 12 * i + 9, quad.corner.plus(quad.up));
+      put(normals, 3 * i, quad.right.cross(quad.up).normalized());
+      float u = (float) quad.across;
+      float v = (float) quad.down;
       float[] uv = {0, v, u, v, u, 0, 0, 0};
       System.arraycopy(uv, 0, places, 8 * i, 8);
       int[] order = {0, 1, 2, 0, 2, 3};
@@ -74,8 +74,8 @@ final class Sketches {
     return new Texture(1, 1, new int[] {argb});
   }
 
-  /** Squares of two colours. */
-  static Texture chessboard(int squares, int size) {
+  /** A checkerboard of two colours. */
+  static Texture checkerboard(int squares, int size) {
     int[] argb = new int[size * size];
     for (int i = 0; i < argb.length; i++) {
       int sum = i % size * squares / size + i / size * squares / size;
@@ -84,7 +84,7 @@ final class Sketches {
     return new Texture(size, size, argb);
   }
 
-  /** Detail everywhere, the same with each run. */
+  /** Noise, the same in each run. */
   static Texture noise(int size, long seed) {
     SplittableRandom random = new SplittableRandom(seed);
     int[] argb = new int[size * size];
@@ -95,8 +95,8 @@ final class Sketches {
     return new Texture(size, size, argb);
   }
 
-  static Placed painted(Texture texture, Sheet... sheets) {
-    return new Placed(new Part(mesh(sheets), texture, Finish.PAINTED), ORIGIN);
+  static Placed painted(Texture texture, Quad... quads) {
+    return new Placed(new Part(mesh(quads), texture, Finish.PAINTED), ORIGIN);
   }
 
   static Scene scene(Placed... parts) {
@@ -113,12 +113,13 @@ final class Sketches {
     List<Placed> parts = new ArrayList<>();
     parts.add(
         painted(
-            chessboard(2, 512), new Sheet(corner.plus(x), y, x.times(-1), 5 * SQUARE, 6 * SQUARE)));
-    parts.add(painted(noise(256, 3), new Sheet(corner.plus(z), y, x, 5, 6)));
-    parts.add(painted(wall, new Sheet(corner.plus(x).plus(y), y.times(-1), z, 2.5, 1.5)));
-    parts.add(painted(chessboard(16, 1024), new Sheet(corner, y, z, 2.5, 1.5)));
-    parts.add(painted(noise(1024, 2), new Sheet(corner.plus(y), x, z, 3, 1.5)));
-    parts.add(painted(chessboard(8, 256), new Sheet(corner.plus(x), x.times(-1), z, 3, 1.5)));
+            checkerboard(2, 512),
+            new Quad(corner.plus(x), y, x.times(-1), 5 * SQUARE, 6 * SQUARE)));
+    parts.add(painted(noise(256, 3), new Quad(corner.plus(z), y, x, 5, 6)));
+    parts.add(painted(wall, new Quad(corner.plus(x).plus(y), y.times(-1), z, 2.5, 1.5)));
+    parts.add(painted(checkerboard(16, 1024), new Quad(corner, y, z, 2.5, 1.5)));
+    parts.add(painted(noise(1024, 2), new Quad(corner.plus(y), x, z, 3, 1.5)));
+    parts.add(painted(checkerboard(8, 256), new Quad(corner.plus(x), x.times(-1), z, 3, 1.5)));
     return parts;
   }
 

@@ -1,0 +1,122 @@
+package tellosimulator.video.camera;
+
+import java.util.ArrayList;
+import java.util.List;
+import tellosimulator.scenery.Texture;
+
+/**
+ * A mip-mapped texture in a colour space: sides are powers of two, and each level is half as large
+ * as the one before, so that at some level about one texel falls on one pixel. Immutable; for any
+ * thread.
+ */
+final class MipMap {
+
+  /** Longest side [texels]. Decided: finer than a wall of 5 m looks from a metre away. */
+  private static final int MAX_SIZE = 1024;
+
+  /** One texel in fixed-point texture coordinates. */
+  static final int ONE = 1 << 16;
+
+  private final Level[] levels;
+  private final double[] uScale;
+  private final double[] vScale;
+
+  /**
+   * A mip level. Where the colour space subsamples chroma ({@link ColorSpace#subsampled()}), the
+   * second and third channel and their alpha are those of the next level, half as wide and high, as
+   * about one of their texels falls on one chroma sample.
+   */
+  record Level(
+      BilinearTexels first,
+      BilinearTexels second,
+      BilinearTexels third,
+      BilinearTexels alpha,
+      BilinearTexels chromaAlpha) {
+
+    private static Level opaque(Texels luma, Texels chroma) {
+      return new Level(
+          luma.channel(Texels.FIRST),
+          chroma.channel(Texels.SECOND),
+          chroma.channel(Texels.THIRD),
+          BilinearTexels.OPAQUE,
+          BilinearTexels.OPAQUE);
+    }
+
+    private static Level translucent(Texels luma, Texels chroma) {
+      return new Level(
+          luma.channel(Texels.FIRST),
+          chroma.channel(Texels.SECOND),
+          chroma.channel(Texels.THIRD),
+          luma.channel(Texels.ALPHA),
+          chroma.channel(Texels.ALPHA));
+    }
+
+    int width() {
+      return first.width();
+    }
+
+    int height() {
+      return first.height();
+    }
+  }
+
+  /**
+   * @param alpha whether the texture's alpha counts; colours are then premultiplied with it
+   */
+  MipMap(Texture texture, ColorSpace space, boolean alpha) {
+    List<Texels> chain = chain(Texels.of(texture, space, alpha).powerOfTwo(MAX_SIZE));
+    levels = new Level[chain.size()];
+    for (int i = 0; i < levels.length; i++) {
+      Texels luma = chain.get(i);
+      Texels chroma = space.subsampled() ? chain.get(Math.min(i + 1, levels.length - 1)) : luma;
+      levels[i] = alpha ? Level.translucent(luma, chroma) : Level.opaque(luma, chroma);
+    }
+    uScale = chain.stream().mapToDouble(level -> (double) ONE * level.width() / width()).toArray();
+    vScale =
+        chain.stream().mapToDouble(level -> (double) ONE * level.height() / height()).toArray();
+  }
+
+  private static List<Texels> chain(Texels base) {
+    List<Texels> chain = new ArrayList<>(List.of(base));
+    Texels next = base;
+    while (next.width() > 1 || next.height() > 1) {
+      next = next.halved();
+      chain.add(next);
+    }
+    return chain;
+  }
+
+  /** The width of level 0 [texels]. */
+  int width() {
+    return levels[0].width();
+  }
+
+  /** The height of level 0 [texels]. */
+  int height() {
+    return levels[0].height();
+  }
+
+  /** The number of levels. */
+  int levels() {
+    return levels.length;
+  }
+
+  /**
+   * A mip level.
+   *
+   * @param number 0 is the largest
+   */
+  Level level(int number) {
+    return levels[number];
+  }
+
+  /** Converts u in texels of level 0 to fixed-point texels of another level. */
+  double uScale(int number) {
+    return uScale[number];
+  }
+
+  /** Converts v in texels of level 0 to fixed-point texels of another level. */
+  double vScale(int number) {
+    return vScale[number];
+  }
+}

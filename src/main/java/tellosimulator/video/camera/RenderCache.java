@@ -1,0 +1,91 @@
+package tellosimulator.video.camera;
+
+import java.util.Map;
+import java.util.WeakHashMap;
+import java.util.function.Function;
+import tellosimulator.scenery.Finish;
+import tellosimulator.scenery.Mesh;
+import tellosimulator.scenery.Part;
+import tellosimulator.scenery.Texture;
+
+/**
+ * A cache of meshes and textures prepared for rendering in a colour space. They are prepared when a
+ * camera first sees them, and kept as long as a scene holds the originals. For any thread; all
+ * cameras share one.
+ */
+public final class RenderCache {
+
+  private static final int OPAQUE = 0xff000000;
+
+  private final ColorSpace space;
+  private final WeakCache<Mesh, RenderMesh> meshes = new WeakCache<>(RenderMesh::new);
+  private final WeakCache<Texture, MipMap> opaque;
+  private final WeakCache<Texture, MipMap> translucent;
+
+  public RenderCache(ColorSpace space) {
+    this.space = space;
+    opaque = new WeakCache<>(texture -> new MipMap(texture, space, false));
+    translucent = new WeakCache<>(texture -> new MipMap(texture, space, true));
+  }
+
+  ColorSpace space() {
+    return space;
+  }
+
+  RenderMesh mesh(Part part) {
+    return meshes.get(part.mesh());
+  }
+
+  MipMap texture(Part part) {
+    return (part.finish() == Finish.DECAL || part.finish() == Finish.SHEER ? translucent : opaque)
+        .get(part.texture());
+  }
+
+  /**
+   * The opaque colour of a part's texture at texture coordinates, which wrap around, packed in the
+   * colour space.
+   *
+   * @param u from the left edge, in widths of the texture
+   * @param v from the upper edge, in its heights
+   */
+  int color(Part part, float u, float v) {
+    Texture texture = part.texture();
+    int x = Math.floorMod((int) Math.floor(u * texture.width()), texture.width());
+    int y = Math.floorMod((int) Math.floor(v * texture.height()), texture.height());
+    return space.pack(texture.argb(x, y) | OPAQUE);
+  }
+
+  /** The number of cached textures. */
+  int textures() {
+    return opaque.size() + translucent.size();
+  }
+
+  /**
+   * Values computed from keys, kept as long as these live; a value must not refer to its key. For
+   * any thread; a value that two threads want at the same time is computed once.
+   *
+   * @param <K> compared by identity
+   */
+  private static final class WeakCache<K, V> {
+
+    private final Map<K, V> values = new WeakHashMap<>();
+    private final Function<K, V> compute;
+
+    WeakCache(Function<K, V> compute) {
+      this.compute = compute;
+    }
+
+    synchronized V get(K key) {
+      V value = values.get(key);
+      if (value == null) {
+        value = compute.apply(key);
+        values.put(key, value);
+      }
+      return value;
+    }
+
+    synchronized int size() {
+      return values.size();
+    }
+  }
+}
