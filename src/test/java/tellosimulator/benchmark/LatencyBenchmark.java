@@ -100,11 +100,11 @@ final class LatencyBenchmark {
   }
 
   private FrameSource noted(FrameSource source) {
-    return (snapshot, shot, picture) -> {
+    return (snapshot, camera, picture) -> {
       pictures++;
       Vec3 place = snapshot.drones().get(0).state().motion().position();
       begun.add(new Begun(pictures, place));
-      source.film(snapshot, shot, picture);
+      source.film(snapshot, camera, picture);
     };
   }
 

@@ -113,16 +113,16 @@ class PadsInPictureTest {
     return picture(pad, DroneOptics.DEFAULT.below(above, WIDTH, HEIGHT));
   }
 
-  private static int[] picture(MissionPad pad, PinholeCamera viewpoint) {
-    FrameBuffer raster = FrameBuffer.forScreen(WIDTH, HEIGHT);
+  private static int[] picture(MissionPad pad, PinholeCamera camera) {
+    FrameBuffer frameBuffer = FrameBuffer.forScreen(WIDTH, HEIGHT);
     Pose elsewhere = new Pose(new Vec3(-2, -2, 1), Attitude.LEVEL);
     new SoftwareCamera(new RenderCache(ColorSpace.RGB))
         .draw(
             new Stage().scene(Moments.flying(EMPTY.withPads(List.of(pad)), elsewhere), 1),
-            viewpoint,
-            raster);
+            camera,
+            frameBuffer);
     int[] argb = new int[WIDTH * HEIGHT];
-    raster.copyTo(argb);
+    frameBuffer.copyTo(argb);
     return argb;
   }
 

@@ -34,9 +34,9 @@ final class Still {
     return of(snapshot, new CameraId(1, false));
   }
 
-  static Still of(SimSnapshot snapshot, CameraId shot) {
+  static Still of(SimSnapshot snapshot, CameraId camera) {
     Picture picture = new Picture(WIDTH, HEIGHT);
-    CAMERAS.get().film(snapshot, shot, picture);
+    CAMERAS.get().film(snapshot, camera, picture);
     return new Still(image(picture));
   }
 

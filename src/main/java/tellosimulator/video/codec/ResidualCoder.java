@@ -64,9 +64,9 @@ final class ResidualCoder {
   void inter(MacroblockSamples prediction, QpTables tables) {
     residual.clear();
     source.blockSads(prediction, sads);
-    for (int luma8x8 = 0; luma8x8 < 4; luma8x8++) {
-      if (luma8x8(prediction, tables, (luma8x8 >> 1) * 8 + (luma8x8 & 1) * 2)) {
-        residual.cbpLuma |= 1 << luma8x8;
+    for (int i = 0; i < 4; i++) {
+      if (luma8x8(prediction, tables, (i >> 1) * 8 + (i & 1) * 2)) {
+        residual.cbpLuma |= 1 << i;
       }
     }
     chroma(prediction, tables.chroma(), tables.chromaZeroSad());
@@ -159,17 +159,17 @@ final class ResidualCoder {
   }
 
   /** Codes Cb and Cr; one whose blocks all have a lower SAD than {@code zeroSad} has no levels. */
-  private void chroma(MacroblockSamples prediction, Quantizer quantizer, int allZero) {
-    int cb = chroma(prediction, quantizer, allZero, Residual.CB_DC);
-    int cr = chroma(prediction, quantizer, allZero, Residual.CR_DC);
+  private void chroma(MacroblockSamples prediction, Quantizer quantizer, int zeroSad) {
+    int cb = chroma(prediction, quantizer, zeroSad, Residual.CB_DC);
+    int cr = chroma(prediction, quantizer, zeroSad, Residual.CR_DC);
     residual.cbpChroma = Math.max(cb, cr);
   }
 
-  private int chroma(MacroblockSamples prediction, Quantizer quantizer, int allZero, int first) {
+  private int chroma(MacroblockSamples prediction, Quantizer quantizer, int zeroSad, int first) {
     int block = MacroblockSamples.CHROMA + (first == Residual.CR_DC ? 2 : 0);
     int[] levels = residual.dcLevels;
     if (Math.max(Math.max(sads[block], sads[block + 1]), Math.max(sads[block + 4], sads[block + 5]))
-        < allZero) {
+        < zeroSad) {
       Arrays.fill(levels, first, first + 4, 0);
       return 0;
     }

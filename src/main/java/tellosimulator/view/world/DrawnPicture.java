@@ -110,13 +110,14 @@ final class DrawnPicture implements WorldPicture {
       PinholeCamera ahead = droneCamera.optics().ahead(pose, width, height);
       return new Painter.View(simulation.pictured(), OptionalInt.of(drone), ahead, List.of());
     }
-    PinholeCamera orbiting = new PinholeCamera(camera.pose(), lens(width, height), camera.near());
+    PinholeCamera orbiting =
+        new PinholeCamera(camera.pose(), intrinsics(width, height), camera.near());
     return new Painter.View(
         simulation.pictured(), OptionalInt.empty(), orbiting, aids.parts(camera.pose()));
   }
 
   /** As high as the camera sees, and as wide as the picture then is. */
-  private static CameraIntrinsics lens(int width, int height) {
+  private static CameraIntrinsics intrinsics(int width, int height) {
     double half = Math.tan(Math.toRadians(SimulatorCamera.FIELD_OF_VIEW_DEG / 2));
     return new CameraIntrinsics(width, height, 2 * Math.atan(half * width / height));
   }

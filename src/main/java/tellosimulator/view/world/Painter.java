@@ -41,22 +41,22 @@ final class Painter implements AutoCloseable {
   /** What was drawn. */
   static final class Painted {
 
-    private final CameraIntrinsics lens;
+    private final CameraIntrinsics intrinsics;
     private final int[] argb;
 
-    private Painted(CameraIntrinsics lens, int[] argb) {
-      this.lens = lens;
+    private Painted(CameraIntrinsics intrinsics, int[] argb) {
+      this.intrinsics = intrinsics;
       this.argb = argb;
     }
 
     /** Pixels. */
     int width() {
-      return lens.width();
+      return intrinsics.width();
     }
 
     /** Pixels. */
     int height() {
-      return lens.height();
+      return intrinsics.height();
     }
 
     /** Row by row, 8 bits each for alpha, red, green and blue; itself, not a copy. */
@@ -78,7 +78,7 @@ final class Painter implements AutoCloseable {
   private volatile boolean settled;
   private final Worker worker;
   private Optional<Sight> last = Optional.empty();
-  private FrameBuffer raster = NOTHING;
+  private FrameBuffer frameBuffer = NOTHING;
   private int[] argb = NO_PIXELS;
 
   Painter(Stage stage) {
@@ -131,7 +131,7 @@ final class Painter implements AutoCloseable {
 
     @Override
     public Verdict onError(Throwable failure) {
-      raster = NOTHING; // the memory that it takes may be what is missing
+      frameBuffer = NOTHING; // the memory that it takes may be what is missing
       argb = NO_PIXELS;
       last = Optional.empty();
       busy = false;
@@ -154,15 +154,15 @@ final class Painter implements AutoCloseable {
       settled = true;
       return Optional.empty();
     }
-    CameraIntrinsics lens = view.viewpoint().intrinsics();
-    if (raster.width() != lens.width() || raster.height() != lens.height()) {
-      raster = FrameBuffer.forScreen(lens.width(), lens.height());
-      argb = new int[lens.width() * lens.height()];
+    CameraIntrinsics intrinsics = view.viewpoint().intrinsics();
+    if (frameBuffer.width() != intrinsics.width() || frameBuffer.height() != intrinsics.height()) {
+      frameBuffer = FrameBuffer.forScreen(intrinsics.width(), intrinsics.height());
+      argb = new int[intrinsics.width() * intrinsics.height()];
     }
-    camera.draw(sight.scene(), sight.viewpoint(), raster);
-    raster.copyTo(argb);
+    camera.draw(sight.scene(), sight.viewpoint(), frameBuffer);
+    frameBuffer.copyTo(argb);
     last = Optional.of(sight);
-    return Optional.of(new Painted(lens, argb));
+    return Optional.of(new Painted(intrinsics, argb));
   }
 
   private Scene scene(View view) {

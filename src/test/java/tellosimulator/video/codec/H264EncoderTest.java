@@ -21,7 +21,7 @@ import tellosimulator.video.picture.Picture;
 
 class H264EncoderTest {
 
-  private static final int PICTURES = 8;
+  private static final int FRAMES = 8;
 
   private static final List<TestSequence> SEQUENCES = List.of(TestSequence.values());
 
@@ -33,10 +33,10 @@ class H264EncoderTest {
     H264Encoder encoder = new H264Encoder(width, height);
     JcodecDecoder decoder = new JcodecDecoder();
     Picture picture = new Picture(width, height);
-    for (int i = 0; i < PICTURES; i++) {
+    for (int i = 0; i < FRAMES; i++) {
       sequence.fill(pattern, picture, i);
       decoder.decode(encoder.encode(picture, i == 5));
-      assertThat(decoder.differences(encoder.reconstruction())).as("picture %d", i).isZero();
+      assertThat(decoder.differences(encoder.reconstruction())).as("frame %d", i).isZero();
     }
   }
 
@@ -65,7 +65,7 @@ class H264EncoderTest {
     for (int i = 0; i < 60; i++) {
       SEQUENCES.get(i / 15).fill(pattern, picture, i);
       decoder.decode(encoder.encode(picture, i % 20 == 0));
-      assertThat(decoder.differences(encoder.reconstruction())).as("picture %d", i).isZero();
+      assertThat(decoder.differences(encoder.reconstruction())).as("frame %d", i).isZero();
     }
   }
 
@@ -83,7 +83,7 @@ class H264EncoderTest {
         SEQUENCES.get(random.nextInt(SEQUENCES.size())).fill(pattern, picture, random.nextInt(30));
         decoder.decode(encoder.encode(picture, random.nextInt(10) == 0));
         assertThat(decoder.differences(encoder.reconstruction()))
-            .as("picture %d of round %d, %d by %d", i, round, width, height)
+            .as("frame %d of round %d, %d by %d", i, round, width, height)
             .isZero();
       }
     }
@@ -126,7 +126,7 @@ class H264EncoderTest {
   void startCodesAreAtNalUnitStartsAndNowhereElse(TestSequence sequence) {
     H264Encoder encoder = new H264Encoder(320, 240);
     Picture picture = new Picture(320, 240);
-    for (int i = 0; i < PICTURES; i++) {
+    for (int i = 0; i < FRAMES; i++) {
       sequence.fill(pattern, picture, i);
       AccessUnit encoded = encoder.encode(picture, false);
       List<Integer> expected = new ArrayList<>();
@@ -206,7 +206,7 @@ class H264EncoderTest {
     encodeAll(encoder, pictures);
     long taken = thread.getCurrentThreadAllocatedBytes() - before;
 
-    assertThat(taken / pictures.size()).as("bytes a picture").isLessThan(64);
+    assertThat(taken / pictures.size()).as("bytes a frame").isLessThan(64);
   }
 
   private static void encodeAll(H264Encoder encoder, List<Picture> pictures) {

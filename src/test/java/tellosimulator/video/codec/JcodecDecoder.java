@@ -29,8 +29,8 @@ final class JcodecDecoder {
   private final Frame[] references = new Frame[1 << ParameterSets.FRAME_NUM_BITS];
   private Frame decoded;
 
-  void decode(AccessUnit picture) {
-    ByteBuffer bytes = ByteBuffer.wrap(picture.bytes(), 0, picture.size());
+  void decode(AccessUnit accessUnit) {
+    ByteBuffer bytes = ByteBuffer.wrap(accessUnit.bytes(), 0, accessUnit.size());
     SliceReader slice = reader.readFrame(H264Utils.splitFrame(bytes)).get(0);
     SliceHeader header = slice.getSliceHeader();
     if (slice.getNALUnit().type == NALUnitType.IDR_SLICE) {

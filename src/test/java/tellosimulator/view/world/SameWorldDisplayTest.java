@@ -135,14 +135,14 @@ class SameWorldDisplayTest {
   /** What the software camera sees from the first drone. */
   private Image drawn() {
     SoftwareCamera camera = new SoftwareCamera(new RenderCache(ColorSpace.RGB));
-    FrameBuffer raster = FrameBuffer.forScreen(WIDTH, HEIGHT);
+    FrameBuffer frameBuffer = FrameBuffer.forScreen(WIDTH, HEIGHT);
     Pose pose = fixture.snapshot().drones().get(0).state().motion().pose();
     camera.draw(
         new Stage().scene(fixture.snapshot(), 1),
         DroneOptics.DEFAULT.ahead(pose, WIDTH, HEIGHT),
-        raster);
+        frameBuffer);
     int[] pixels = new int[WIDTH * HEIGHT];
-    raster.copyTo(pixels);
+    frameBuffer.copyTo(pixels);
     for (int i = 0; i < pixels.length; i++) {
       pixels[i] |= 0xff000000;
     }
