@@ -75,7 +75,7 @@ final class OtherLoad {
   private static double sum(Path file, int after, List<Integer> fields) {
     try (Stream<String> lines = Files.lines(file)) {
       String line = lines.findFirst().orElse("");
-      String[] words = line.substring(line.lastIndexOf(after) + 1).trim().split("\\s+");
+      String[] words = line.substring(line.lastIndexOf(after) + 1).trim().split("\\s+", -1);
       return fields.stream().mapToDouble(field -> Double.parseDouble(words[field])).sum() / TICKS;
     } catch (IOException e) {
       return 0;
