@@ -15,11 +15,9 @@ import tellosimulator.goal.Progress.Status;
 import tellosimulator.headless.HeadlessSimulator;
 import tellosimulator.network.PortTakenException;
 import tellosimulator.scenario.ScenarioException;
-import tellosimulator.video.Films;
 import tellosimulator.video.SoftwareCameras;
 import tellosimulator.video.WarmUp;
 import tellosimulator.video.camera.DroneOptics;
-import tellosimulator.video.codec.H264Encoder;
 import tellosimulator.view.SimulatorApp;
 import tellosimulator.view.Toolkit;
 import tellosimulator.view.layout.WindowState;
@@ -34,8 +32,6 @@ public final class Main {
 
   private final Options options = new Options();
   private final SoftwareCameras cameras = new SoftwareCameras(DroneOptics.DEFAULT);
-  private final Films defaultFilms = new Films(cameras, H264Encoder::new);
-  private final WarmUp warmUp = new WarmUp(defaultFilms);
   private final PrintStream out;
   private final PrintStream err;
 
@@ -64,12 +60,10 @@ public final class Main {
   /** Runs the program and returns its exit code. */
   static int run(String[] args, PrintStream out, PrintStream err) {
     Main main = new Main(out, err);
-    try (WarmUp warmUp = main.warmUp) {
-      if (List.of(args).contains(Options.HEADLESS)) {
-        warmUp.beginEarly(); // reading the options leaves a processor idle
-      }
-      return main.run(args);
+    if (List.of(args).contains(Options.HEADLESS)) {
+      WarmUp.start(main.cameras); // reading the options leaves a processor idle
     }
+    return main.run(args);
   }
 
   private int run(String... args) {
@@ -138,22 +132,15 @@ public final class Main {
     }
   }
 
-  /** Those that have begun, if they have these optics. */
-  private Films films(DroneOptics optics) {
-    return optics.equals(DroneOptics.DEFAULT)
-        ? defaultFilms
-        : new Films(cameras.withOptics(optics), H264Encoder::new);
-  }
-
   private int simulateHeadless() throws PortTakenException, InterruptedException {
-    Films films = films(options.optics());
     try (HeadlessSimulator simulator =
         new HeadlessSimulator(
-            options.scenario(), options.addressPlan(), options.replyPort(), films)) {
+            options.scenario(),
+            options.addressPlan(),
+            options.replyPort(),
+            cameras.withOptics(options.optics()))) {
       Runtime.getRuntime().addShutdownHook(new Thread(simulator::close, "shutdown"));
-      WarmUp.finishEarly(films, simulator.snapshot());
       simulator.sayReady(out);
-      warmUp.begin(simulator::snapshot);
       Charset charset = Charset.defaultCharset();
       BufferedReader in = new BufferedReader(new InputStreamReader(System.in, charset));
       if (options.exitWhenDone()) {

@@ -44,10 +44,8 @@ import tellosimulator.sim.SimConfig;
 import tellosimulator.sim.SimConfig.Outlets;
 import tellosimulator.sim.Swarm;
 import tellosimulator.time.TimeFactor;
-import tellosimulator.video.Films;
 import tellosimulator.video.SoftwareCameras;
 import tellosimulator.video.camera.DroneOptics;
-import tellosimulator.video.codec.H264Encoder;
 import tellosimulator.world.Decor;
 import tellosimulator.world.Poster;
 import tellosimulator.world.Room;
@@ -467,7 +465,7 @@ class ExamplesTest {
               Scenario.of(config.withOutlets(new Outlets(statePort, videoPort))),
               AddressPlan.portPerDrone(config.starts().size(), loopback, 0),
               OptionalInt.empty(),
-              new Films(new SoftwareCameras(DroneOptics.DEFAULT), H264Encoder::new));
+              new SoftwareCameras(DroneOptics.DEFAULT));
       addresses = ADDRESS.matcher(type("")).results().map(MatchResult::group).toList();
     }
 

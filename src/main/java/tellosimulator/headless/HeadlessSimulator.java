@@ -15,8 +15,9 @@ import tellosimulator.network.PortTakenException;
 import tellosimulator.scenario.Scenario;
 import tellosimulator.sim.LogLimiter;
 import tellosimulator.sim.SimSnapshot;
-import tellosimulator.video.Films;
+import tellosimulator.video.SoftwareCameras;
 import tellosimulator.video.VideoStreams;
+import tellosimulator.video.codec.H264Encoder;
 
 /** The program without a window: drones that are on, a console, and a line when it is ready. */
 public final class HeadlessSimulator implements AutoCloseable {
@@ -30,10 +31,11 @@ public final class HeadlessSimulator implements AutoCloseable {
    * Opens the sockets and starts the simulation; all drones are on.
    *
    * @param replyPort port to which all replies go; empty for the port each command came from
-   * @param films makes the video of each drone
+   * @param cameras makes a camera for each drone's video
    * @throws PortTakenException if an address or port cannot be had
    */
-  public HeadlessSimulator(Scenario scenario, AddressPlan plan, OptionalInt replyPort, Films films)
+  public HeadlessSimulator(
+      Scenario scenario, AddressPlan plan, OptionalInt replyPort, SoftwareCameras cameras)
       throws PortTakenException {
     EventLog log = new EventLog();
     GoalWatch goals = new GoalWatch(scenario.challenge(), log::event);
@@ -41,7 +43,7 @@ public final class HeadlessSimulator implements AutoCloseable {
     simulation =
         new OnlineSimulation(
             scenario.config(), plan, replyPort, List.of(new LogLimiter(log), goals, ending));
-    video = VideoStreams.of(simulation, films);
+    video = VideoStreams.of(simulation, cameras, H264Encoder::new);
     try {
       simulation.switchAllOn();
     } catch (PortTakenException e) {

@@ -17,6 +17,7 @@ import tellosimulator.sim.SimSnapshot;
 import tellosimulator.sim.SimSnapshot.DroneSnapshot;
 import tellosimulator.time.Metronome;
 import tellosimulator.video.VideoConnection.Route;
+import tellosimulator.video.camera.Sight;
 import tellosimulator.video.codec.AccessUnit;
 import tellosimulator.video.picture.Picture;
 
@@ -65,7 +66,7 @@ public final class VideoStream implements AutoCloseable {
 
   private final int drone;
   private final Supplier<SimSnapshot> snapshots;
-  private final Films films;
+  private final Supplier<Film> films;
   private final Metronome metronome = new Metronome();
   private final VideoConnection connection = new VideoConnection(metronome, this::lose);
   private final VideoMeter meter = new VideoMeter();
@@ -77,7 +78,7 @@ public final class VideoStream implements AutoCloseable {
   private volatile boolean unseen;
 
   /** What the last picture showed, if it was only for those who look. */
-  private Optional<Object> shown = Optional.empty();
+  private Optional<Seen> shown = Optional.empty();
 
   private int starvedAt;
   private int start;
@@ -105,8 +106,15 @@ public final class VideoStream implements AutoCloseable {
     static final Wish NOTHING = new Wish(false, false, false, Optional.empty(), 0);
   }
 
-  /** Starts to rest at once. */
-  VideoStream(int drone, Supplier<SimSnapshot> snapshots, Films films) {
+  /** What a frame shows, and in which format. */
+  private record Seen(Sight sight, VideoFormat format) {}
+
+  /**
+   * Starts to rest at once.
+   *
+   * @param films creates what renders and encodes; called on the stream's thread
+   */
+  VideoStream(int drone, Supplier<SimSnapshot> snapshots, Supplier<Film> films) {
     this.drone = drone;
     this.snapshots = snapshots;
     this.films = films;
@@ -231,12 +239,12 @@ public final class VideoStream implements AutoCloseable {
 
   /** Takes a picture for those who look, unless it would be as the last one. */
   private void preview(SimSnapshot snapshot, Wish wish, VideoFormat format) {
-    Optional<Object> sight = Optional.of(film().sight(snapshot, format));
-    if (unseen || !sight.equals(shown)) {
+    Optional<Seen> seen = film().sight(snapshot, format).map(sight -> new Seen(sight, format));
+    if (unseen || seen.isEmpty() || !seen.equals(shown)) {
       unseen = false;
       shown = Optional.empty(); // if it fails
       picture(snapshot, wish, format);
-      shown = sight;
+      shown = seen;
     }
   }
 
@@ -271,7 +279,7 @@ public final class VideoStream implements AutoCloseable {
 
   private Film film() {
     if (begun.isEmpty()) {
-      begun = Optional.of(films.film(drone));
+      begun = Optional.of(films.get());
     }
     return begun.get();
   }

@@ -7,6 +7,8 @@ import tellosimulator.network.OnlineSimulation;
 import tellosimulator.sim.SimEvent;
 import tellosimulator.sim.SimListener;
 import tellosimulator.sim.SimSnapshot;
+import tellosimulator.video.camera.FrameSource;
+import tellosimulator.video.codec.VideoEncoder;
 
 /** The video of all drones of a simulation, each on a thread of its own. For any thread. */
 public final class VideoStreams implements SimListener, AutoCloseable {
@@ -19,23 +21,32 @@ public final class VideoStreams implements SimListener, AutoCloseable {
    * to the simulation for it, or a drone that is told to film does so only when somebody looks.
    *
    * @param snapshots the newest one
-   * @param films makes one for each drone when it films first
+   * @param cameras creates a camera for each drone when it films first
+   * @param encoders creates an encoder for each frame size
    */
-  public VideoStreams(Supplier<SimSnapshot> snapshots, Films films) {
+  public VideoStreams(
+      Supplier<SimSnapshot> snapshots,
+      Supplier<FrameSource> cameras,
+      VideoEncoder.Factory encoders) {
     this.snapshots = snapshots;
     streams =
         IntStream.rangeClosed(1, snapshots.get().drones().size())
-            .mapToObj(drone -> new VideoStream(drone, snapshots, films))
+            .mapToObj(
+                drone ->
+                    new VideoStream(
+                        drone, snapshots, () -> new Film(drone, cameras.get(), encoders)))
             .toList();
   }
 
   /**
    * Films the drones of a simulation whenever somebody wants their pictures.
    *
-   * @param films makes one for each drone when it films first
+   * @param cameras creates a camera for each drone when it films first
+   * @param encoders creates an encoder for each frame size
    */
-  public static VideoStreams of(OnlineSimulation simulation, Films films) {
-    VideoStreams streams = new VideoStreams(simulation::snapshot, films);
+  public static VideoStreams of(
+      OnlineSimulation simulation, Supplier<FrameSource> cameras, VideoEncoder.Factory encoders) {
+    VideoStreams streams = new VideoStreams(simulation::snapshot, cameras, encoders);
     simulation.listen(streams);
     return streams;
   }

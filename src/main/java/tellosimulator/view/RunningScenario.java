@@ -35,9 +35,6 @@ final class RunningScenario implements AutoCloseable {
   /** Frames from look to look whether something is unsaved. Decided: a quarter of a second. */
   private static final int FRAMES_BETWEEN_LOOKS = 15;
 
-  /** Frames that the window shows before filming is warmed up. Decided: half a second. */
-  private static final int FRAMES_BEFORE_WARM_UP = 30;
-
   /**
    * How drones and operators reach each other.
    *
@@ -83,7 +80,6 @@ final class RunningScenario implements AutoCloseable {
     frame = newFrame;
     FxScenario scenario = new FxScenario(opened.scenario(), opened.file(), goals, desk);
     context = ViewContext.of(simulation, frame.language.linked(), video, scenario);
-    context.pulse().onBeat(nanos -> warmUp());
     context.pulse().onBeat(nanos -> lookForEdits(scenario));
     window = new SimulatorWindow(frame.stage, context, frame.state.linked(), feed);
     window.remember(frame.settings);
@@ -92,16 +88,9 @@ final class RunningScenario implements AutoCloseable {
 
   /** Not at each frame: it compares the whole scenario. */
   private void lookForEdits(FxScenario scenario) {
+    frames++;
     if (frames % FRAMES_BETWEEN_LOOKS == 0) {
       scenario.setUnsaved(unsaved());
-    }
-  }
-
-  /** Opening the window has the machine to itself. */
-  private void warmUp() {
-    frames++;
-    if (frames == FRAMES_BEFORE_WARM_UP) {
-      video.warmUp();
     }
   }
 

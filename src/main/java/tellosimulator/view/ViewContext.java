@@ -61,7 +61,6 @@ public record ViewContext(
             simulation::still);
     simulation.dozeWith(pulse::idle);
     online.listen(new Stirring(pulse));
-    video.onOrder(pulse::stir);
     pulse.onBeat(nanos -> video.advance());
     return new ViewContext(
         simulation, new SimulatorActions(online), language, pulse, video, scenario);

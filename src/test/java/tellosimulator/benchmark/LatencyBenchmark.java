@@ -16,7 +16,6 @@ import tellosimulator.sim.Control;
 import tellosimulator.sim.SimConfig;
 import tellosimulator.sim.SimConfig.Outlets;
 import tellosimulator.time.Metronome;
-import tellosimulator.video.Films;
 import tellosimulator.video.SoftwareCameras;
 import tellosimulator.video.VideoStreams;
 import tellosimulator.video.camera.DroneOptics;
@@ -55,8 +54,7 @@ final class LatencyBenchmark {
     try (VideoSocket video = new VideoSocket();
         OnlineSimulation simulation = simulation(video.port());
         VideoStreams streams =
-            VideoStreams.of(
-                simulation, new Films(() -> noted(cameras().get()), H264Encoder::new))) {
+            VideoStreams.of(simulation, () -> noted(cameras().get()), H264Encoder::new)) {
       simulation.switchAllOn();
       int port = simulation.addresses(1).get(0).getPort();
       try (Operator operator = new Operator(port)) {

@@ -9,7 +9,6 @@ import tellosimulator.network.AddressPlan;
 import tellosimulator.network.OnlineSimulation;
 import tellosimulator.network.PortTakenException;
 import tellosimulator.sim.SimConfig;
-import tellosimulator.video.Films;
 import tellosimulator.video.Recording;
 import tellosimulator.video.SoftwareCameras;
 import tellosimulator.video.VideoStreams;
@@ -32,7 +31,7 @@ final class Recorder {
             new OnlineSimulation(SimConfig.DEFAULT, plan, OptionalInt.empty(), List.of());
         VideoStreams video =
             VideoStreams.of(
-                simulation, new Films(new SoftwareCameras(DroneOptics.DEFAULT), H264Encoder::new));
+                simulation, new SoftwareCameras(DroneOptics.DEFAULT), H264Encoder::new);
         Recording recording = Recording.to(Path.of(arguments[0]))) {
       simulation.switchAllOn();
       video.stream(1).watch(recording);

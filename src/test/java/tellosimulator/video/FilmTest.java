@@ -25,7 +25,6 @@ class FilmTest {
       new Simulation(SimConfig.DEFAULT, drone -> (peer, text) -> {}, report -> {}, List.of())
           .snapshot();
   private final List<CameraId> taken = new ArrayList<>();
-  private Object sight = "a room";
   private final Film film =
       new Film(
           1,
@@ -35,16 +34,11 @@ class FilmTest {
             return new Recorder();
           });
 
-  /** A camera that writes down what it takes, and sees what a test says. */
+  /** A camera that writes down what it takes. */
   private final class Camera implements FrameSource {
     @Override
     public void film(SimSnapshot moment, CameraId shot, Picture picture) {
       taken.add(shot);
-    }
-
-    @Override
-    public Object sight(SimSnapshot moment, CameraId shot) {
-      return sight;
     }
   }
 
@@ -141,58 +135,5 @@ class FilmTest {
     Picture below = film.shoot(snapshot, VideoFormat.of(VideoSettings.DEFAULT.withDownward(true)));
     assertThat(taken).containsExactly(new CameraId(1, false), new CameraId(1, true));
     assertThat(List.of(below.width(), below.height())).containsExactly(320, 720);
-  }
-
-  @Test
-  void aPreparedPictureIsTheFirstOneWhileThereIsTheSameToSee() {
-    VideoFormat format = VideoFormat.of(VideoSettings.DEFAULT.withFramesPerSecond(5));
-    film.prepare(snapshot, format);
-    film.shoot(snapshot, format);
-    assertThat(film.encode(10 * FIFTH, true).idr()).isTrue();
-
-    assertThat(taken).hasSize(1);
-    assertThat(asked).endsWith("key");
-    assertThat(asked).containsOnlyOnce("key");
-  }
-
-  @Test
-  void aPreparedPictureIsShownOnce() {
-    VideoFormat format = VideoFormat.of(VideoSettings.DEFAULT.withFramesPerSecond(5));
-    film.prepare(snapshot, format);
-    for (int i = 10; i < 16; i++) {
-      film.shoot(snapshot, format);
-      film.encode(i * FIFTH, i == 10);
-    }
-
-    assertThat(taken).hasSize(6);
-    assertThat(asked.subList(2, asked.size()))
-        .containsExactly("key", "next", "next", "next", "next", "key");
-  }
-
-  @Test
-  void whereThereIsSomethingElseToSeeAPreparedPictureIsForgotten() {
-    VideoFormat format = VideoFormat.of(VideoSettings.DEFAULT);
-    film.prepare(snapshot, format);
-    sight = "another room";
-    film.shoot(snapshot, format);
-    sight = "a room";
-    film.shoot(snapshot, format);
-    film.encode(0, false);
-
-    assertThat(taken).hasSize(3);
-    assertThat(asked.subList(2, asked.size()))
-        .as("the bits of what nobody gets do not count")
-        .containsExactly("key", "30/s 2500000", "key");
-  }
-
-  @Test
-  void aPreparedPictureIsOfNoUseForAnotherFormat() {
-    film.prepare(snapshot, VideoFormat.of(VideoSettings.DEFAULT));
-    film.shoot(snapshot, VideoFormat.of(VideoSettings.DEFAULT.withMegabits(4)));
-    film.encode(0, true);
-
-    assertThat(taken).hasSize(2);
-    assertThat(asked)
-        .containsExactly("encoder 960x720", "30/s 2500000", "key", "30/s 4000000", "key");
   }
 }

@@ -67,7 +67,7 @@ final class FilmedDrones implements AutoCloseable {
     AddressPlan plan =
         AddressPlan.portPerDrone(videoPorts.length, List.of(InetAddress.getLoopbackAddress()), 0);
     simulation = new OnlineSimulation(config, plan, OptionalInt.empty(), List.of());
-    streams = VideoStreams.of(simulation, new Films(() -> ONE_COLOUR, H264Encoder::new));
+    streams = VideoStreams.of(simulation, () -> ONE_COLOUR, H264Encoder::new);
     try {
       simulation.switchAllOn();
     } catch (PortTakenException e) {

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static tellosimulator.testing.SimulatedDrone.address;
 
 import java.util.List;
+import java.util.Optional;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.Semaphore;
@@ -15,6 +16,10 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import tellosimulator.command.Peer;
 import tellosimulator.concurrent.Verdict;
+import tellosimulator.math.Attitude;
+import tellosimulator.math.Pose;
+import tellosimulator.math.Vec3;
+import tellosimulator.scenery.Scene;
 import tellosimulator.sim.Control;
 import tellosimulator.sim.SimConfig;
 import tellosimulator.sim.SimConfig.Outlets;
@@ -23,6 +28,7 @@ import tellosimulator.sim.Simulation;
 import tellosimulator.testing.CapturedLog;
 import tellosimulator.video.camera.CameraId;
 import tellosimulator.video.camera.FrameSource;
+import tellosimulator.video.camera.Sight;
 import tellosimulator.video.codec.H264Encoder;
 import tellosimulator.video.picture.Picture;
 
@@ -46,12 +52,18 @@ class VideoStreamTest {
           List.of());
   private final AtomicReference<Error> failure = new AtomicReference<>();
   private final BlockingQueue<String> filmed = new LinkedBlockingQueue<>();
-  private final AtomicReference<String> sight = new AtomicReference<>("the room");
+  private final AtomicReference<Sight> sight = new AtomicReference<>(sight(0));
   private final AtomicInteger films = new AtomicInteger();
   private final Semaphore looks = new Semaphore(0);
   private final CapturedLog log = CapturedLog.of(Verdict.class);
   private final VideoStream stream =
-      new VideoStream(1, this::look, new Films(this::source, H264Encoder::new));
+      new VideoStream(1, this::look, () -> new Film(1, source(), H264Encoder::new));
+
+  /** What is seen by a drone at some height [m]. */
+  private static Sight sight(double height) {
+    Pose pose = new Pose(new Vec3(0, 0, height), Attitude.LEVEL);
+    return new Sight(new Scene(List.of()), pose, false);
+  }
 
   private SimSnapshot look() {
     looks.release();
@@ -71,8 +83,8 @@ class VideoStreamTest {
       }
 
       @Override
-      public Object sight(SimSnapshot snapshot, CameraId shot) {
-        return sight.get();
+      public Optional<Sight> sight(SimSnapshot snapshot, CameraId shot) {
+        return Optional.of(sight.get());
       }
     };
   }
@@ -155,7 +167,7 @@ class VideoStreamTest {
     looks.acquire(6); // some ticks, at which an encoded stream would have pictures
 
     assertThat(filmed).isEmpty();
-    sight.set("the room with a box in it");
+    sight.set(sight(1));
     assertThat(filmed.take()).isEqualTo("picture");
   }
 

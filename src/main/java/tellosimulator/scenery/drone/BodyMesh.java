@@ -133,7 +133,7 @@ final class BodyMesh {
 
   private void addGuard(int front, int left) {
     Vec3 motor = motor(front, left);
-    double outward = Math.atan2(left * WIDTH, front * LENGTH);
+    double outward = StrictMath.atan2(left * WIDTH, front * LENGTH);
     mesh.surface(Palette.GUARD);
     int parts = 18;
     List<int[]> rings = new ArrayList<>();
@@ -155,7 +155,7 @@ final class BodyMesh {
 
   /** An upright strip, 1.8 mm thick and 4.6 mm high. */
   private int[] guardSection(Vec3 motor, double angle) {
-    Vec3 out = new Vec3(Math.cos(angle), Math.sin(angle), 0).times(0.0009);
+    Vec3 out = new Vec3(StrictMath.cos(angle), StrictMath.sin(angle), 0).times(0.0009);
     Vec3 low = onGuard(motor, angle, 0.0285);
     Vec3 high = onGuard(motor, angle, 0.0331);
     return new int[] {
@@ -168,8 +168,8 @@ final class BodyMesh {
 
   private static Vec3 onGuard(Vec3 motor, double angle, double height) {
     return new Vec3(
-        motor.x() + GUARD_RADIUS * Math.cos(angle),
-        motor.y() + GUARD_RADIUS * Math.sin(angle),
+        motor.x() + GUARD_RADIUS * StrictMath.cos(angle),
+        motor.y() + GUARD_RADIUS * StrictMath.sin(angle),
         height);
   }
 }

@@ -32,10 +32,10 @@ final class PropellerDisc {
     int corner = 0;
     for (int i = 0; i < SIDES; i++) {
       double angle = 2 * Math.PI * i / SIDES;
-      points[3 * i] = (float) (PropellerMesh.RADIUS * Math.cos(angle));
-      points[3 * i + 1] = (float) (PropellerMesh.RADIUS * Math.sin(angle));
-      places[2 * i] = (float) (0.5 + Math.cos(angle) / 2);
-      places[2 * i + 1] = (float) (0.5 + Math.sin(angle) / 2);
+      points[3 * i] = (float) (PropellerMesh.RADIUS * StrictMath.cos(angle));
+      points[3 * i + 1] = (float) (PropellerMesh.RADIUS * StrictMath.sin(angle));
+      places[2 * i] = (float) (0.5 + StrictMath.cos(angle) / 2);
+      places[2 * i + 1] = (float) (0.5 + StrictMath.sin(angle) / 2);
       int next = (i + 1) % SIDES;
       for (int vertex : new int[] {SIDES, i, next, SIDES, next, i}) {
         corners[corner] = vertex;
@@ -65,9 +65,9 @@ final class PropellerDisc {
    * @param y across
    */
   static double opacity(double x, double y) {
-    double radius = Math.hypot(x, y);
-    double fromBlade = Math.atan2(Math.abs(y), Math.abs(x));
-    double blade = Math.exp(-Math.pow(fromBlade / 0.5, 2));
+    double radius = StrictMath.hypot(x, y);
+    double fromBlade = StrictMath.atan2(Math.abs(y), Math.abs(x));
+    double blade = StrictMath.exp(-StrictMath.pow(fromBlade / 0.5, 2));
     double tip = Math.max(0, Math.min(1, (1 - radius) * 12));
     return tip * (DISC_OPACITY + BLADE_OPACITY * blade * (1 - 0.45 * radius));
   }

@@ -62,8 +62,8 @@ final class PropellerMesh {
 
   /** Four corners around the section's middle: two edges, the back and the belly. */
   private static int[] section(MeshBuilder mesh, Blade blade, int side, int sense) {
-    double flat = blade.chord / 2 * Math.cos(blade.twist);
-    double steep = blade.chord / 2 * Math.sin(blade.twist) * sense;
+    double flat = blade.chord / 2 * StrictMath.cos(blade.twist);
+    double steep = blade.chord / 2 * StrictMath.sin(blade.twist) * sense;
     Vec3 middle = new Vec3(side * blade.radius, 0, 0);
     Vec3 edge = new Vec3(0, side * flat, steep);
     Vec3 back = new Vec3(0, 0, THICKNESS / 2);

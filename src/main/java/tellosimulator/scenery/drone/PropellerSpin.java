@@ -75,7 +75,7 @@ public final class PropellerSpin {
       return false;
     }
     double constant = wanted > speed ? SPIN_UP : RUN_DOWN;
-    speed += (wanted - speed) * (1 - Math.exp(-seconds / constant));
+    speed += (wanted - speed) * (1 - StrictMath.exp(-seconds / constant));
     if (wanted == 0 && speed < 0.01) {
       speed = 0;
     }

@@ -92,7 +92,7 @@ final class Shell {
     int[] ring = new int[AROUND];
     for (int i = 0; i < AROUND; i++) {
       double angle = 2 * Math.PI * i / AROUND;
-      double sine = Math.sin(angle);
+      double sine = StrictMath.sin(angle);
       double height = sine >= 0 ? rib.up : rib.down;
       boolean seam = i == 0 || i == AROUND / 2;
       double width = seam ? rib.halfWidth * SEAM_DEPTH : rib.halfWidth;
@@ -100,14 +100,14 @@ final class Shell {
           mesh.vertex(
               new Vec3(
                   rib.x,
-                  width * superelliptic(Math.cos(angle)),
+                  width * superelliptic(StrictMath.cos(angle)),
                   SEAM_HEIGHT + height * superelliptic(sine)));
     }
     return ring;
   }
 
   private static double superelliptic(double value) {
-    return Math.signum(value) * Math.pow(Math.abs(value), 2 / BOXINESS);
+    return Math.signum(value) * StrictMath.pow(Math.abs(value), 2 / BOXINESS);
   }
 
   private static void addLens(MeshBuilder mesh) {

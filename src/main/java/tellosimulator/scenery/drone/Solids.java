@@ -92,7 +92,7 @@ final class Solids {
     int[] ring = new int[sides];
     for (int i = 0; i < sides; i++) {
       double angle = 2 * Math.PI * (i + 0.5) / sides;
-      Vec3 out = first.times(Math.cos(angle)).plusScaled(second, Math.sin(angle));
+      Vec3 out = first.times(StrictMath.cos(angle)).plusScaled(second, StrictMath.sin(angle));
       ring[i] = mesh.vertex(section.centre.plusScaled(out, section.radius));
     }
     return ring;

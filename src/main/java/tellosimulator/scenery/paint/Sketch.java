@@ -33,7 +33,9 @@ public final class Sketch {
       for (int i = 0; i <= parts; i++) {
         double angle = from + (to - from) * i / parts;
         points.add(
-            new Point(middle.x + radii.x * Math.cos(angle), middle.y + radii.y * Math.sin(angle)));
+            new Point(
+                middle.x + radii.x * StrictMath.cos(angle),
+                middle.y + radii.y * StrictMath.sin(angle)));
       }
       return points;
     }

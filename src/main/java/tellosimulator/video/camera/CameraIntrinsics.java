@@ -18,6 +18,6 @@ public record CameraIntrinsics(int width, int height, double fieldOfView) {
 
   /** The focal length [pixels]. */
   public double focalLength() {
-    return width / 2.0 / Math.tan(fieldOfView / 2);
+    return width / 2.0 / StrictMath.tan(fieldOfView / 2);
   }
 }

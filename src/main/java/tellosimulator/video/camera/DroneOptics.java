@@ -87,13 +87,13 @@ public record DroneOptics(double fieldOfView, double tilt) {
    * @param diagonal for the aspect ratio of the drone's frames [rad]
    */
   public static double horizontalFieldOfView(double diagonal) {
-    double share = WIDTH / Math.hypot(WIDTH, HEIGHT);
-    return 2 * Math.atan(share * Math.tan(diagonal / 2));
+    double share = WIDTH / StrictMath.hypot(WIDTH, HEIGHT);
+    return 2 * StrictMath.atan(share * StrictMath.tan(diagonal / 2));
   }
 
   /** The pose of the forward camera, room frame; it looks along its x axis. */
   public Pose nose(Pose drone) {
-    Attitude down = new Attitude(Math.cos(tilt / 2), 0, Math.sin(tilt / 2), 0);
+    Attitude down = new Attitude(StrictMath.cos(tilt / 2), 0, StrictMath.sin(tilt / 2), 0);
     return mounted(drone, NOSE, down);
   }
 
@@ -113,12 +113,12 @@ public record DroneOptics(double fieldOfView, double tilt) {
    * the drone.
    */
   public double near() {
-    double halfHeight = Math.atan(Math.tan(fieldOfView / 2) * HEIGHT / WIDTH);
+    double halfHeight = StrictMath.atan(StrictMath.tan(fieldOfView / 2) * HEIGHT / WIDTH);
     double down = tilt + halfHeight;
     double floor =
         down <= 0
             ? MAX_NEAR
-            : NOSE.z() * Math.cos(halfHeight) / Math.sin(Math.min(down, Math.PI / 2));
+            : NOSE.z() * StrictMath.cos(halfHeight) / StrictMath.sin(Math.min(down, Math.PI / 2));
     return Math.min(MAX_NEAR, NEAR_MARGIN * floor);
   }
 

@@ -1,5 +1,6 @@
 package tellosimulator.video.camera;
 
+import java.util.Optional;
 import tellosimulator.sim.SimSnapshot;
 import tellosimulator.video.picture.Picture;
 
@@ -14,11 +15,8 @@ public interface FrameSource {
    */
   void film(SimSnapshot snapshot, CameraId camera, Picture picture);
 
-  /**
-   * What the camera sees, as a value: where two are equal, so are the frames of one size that this
-   * source takes. A source that cannot tell gives one that equals no other.
-   */
-  default Object sight(SimSnapshot snapshot, CameraId camera) {
-    return new Object();
+  /** Everything that a frame of this snapshot shows; empty if this source cannot tell. */
+  default Optional<Sight> sight(SimSnapshot snapshot, CameraId camera) {
+    return Optional.empty();
   }
 }

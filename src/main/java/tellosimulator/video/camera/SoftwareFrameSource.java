@@ -18,9 +18,6 @@ public final class SoftwareFrameSource implements FrameSource {
     Scene scene(SimSnapshot snapshot, int drone);
   }
 
-  /** All that a frame depends on, besides its size and the optics. */
-  record Sight(Scene scene, Pose drone, boolean downward) {}
-
   /** Cb and Cr of grey. */
   private static final byte NEUTRAL = (byte) 128;
 
@@ -43,17 +40,21 @@ public final class SoftwareFrameSource implements FrameSource {
 
   @Override
   public void film(SimSnapshot snapshot, CameraId camera, Picture picture) {
-    Sight sight = sight(snapshot, camera);
+    Sight sight = seen(snapshot, camera);
     if (camera.downward()) {
-      filmDownward(sight.scene, sight.drone, picture);
+      filmDownward(sight.scene(), sight.drone(), picture);
     } else {
-      PinholeCamera ahead = optics.ahead(sight.drone, picture.width(), picture.height());
-      renderer.draw(sight.scene, ahead, frameBuffer(picture, picture.height()));
+      PinholeCamera ahead = optics.ahead(sight.drone(), picture.width(), picture.height());
+      renderer.draw(sight.scene(), ahead, frameBuffer(picture, picture.height()));
     }
   }
 
   @Override
-  public Sight sight(SimSnapshot snapshot, CameraId camera) {
+  public Optional<Sight> sight(SimSnapshot snapshot, CameraId camera) {
+    return Optional.of(seen(snapshot, camera));
+  }
+
+  private Sight seen(SimSnapshot snapshot, CameraId camera) {
     Pose drone = pose(snapshot, camera.drone());
     return new Sight(scenes.scene(snapshot, camera.drone()), drone, camera.downward());
   }

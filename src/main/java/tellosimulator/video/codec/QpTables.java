@@ -56,7 +56,7 @@ record QpTables(
         chroma,
         new Quantizer(qp, INTRA_ROUNDING_SIXTHS),
         new Quantizer(chromaQp, INTRA_ROUNDING_SIXTHS),
-        (int) Math.max(1, Math.round(Math.pow(2, (qp - 12) / 6.0))),
+        (int) Math.max(1, Math.round(StrictMath.pow(2, (qp - 12) / 6.0))),
         (int) (LUMA_ZERO_STEPS * luma.stepSize),
         (int) (CHROMA_ZERO_STEPS * chroma.stepSize));
   }

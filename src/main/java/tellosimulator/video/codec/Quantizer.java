@@ -64,7 +64,7 @@ final class Quantizer {
   Quantizer(int qp, int roundingSixths) {
     qBits = 15 + qp / 6;
     rounding = (1 << qBits) * roundingSixths / 6;
-    stepSize = 0.625 * Math.pow(2, qp / 6.0);
+    stepSize = 0.625 * StrictMath.pow(2, qp / 6.0);
     for (int i = 0; i < 16; i++) {
       int position = ZIGZAG[i];
       int positionClass = ((position >> 2) & 1) + (position & 1) == 1 ? 2 : position & 1;

@@ -176,7 +176,7 @@ final class RateControl {
   /** The QP at which a GOP fits the rate, with finer IDR than P frames. */
   private double idealIdrQp(double budget) {
     double gopComplexity =
-        idrComplexity * Math.pow(2, IDR_QP_OFFSET / 6.0) + pFrames() * pComplexity;
+        idrComplexity * StrictMath.pow(2, IDR_QP_OFFSET / 6.0) + pFrames() * pComplexity;
     double ideal = qpFor(gopComplexity, (1 + pFrames()) * budget) - IDR_QP_OFFSET;
     return Math.max(ideal, qpFor(idrComplexity, idrLimit()));
   }
@@ -198,7 +198,7 @@ final class RateControl {
   }
 
   private static double qpFor(double bits, double target) {
-    return 6 / Math.log(2) * Math.log(bits / target);
+    return 6 / StrictMath.log(2) * StrictMath.log(bits / target);
   }
 
   /**
@@ -217,7 +217,7 @@ final class RateControl {
 
   /** Ends a frame of that size [bit]. */
   void endFrame(int bits) {
-    double complexity = bits * Math.pow(2, (double) qpSum / heightInMbs / 6);
+    double complexity = bits * StrictMath.pow(2, (double) qpSum / heightInMbs / 6);
     double excess = bits - bitsPerFrame;
     if (idr) {
       idrComplexity = complexity;

@@ -1,18 +1,15 @@
 package tellosimulator.view.video;
 
 import java.util.List;
-import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
 import tellosimulator.model.FlightPhase;
 import tellosimulator.network.OnlineSimulation;
 import tellosimulator.scenery.Stage;
 import tellosimulator.sim.SimSnapshot;
-import tellosimulator.video.Films;
 import tellosimulator.video.SoftwareCameras;
 import tellosimulator.video.VideoStream;
 import tellosimulator.video.VideoStreams;
-import tellosimulator.video.WarmUp;
 import tellosimulator.video.camera.DroneOptics;
 import tellosimulator.video.codec.H264Encoder;
 
@@ -22,12 +19,9 @@ public final class WindowVideo implements AutoCloseable {
   private final Supplier<SimSnapshot> snapshots;
   private final DroneOptics optics;
   private final SoftwareCameras cameras;
-  private final SnapshotDesk desk = new SnapshotDesk();
   private final VideoStreams streams;
-  private final WarmUp warmUp;
   private final List<Keeper> keepers;
   private volatile Consumer<VideoReport> reports = report -> {};
-  private volatile Optional<Consumer<SnapshotOrder>> photographer = Optional.empty();
 
   /**
    * Films nothing before somebody wants pictures.
@@ -40,11 +34,7 @@ public final class WindowVideo implements AutoCloseable {
     this.snapshots = snapshots;
     this.optics = optics;
     cameras = new SoftwareCameras(optics);
-    streams =
-        new VideoStreams(
-            snapshots,
-            new Films(() -> new SceneSnapshotSource(desk, cameras.get()), H264Encoder::new));
-    warmUp = new WarmUp(new Films(cameras, H264Encoder::new));
+    streams = new VideoStreams(snapshots, cameras, H264Encoder::new);
     keepers =
         snapshots.get().drones().stream()
             .map(drone -> keeper(drone.state().drone(), album))
@@ -94,53 +84,14 @@ public final class WindowVideo implements AutoCloseable {
     return cameras.stage();
   }
 
-  /**
-   * Lets a window's scene be photographed for the drones' video, if that is cheaper than to draw
-   * it.
-   *
-   * @param newPhotographer fills an order, on the JavaFX thread
-   */
-  public void photographBy(Consumer<SnapshotOrder> newPhotographer) {
-    photographer = Optional.of(newPhotographer);
-  }
-
-  /** Who takes pictures of the window's scene. */
-  Consumer<SnapshotOrder> photographer() {
-    return photographer.orElseThrow();
-  }
-
-  /** Tells somebody, on any thread, when a picture of the window's scene is waited for. */
-  public void onOrder(Runnable listener) {
-    desk.onOrder(listener);
-  }
-
-  /** Photographs no scene any more. */
-  public void photographNoMore() {
-    photographer = Optional.empty();
-    desk.close();
-  }
-
-  /**
-   * Lets the Java machine compile what filming takes, in the background, and tries out what
-   * photographs cost.
-   */
-  public void warmUp() {
-    warmUp.begin(snapshots);
-    if (photographer.isPresent()) {
-      desk.open();
-    }
-  }
-
   /** Moves on what a window shows; called once a pulse, on the JavaFX thread. */
   public void advance() {
     keepers.forEach(Keeper::advance);
-    photographer.ifPresent(desk::serve);
   }
 
   /** Ends all streams and films, and waits until they have ended. */
   @Override
   public void close() {
-    warmUp.close();
     streams.close();
     keepers.forEach(Keeper::close);
   }

@@ -7,12 +7,9 @@ import javafx.scene.SceneAntialiasing;
 import javafx.scene.SubScene;
 import javafx.scene.transform.Affine;
 import tellosimulator.math.Pose;
-import tellosimulator.view.FxDroneModel;
 import tellosimulator.view.FxFrames;
 import tellosimulator.view.FxSimulation;
 import tellosimulator.view.ViewContext;
-import tellosimulator.view.video.SnapshotOrder;
-import tellosimulator.view.video.WindowVideo;
 
 /**
  * The world in a SubScene, with the nodes of both cameras. Only where JavaFX has 3D. For the JavaFX
@@ -21,7 +18,6 @@ import tellosimulator.view.video.WindowVideo;
 final class ScenePicture implements WorldPicture {
 
   private final FxSimulation simulation;
-  private final WindowVideo video;
   private final SimulatorCamera camera;
   private final DroneCamera droneCamera;
   private final World world;
@@ -29,39 +25,31 @@ final class ScenePicture implements WorldPicture {
   private final Group node = new Group();
   private final PerspectiveCamera orbiting = new PerspectiveCamera(true);
   private final PerspectiveCamera onDrone = new PerspectiveCamera(true);
-  private final PerspectiveCamera filming = new PerspectiveCamera(true);
-  private final Photograph photograph = new Photograph();
   private final Affine orbitingPlace = new Affine();
   private final Affine onDronePlace = new Affine();
-  private final Affine filmingPlace = new Affine();
   private ViewCamera seen = ViewCamera.SIMULATOR;
   private SubScene subScene = new SubScene(new Group(), 0, 0);
 
   ScenePicture(ViewContext context, SimulatorCamera camera, DroneCamera droneCamera) {
     simulation = context.simulation();
-    video = context.video();
     this.camera = camera;
     this.droneCamera = droneCamera;
     world = new World(simulation);
     orbiting.setFieldOfView(SimulatorCamera.FIELD_OF_VIEW_DEG);
     orbiting.getTransforms().add(orbitingPlace);
-    equip(onDrone, onDronePlace);
-    equip(filming, filmingPlace);
-    world.getChildren().addAll(orbiting, onDrone, filming);
+    equip();
+    world.getChildren().addAll(orbiting, onDrone);
     content.getChildren().addAll(world.lights(), world);
-    // snapshots are lit by the lights of the window's scene, not by those of the SubScene
-    node.getChildren().addAll(subScene, world.lights());
+    node.getChildren().add(subScene);
     node.setManaged(false);
     smoothEdges(false);
-    video.photographBy(this::photograph);
   }
 
-  /** Makes of a camera that of a drone. */
-  private void equip(PerspectiveCamera fixed, Affine place) {
-    fixed.setVerticalFieldOfView(false);
-    fixed.setFieldOfView(Math.toDegrees(droneCamera.optics().fieldOfView()));
-    fixed.setNearClip(droneCamera.optics().near());
-    fixed.getTransforms().add(place);
+  private void equip() {
+    onDrone.setVerticalFieldOfView(false);
+    onDrone.setFieldOfView(Math.toDegrees(droneCamera.optics().fieldOfView()));
+    onDrone.setNearClip(droneCamera.optics().near());
+    onDrone.getTransforms().add(onDronePlace);
   }
 
   @Override
@@ -120,21 +108,5 @@ final class ScenePicture implements WorldPicture {
     onDrone.setFarClip(droneCamera.far());
     show(); // another drone may be selected
     world.advance(nanos, seen == ViewCamera.DRONE ? onNose : camera.pose());
-  }
-
-  /** Takes part in no more video. */
-  @Override
-  public void rest() {
-    video.photographNoMore();
-  }
-
-  /** Takes a picture with a drone's camera, without what only helps people. */
-  private void photograph(SnapshotOrder order) {
-    FxDroneModel drone = simulation.drones().get(order.drone() - 1);
-    world.showForDrone(order.drone());
-    FxFrames.aim(filmingPlace, droneCamera.optics().nose(drone.poseProperty().get()));
-    filming.setFarClip(droneCamera.far());
-    photograph.take(world, filming, order);
-    show();
   }
 }

@@ -28,5 +28,5 @@ sealed interface WorldPicture permits ScenePicture, DrawnPicture {
   void advance(long nanos);
 
   /** Ends what it does beside showing. */
-  void rest();
+  default void rest() {}
 }

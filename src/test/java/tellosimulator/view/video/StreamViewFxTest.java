@@ -19,7 +19,6 @@ import tellosimulator.math.Vec3;
 import tellosimulator.sim.SimConfig;
 import tellosimulator.sim.SimSnapshot;
 import tellosimulator.sim.Simulation;
-import tellosimulator.video.Films;
 import tellosimulator.video.VideoFigures;
 import tellosimulator.video.VideoStreams;
 import tellosimulator.video.camera.CameraId;
@@ -43,7 +42,7 @@ class StreamViewFxTest {
             Room.DEFAULT, List.of(START, new Pose(new Vec3(0, 1, 0), Attitude.LEVEL)));
     SimSnapshot snapshot =
         new Simulation(two, drone -> (peer, text) -> {}, report -> {}, List.of()).snapshot();
-    streams = new VideoStreams(() -> snapshot, new Films(() -> this::film, H264Encoder::new));
+    streams = new VideoStreams(() -> snapshot, () -> this::film, H264Encoder::new);
     view =
         onFxThread(
             () -> {
