@@ -30,10 +30,6 @@ import tellosimulator.world.Walls;
 final class OptionTypes {
 
   private static final String NUMBER = "(-?[0-9]+(?:\\.[0-9]+)?)";
-  private static final int HIGHEST_PORT = 65535;
-
-  /** As many as 127.0.0.1 to 127.0.0.250. Decided. */
-  private static final int MOST_DRONES = 250;
 
   private OptionTypes() {}
 
@@ -50,7 +46,7 @@ final class OptionTypes {
   static final class Port implements ITypeConverter<Integer> {
     @Override
     public Integer convert(String word) {
-      return wholeNumber(word, 1, HIGHEST_PORT, "a port from 1 to 65535");
+      return wholeNumber(word, 1, AddressPlan.HIGHEST_PORT, "a port from 1 to 65535");
     }
   }
 
@@ -62,7 +58,7 @@ final class OptionTypes {
     public PortList convert(String words) {
       List<Integer> ports = new ArrayList<>();
       for (String word : words.split(",", -1)) {
-        ports.add(wholeNumber(word, 1, HIGHEST_PORT, "a port from 1 to 65535"));
+        ports.add(wholeNumber(word, 1, AddressPlan.HIGHEST_PORT, "a port from 1 to 65535"));
       }
       return new PortList(List.copyOf(ports));
     }
@@ -71,7 +67,8 @@ final class OptionTypes {
   static final class PortOrFree implements ITypeConverter<Integer> {
     @Override
     public Integer convert(String word) {
-      return wholeNumber(word, 0, HIGHEST_PORT, "a port from 1 to 65535, or 0 for a free one");
+      return wholeNumber(
+          word, 0, AddressPlan.HIGHEST_PORT, "a port from 1 to 65535, or 0 for a free one");
     }
   }
 
@@ -80,7 +77,8 @@ final class OptionTypes {
     public OptionalInt convert(String word) {
       return word.equals("sender")
           ? OptionalInt.empty()
-          : OptionalInt.of(wholeNumber(word, 1, HIGHEST_PORT, "sender or a port from 1 to 65535"));
+          : OptionalInt.of(
+              wholeNumber(word, 1, AddressPlan.HIGHEST_PORT, "sender or a port from 1 to 65535"));
     }
   }
 
@@ -104,7 +102,8 @@ final class OptionTypes {
   static final class DroneCount implements ITypeConverter<Integer> {
     @Override
     public Integer convert(String word) {
-      return wholeNumber(word, 1, MOST_DRONES, "a number from 1 to " + MOST_DRONES);
+      return wholeNumber(
+          word, 1, AddressPlan.MOST_DRONES, "a number from 1 to " + AddressPlan.MOST_DRONES);
     }
   }
 

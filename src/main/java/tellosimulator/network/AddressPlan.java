@@ -23,7 +23,11 @@ public record AddressPlan(List<Endpoint> drones, Reach reach) {
   /** Ports that operator programs need for themselves. Documented: SDK 1.3 User Guide. */
   private static final Set<Integer> OPERATORS_PORTS = Set.of(8889, 8890, 11111);
 
-  private static final int HIGHEST_PORT = 65535;
+  /** Highest port of UDP. Documented: RFC 768, whose ports have 16 bits. */
+  public static final int HIGHEST_PORT = 65535;
+
+  /** As many as 127.0.0.1 to 127.0.0.250. Decided. */
+  public static final int MOST_DRONES = 250;
 
   /** Groups and reserved addresses begin with this and higher bytes. Documented: RFC 1112. */
   private static final int FIRST_GROUP = 224;

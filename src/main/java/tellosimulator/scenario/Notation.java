@@ -14,7 +14,7 @@ import tellosimulator.world.Shape;
  */
 record Notation(String kind, boolean named, Optional<Wall> wall) {
 
-  private static final String WALL = "wall";
+  static final String WALL = "wall";
 
   /** The ends of a wall, on the floor [m]. */
   record Ends(Vec3 from, Vec3 to) {}
@@ -42,6 +42,15 @@ record Notation(String kind, boolean named, Optional<Wall> wall) {
   boolean fits(Obstacle obstacle) {
     String usual = kind(obstacle.shape());
     return kind.equals(usual) || (isWall() && usual.equals("box"));
+  }
+
+  /** The same for what became of the same text in another calculation. */
+  Notation of(Obstacle obstacle) {
+    return new Notation(kind, named, wall.map(read -> new Wall(read.ends(), obstacle)));
+  }
+
+  Notation withEnds(Ends ends, Obstacle obstacle) {
+    return new Notation(kind, named, Optional.of(new Wall(ends, obstacle)));
   }
 
   Notation withName() {

@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import org.snakeyaml.engine.v2.nodes.Node;
+import tellosimulator.scenario.ScenarioCodec.Noted;
 import tellosimulator.scenario.SyntaxTree.Collection;
 import tellosimulator.scenario.SyntaxTree.Syntax;
 
@@ -28,13 +29,13 @@ public final class ScenarioDocument {
 
   private static final String BYTE_ORDER_MARK = "\uFEFF";
 
-  private final Scenario scenario;
+  private final Noted noted;
   private final Optional<String> text;
   private final Path folder;
   private final Kept kept;
 
-  private ScenarioDocument(Scenario scenario, Optional<String> text, Path folder, Kept kept) {
-    this.scenario = scenario;
+  private ScenarioDocument(Noted noted, Optional<String> text, Path folder, Kept kept) {
+    this.noted = noted;
     this.text = text;
     this.folder = folder;
     this.kept = kept;
@@ -42,21 +43,21 @@ public final class ScenarioDocument {
 
   /** Of a scenario that nobody has written yet. */
   public static ScenarioDocument of(Scenario scenario) {
-    return new ScenarioDocument(scenario, Optional.empty(), Path.of(""), Kept.ALL);
+    return new ScenarioDocument(Noted.usual(scenario), Optional.empty(), Path.of(""), Kept.ALL);
   }
 
   /**
    * Of a text.
    *
-   * @param text from which the scenario was read
+   * @param noted what was read from it
    * @param folder in which it looks for pictures
    */
-  static ScenarioDocument read(Scenario scenario, String text, Path folder) {
-    return new ScenarioDocument(scenario, Optional.of(text), folder, Kept.ALL);
+  static ScenarioDocument read(Noted noted, String text, Path folder) {
+    return new ScenarioDocument(noted, Optional.of(text), folder, Kept.ALL);
   }
 
   public Scenario scenario() {
-    return scenario;
+    return noted.scenario();
   }
 
   /** What there was of the text before, when it was last changed. */
@@ -82,23 +83,28 @@ public final class ScenarioDocument {
     String mark = marked ? BYTE_ORDER_MARK : "";
     String old = text.get().substring(mark.length());
     Change change = new Change(old, wanted, newFolder);
-    Optional<String> patched = change.patched();
+    Optional<Changed> changed = change.patched();
     Kept patchKept = Kept.ALL;
-    if (patched.isEmpty()) {
-      patched = change.rewritten();
+    if (changed.isEmpty()) {
+      changed = change.rewritten();
       patchKept = Kept.SECTIONS;
     }
-    if (patched.isEmpty()) {
+    if (changed.isEmpty()) {
       return written(wanted, newFolder);
     }
-    return new ScenarioDocument(wanted, Optional.of(mark + patched.get()), newFolder, patchKept);
+    Optional<String> newText = Optional.of(mark + changed.get().text());
+    return new ScenarioDocument(changed.get().noted(), newText, newFolder, patchKept);
   }
 
   private ScenarioDocument written(Scenario wanted, Path newFolder) {
-    String whole = new ScenarioWriter(newFolder).text(wanted);
+    Noted usual = Noted.usual(wanted);
+    String whole = Yaml.text(ScenarioCodec.CODEC.write(usual, newFolder));
     Kept nothing = text.isEmpty() ? Kept.ALL : Kept.NOTHING;
-    return new ScenarioDocument(wanted, Optional.of(whole), newFolder, nothing);
+    return new ScenarioDocument(usual, Optional.of(whole), newFolder, nothing);
   }
+
+  /** A text that says what is wanted, and how. */
+  private record Changed(String text, Noted noted) {}
 
   /** One change of the text, tried in several ways, of which each is checked. */
   private final class Change {
@@ -109,7 +115,6 @@ public final class ScenarioDocument {
     private final Syntax syntax;
     private final Matching matching;
     private final Node before;
-    private final List<Notation> notations;
     private final Node now;
 
     Change(String old, Scenario wanted, Path newFolder) {
@@ -117,35 +122,35 @@ public final class ScenarioDocument {
       this.wanted = wanted;
       this.newFolder = newFolder;
       this.syntax = SyntaxTree.of(old);
-      this.matching = Matching.of(scenario, wanted);
-      List<Notation> oldNotations = Notations.read(scenario, syntax);
-      this.before = new ScenarioWriter(folder).node(scenario, oldNotations);
-      this.notations = Notations.kept(oldNotations, matching.of("obstacles"), wanted);
-      this.now = new ScenarioWriter(newFolder).node(wanted, notations);
+      this.matching = Matching.of(noted.scenario(), wanted);
+      this.before = ScenarioCodec.CODEC.write(noted, folder);
+      List<Notation> notations =
+          Notations.kept(noted.notations(), matching.of("obstacles"), wanted);
+      this.now = ScenarioCodec.CODEC.write(new Noted(wanted, notations), newFolder);
     }
 
-    Optional<String> patched() {
-      return new ScenarioPatch(old, matching).applied(before, now, syntax).filter(this::isRight);
+    Optional<Changed> patched() {
+      return new ScenarioPatch(old, matching).applied(before, now, syntax).flatMap(this::checked);
     }
 
     /** With the sections written anew that differ. */
-    Optional<String> rewritten() {
+    Optional<Changed> rewritten() {
       Set<String> keys = ScenarioPatch.differing(before, now);
       return syntax instanceof Collection root
-          ? new ScenarioPatch(old, matching).rewritten(keys, now, root).filter(this::isRight)
+          ? new ScenarioPatch(old, matching).rewritten(keys, now, root).flatMap(this::checked)
           : Optional.empty();
     }
 
-    /** Whether a text says what is wanted. */
-    private boolean isRight(String changed) {
-      Optional<Scenario> read = ScenarioFile.understood(changed, newFolder);
-      if (read.isEmpty()) {
-        return false;
-      }
-      List<Notation> found = Notations.read(read.get(), SyntaxTree.of(changed));
-      Node said = new ScenarioWriter(newFolder).node(read.get(), found);
-      return ScenarioPatch.same(said, now)
-          && Notations.gatesOfGoals(read.get()).equals(Notations.gatesOfGoals(wanted));
+    /** A text if it says what is wanted. */
+    private Optional<Changed> checked(String changed) {
+      Optional<Noted> read =
+          ScenarioFile.understood(changed, newFolder)
+              .filter(said -> ScenarioPatch.same(ScenarioCodec.CODEC.write(said, newFolder), now))
+              .filter(
+                  said ->
+                      Notations.gatesOfGoals(said.scenario())
+                          .equals(Notations.gatesOfGoals(wanted)));
+      return read.map(said -> new Changed(changed, said.of(wanted)));
     }
   }
 }

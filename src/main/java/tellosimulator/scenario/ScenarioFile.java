@@ -17,6 +17,7 @@ import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.Optional;
 import org.snakeyaml.engine.v2.nodes.Node;
+import tellosimulator.scenario.ScenarioCodec.Noted;
 
 /** A scenario as a YAML file. For any thread. */
 public final class ScenarioFile {
@@ -60,22 +61,24 @@ public final class ScenarioFile {
     Optional<String> text = source.text(bytes);
     Optional<Node> root = text.isPresent() ? source.root(text.get()) : Optional.empty();
     mistakes.check();
-    Pictures images = new Pictures(folder, true);
-    Scenario scenario = new ScenarioReader(root.orElseThrow(), images, mistakes).read();
+    Reading reading = new Reading(mistakes, folder, true, 1);
+    Optional<Noted> noted = ScenarioCodec.CODEC.read(root.orElseThrow(), reading);
     mistakes.check();
-    return ScenarioDocument.read(scenario, new String(bytes, StandardCharsets.UTF_8), folder);
+    return ScenarioDocument.read(
+        noted.orElseThrow(), new String(bytes, StandardCharsets.UTF_8), folder);
   }
 
   /**
    * What a text says whose parts need not go together: a goal may name a gate that is not there.
    *
-   * @return empty if it is no scenario at all
+   * @return empty if a part of it could not be read
    */
-  static Optional<Scenario> understood(String text, Path folder) {
+  static Optional<Noted> understood(String text, Path folder) {
     Mistakes mistakes = new Mistakes("");
+    Reading reading = new Reading(mistakes, folder, false, 1);
     return new Source("", mistakes)
         .root(text)
-        .map(root -> new ScenarioReader(root, new Pictures(folder, false), mistakes).read());
+        .flatMap(root -> ScenarioCodec.CODEC.read(root, reading));
   }
 
   /** The folder of a file. */

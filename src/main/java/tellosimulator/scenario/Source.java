@@ -12,6 +12,7 @@ import java.nio.file.Path;
 import java.util.Optional;
 import org.snakeyaml.engine.v2.api.LoadSettings;
 import org.snakeyaml.engine.v2.common.SpecVersion;
+import org.snakeyaml.engine.v2.composer.Composer;
 import org.snakeyaml.engine.v2.exceptions.MarkedYamlEngineException;
 import org.snakeyaml.engine.v2.exceptions.ReaderException;
 import org.snakeyaml.engine.v2.exceptions.YamlEngineException;
@@ -20,6 +21,7 @@ import org.snakeyaml.engine.v2.nodes.Node;
 import org.snakeyaml.engine.v2.parser.Parser;
 import org.snakeyaml.engine.v2.parser.ParserImpl;
 import org.snakeyaml.engine.v2.scanner.StreamReader;
+import org.snakeyaml.engine.v2.schema.FailsafeSchema;
 import tellosimulator.scenario.Mistake.Place;
 import tellosimulator.words.Phrase;
 
@@ -90,12 +92,12 @@ final class Source {
     LoadSettings settings = settings(text);
     try {
       Parser parser = new ParserImpl(settings, new StreamReader(settings, text));
-      Optional<Node> root = new TreeReader(parser).root();
+      Optional<Node> root = new Composer(settings, new BoundedParser(parser)).getSingleNode();
       if (root.isEmpty()) {
         mistakes.add(new Place(1, 1), Phrase.of("expected a scenario, found nothing"));
       }
       return root;
-    } catch (TreeReader.RefusedException e) {
+    } catch (BoundedParser.ExceededException e) {
       mistakes.add(e.place(), e.phrase());
     } catch (MarkedYamlEngineException e) {
       Place place =
@@ -126,6 +128,8 @@ final class Source {
     return LoadSettings.builder()
         .setLabel(file)
         .setCodePointLimit(LARGEST)
+        .setSchema(new FailsafeSchema()) // all scalars are texts, which codecs read
+        .setAllowNonScalarKeys(true) // which codecs refuse, with their place
         .setBufferSize(text.length() + 2) // the reader leaves one free, and may hold one back
         .build();
   }

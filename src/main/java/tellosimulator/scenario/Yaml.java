@@ -4,7 +4,6 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.regex.Pattern;
-import java.util.stream.DoubleStream;
 import org.snakeyaml.engine.v2.api.Dump;
 import org.snakeyaml.engine.v2.api.DumpSettings;
 import org.snakeyaml.engine.v2.api.StreamDataWriter;
@@ -19,10 +18,7 @@ import org.snakeyaml.engine.v2.nodes.ScalarNode;
 import org.snakeyaml.engine.v2.nodes.SequenceNode;
 import org.snakeyaml.engine.v2.nodes.Tag;
 
-/**
- * A mapping of a scenario file while it is written. Its {@link #node} holds all keys; what is as
- * usual is marked, and left out of a text.
- */
+/** Makes YAML of nodes. What is as usual is marked, and left out of a text. */
 final class Yaml {
 
   private static final int WIDTH = 100;
@@ -34,66 +30,7 @@ final class Yaml {
   private static final Pattern NEEDS_QUOTES =
       Pattern.compile("(?i)\\P{L}.*|y|yes|n|no|on|off|true|false|null");
 
-  private final List<NodeTuple> tuples = new ArrayList<>();
-  private final FlowStyle style;
-
-  private Yaml(FlowStyle style) {
-    this.style = style;
-  }
-
-  /** A key on each line. */
-  static Yaml block() {
-    return new Yaml(FlowStyle.BLOCK);
-  }
-
-  /** All in one line. */
-  static Yaml line() {
-    return new Yaml(FlowStyle.FLOW);
-  }
-
-  Yaml put(String key, Node value) {
-    tuples.add(new NodeTuple(text(key), value));
-    return this;
-  }
-
-  Yaml put(String key, Yaml value) {
-    return put(key, value.node());
-  }
-
-  Yaml put(String key, String value) {
-    return put(key, text(value));
-  }
-
-  Yaml put(String key, double value) {
-    return put(key, number(value));
-  }
-
-  Yaml put(String key, double value, double usual) {
-    return put(key, marked(number(value), Values.rounded(value) == Values.rounded(usual)));
-  }
-
-  Yaml put(String key, String value, String usual) {
-    return put(key, marked(text(value), value.equals(usual)));
-  }
-
-  /** A value that is no text, as it is written. */
-  Yaml plain(String key, Tag tag, String value, String usual) {
-    return put(key, marked(new ScalarNode(tag, value, ScalarStyle.PLAIN), value.equals(usual)));
-  }
-
-  /** A list below its key; an empty one is as usual. */
-  Yaml list(String key, List<Yaml> items) {
-    Node list = new SequenceNode(Tag.SEQ, items.stream().map(Yaml::node).toList(), FlowStyle.BLOCK);
-    return put(key, marked(list, items.isEmpty()));
-  }
-
-  Node node() {
-    return new MappingNode(Tag.MAP, tuples, style);
-  }
-
-  boolean isEmpty() {
-    return tuples.isEmpty();
-  }
+  private Yaml() {}
 
   /** The same node, marked if its value is as usual. */
   static Node marked(Node node, boolean usual) {
@@ -124,13 +61,6 @@ final class Yaml {
       return new SequenceNode(Tag.SEQ, items, style.orElse(sequence.getFlowStyle()));
     }
     return node;
-  }
-
-  /** Numbers in one line. */
-  static Node numbers(double... values) {
-    List<Node> nodes = new ArrayList<>();
-    DoubleStream.of(values).forEach(value -> nodes.add(number(value)));
-    return new SequenceNode(Tag.SEQ, nodes, FlowStyle.FLOW);
   }
 
   /** The text of a whole file, with an empty line before each list and mapping. */
@@ -184,13 +114,18 @@ final class Yaml {
     return text.toString();
   }
 
-  private static Node text(String value) {
+  static Node text(String value) {
     boolean quoted = NEEDS_QUOTES.matcher(value).matches();
     return new ScalarNode(Tag.STR, value, quoted ? ScalarStyle.DOUBLE_QUOTED : ScalarStyle.PLAIN);
   }
 
-  private static Node number(double value) {
-    String written = Values.plain(value);
-    return new ScalarNode(written.contains(".") ? Tag.FLOAT : Tag.INT, written, ScalarStyle.PLAIN);
+  static Node number(double value) {
+    String written = NumberCodec.plain(value);
+    return plain(written.contains(".") ? Tag.FLOAT : Tag.INT, written);
+  }
+
+  /** A value that is no text, as it is written. */
+  static Node plain(Tag tag, String value) {
+    return new ScalarNode(tag, value, ScalarStyle.PLAIN);
   }
 }

@@ -26,6 +26,11 @@ public record Obstacle(String name, Shape shape, Vec3 foot, double heading, Cove
     return new Pose(foot, Attitude.ofHeading(heading));
   }
 
+  /** The same with another name. */
+  public Obstacle named(String newName) {
+    return new Obstacle(newName, shape, foot, heading, cover);
+  }
+
   /** The same elsewhere. */
   public Obstacle movedTo(Vec3 newFoot, double newHeading) {
     return new Obstacle(name, shape, newFoot, newHeading, cover);

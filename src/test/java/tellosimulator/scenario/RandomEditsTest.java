@@ -11,6 +11,7 @@ import java.util.Optional;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 import tellosimulator.goal.Challenge;
+import tellosimulator.scenario.ScenarioCodec.Noted;
 import tellosimulator.scenario.ScenarioDocument.Kept;
 import tellosimulator.sim.SimConfig;
 import tellosimulator.world.Obstacle;
@@ -137,8 +138,8 @@ class RandomEditsTest {
     String now = text(after);
     String what = edit.what() + " in\n" + old + "\ngave\n" + now;
     assertThat(after.kept()).as(what).isEqualTo(Kept.ALL);
-    Scenario read = ScenarioFile.understood(now.replace("\uFEFF", ""), Path.of("")).orElseThrow();
-    assertSame(read, edit.changed(), what);
+    Noted read = ScenarioFile.understood(now.replace("\uFEFF", ""), Path.of("")).orElseThrow();
+    assertSame(read.scenario(), edit.changed(), what);
     List<String> oldLines = lines(old);
     List<String> newLines = lines(now);
     int common = common(oldLines, newLines);
@@ -177,7 +178,7 @@ class RandomEditsTest {
   }
 
   private static String written(Scenario scenario) {
-    return new ScenarioWriter(Path.of("")).text(scenario);
+    return text(ScenarioDocument.of(scenario).changedTo(scenario, Path.of("")));
   }
 
   private record Content(SimConfig config, Challenge challenge, List<Scenario.Station> stations) {}
@@ -213,8 +214,8 @@ class RandomEditsTest {
 
   private static ScenarioDocument document(String text) {
     String unmarked = text.replace("\uFEFF", "");
-    Optional<Scenario> scenario = ScenarioFile.understood(unmarked, Path.of(""));
-    return ScenarioDocument.read(scenario.orElseThrow(), text, Path.of(""));
+    Optional<Noted> noted = ScenarioFile.understood(unmarked, Path.of(""));
+    return ScenarioDocument.read(noted.orElseThrow(), text, Path.of(""));
   }
 
   private static String text(ScenarioDocument document) {

@@ -405,6 +405,8 @@ class ScenarioFileTest {
     assertThat(mistakes(table.replace("base: 50", "base: 2")))
         .as("the usual drone")
         .containsExactly("1:1: drone 1 is in the obstacle table");
+    assertThat(mistakes("# a comment\n" + table.replace("base: 50", "base: 2")))
+        .containsExactly("2:1: drone 1 is in the obstacle table");
     String chest = table.replace("base: 50", "base: 2") + "drones: [{start: [40, 0]}]\n";
     assertThat(mistakes(chest)).containsExactly("2:10: drone 1 is in the obstacle table");
   }

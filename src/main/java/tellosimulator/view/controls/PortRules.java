@@ -4,13 +4,14 @@ import java.net.InetSocketAddress;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
+import tellosimulator.network.AddressPlan;
 import tellosimulator.sim.SimConfig.Outlets;
 
 /** Which ports of a drone and of an operator go together. */
 final class PortRules {
 
   /** The ports that there are. */
-  static final NumberRange PORTS = new NumberRange(1, 65535, 1);
+  static final NumberRange PORTS = new NumberRange(1, AddressPlan.HIGHEST_PORT, 1);
 
   /** The port that operator programs have themselves. Documented: SDK 1.3 User Guide. */
   private static final int OPERATORS_PORT = 8889;

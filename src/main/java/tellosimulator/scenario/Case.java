@@ -1,0 +1,87 @@
+package tellosimulator.scenario;
+
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.snakeyaml.engine.v2.nodes.Node;
+import org.snakeyaml.engine.v2.nodes.ScalarNode;
+import tellosimulator.words.Phrase;
+
+/**
+ * Which keys must be there, and which must not, in one of several cases.
+ *
+ * @param key that decides
+ * @param word that it must have as its value; empty for any
+ * @param present whether it is there
+ */
+record Case(
+    String key,
+    Optional<String> word,
+    boolean present,
+    List<String> needed,
+    List<String> excluded) {
+
+  /** If a key has a value. */
+  static Case of(String key, String word) {
+    return new Case(key, Optional.of(word), true, List.of(), List.of());
+  }
+
+  /** If there is a key. */
+  static Case with(String key) {
+    return new Case(key, Optional.empty(), true, List.of(), List.of());
+  }
+
+  /** If there is no such key. */
+  static Case without(String key) {
+    return new Case(key, Optional.empty(), false, List.of(), List.of());
+  }
+
+  Case needs(String... keys) {
+    return new Case(key, word, present, List.of(keys), excluded);
+  }
+
+  Case excludes(String... keys) {
+    return new Case(key, word, present, needed, List.of(keys));
+  }
+
+  /** Tells what is missing, or too much, in what was read. */
+  void check(Entries in, Phrase phrase) {
+    Node value = in.nodes().get(key);
+    boolean applies =
+        (value != null) == present
+            && word.filter(w -> !(value instanceof ScalarNode s && s.getValue().equals(w)))
+                .isEmpty();
+    if (!applies) {
+      return;
+    }
+    for (String need : needed) {
+      if (!in.nodes().containsKey(need)) {
+        in.need(need, phrase);
+      }
+    }
+    for (String other : excluded) {
+      if (in.nodes().containsKey(other)) {
+        in.mistakes()
+            .add(
+                in.nodes().get(other),
+                present
+                    ? Phrase.of("the key %s does not go with %s", other, word.orElse(key))
+                    : Phrase.of("the key %s goes only with %s", other, key));
+      }
+    }
+  }
+
+  /** The same as JSON schema. */
+  Map<String, Object> schema() {
+    Map<String, Object> condition = Codec.object("required", List.of(key));
+    word.ifPresent(value -> condition.put("properties", Map.of(key, Codec.object("const", value))));
+    Map<String, Object> forbidden = new LinkedHashMap<>();
+    excluded.forEach(other -> forbidden.put(other, false));
+    return Codec.object(
+        "if",
+        present ? condition : Codec.object("not", condition),
+        "then",
+        Codec.object("required", needed, "properties", forbidden));
+  }
+}

@@ -1,0 +1,89 @@
+package tellosimulator.scenario;
+
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.snakeyaml.engine.v2.common.FlowStyle;
+import org.snakeyaml.engine.v2.nodes.Node;
+import org.snakeyaml.engine.v2.nodes.SequenceNode;
+import org.snakeyaml.engine.v2.nodes.Tag;
+import tellosimulator.scenario.Mistake.Place;
+import tellosimulator.words.Phrase;
+
+/**
+ * A list, each item on lines of its own. Items that cannot be read are left out.
+ *
+ * @param most how many there can be
+ */
+record ListCodec<T>(Codec<T> codec, int most) implements Codec<List<ListCodec.Item<T>>> {
+
+  /**
+   * An item of a list.
+   *
+   * @param number from 1, in the file
+   * @param place in the file
+   */
+  record Item<T>(T value, int number, Place place) {
+
+    /** Items that no file has yet. */
+    static <T> List<Item<T>> of(List<T> values) {
+      List<Item<T>> items = new ArrayList<>(values.size());
+      for (T value : values) {
+        items.add(new Item<>(value, items.size() + 1, Place.WHOLE));
+      }
+      return items;
+    }
+
+    static <T> List<T> values(List<Item<T>> items) {
+      List<T> values = new ArrayList<>(items.size());
+      for (Item<T> item : items) {
+        values.add(item.value);
+      }
+      return values;
+    }
+
+    /** Another value in its place. */
+    <U> Item<U> with(U other) {
+      return new Item<>(other, number, place);
+    }
+  }
+
+  @Override
+  public Optional<List<Item<T>>> read(Node node, Reading reading) {
+    if (!(node instanceof SequenceNode sequence)) {
+      return reading
+          .mistakes()
+          .add(node, Phrase.of("expected a list, found %s", Mistakes.found(node)));
+    }
+    List<Node> nodes = sequence.getValue();
+    if (nodes.size() > most) {
+      return reading
+          .mistakes()
+          .add(node, Phrase.of("expected a list of at most %d, found %d", most, nodes.size()));
+    }
+    List<Item<T>> items = new ArrayList<>(nodes.size());
+    for (int i = 0; i < nodes.size(); i++) {
+      Optional<T> value = codec.read(nodes.get(i), reading);
+      if (value.isPresent()) {
+        items.add(new Item<>(value.get(), i + 1, Mistakes.place(nodes.get(i))));
+      }
+    }
+    return Optional.of(items);
+  }
+
+  @Override
+  public Node write(List<Item<T>> items, Path folder) {
+    List<Node> nodes = new ArrayList<>();
+    for (Item<T> item : items) {
+      nodes.add(codec.write(item.value(), folder));
+    }
+    return new SequenceNode(Tag.SEQ, nodes, FlowStyle.BLOCK);
+  }
+
+  @Override
+  public Map<String, Object> schema(Map<String, Object> definitions) {
+    return Codec.object("type", "array", "items", codec.schema(definitions), "maxItems", most);
+  }
+}

@@ -1,0 +1,120 @@
+package tellosimulator.scenario;
+
+import java.math.BigDecimal;
+import java.nio.file.Path;
+import java.util.Map;
+import java.util.Optional;
+import java.util.regex.Pattern;
+import org.snakeyaml.engine.v2.nodes.Node;
+import org.snakeyaml.engine.v2.nodes.ScalarNode;
+import tellosimulator.math.Frames;
+import tellosimulator.words.Phrase;
+
+/**
+ * A number that may have decimals, in SI in the program.
+ *
+ * @param unit in which it is written
+ * @param expected what is told of a number that is none, or out of range
+ * @param least in the written unit
+ * @param most in the written unit
+ */
+record NumberCodec(Unit unit, Phrase expected, double least, double most) implements Codec<Double> {
+
+  /** Not all that Java's numbers can be, and short enough to be no burden. */
+  private static final Pattern FORM =
+      Pattern.compile("(?=.{1,40}$)[+-]?([0-9]+\\.?[0-9]*|\\.[0-9]+)([eE][+-]?[0-9]+)?");
+
+  /** Numbers are read to the millionth, so that they are the same after they were written. */
+  private static final double PRECISION = 1e6;
+
+  /** What a number means. */
+  enum Unit {
+    /** Itself. */
+    ONE,
+    /** A length or a speed, which becomes one of metres. */
+    CENTIMETRE,
+    /** Degrees counter-clockwise, which become radians within ±π. */
+    DEGREE
+  }
+
+  /** Degrees counter-clockwise, as radians within ±π. */
+  static final NumberCodec ANGLE =
+      new NumberCodec(Unit.DEGREE, Phrase.of("an angle in degrees from -360 to 360"), -360, 360);
+
+  /** A number as it is. */
+  static NumberCodec of(Phrase expected, double least, double most) {
+    return new NumberCodec(Unit.ONE, expected, least, most);
+  }
+
+  /** A length in centimetres, as metres. */
+  static NumberCodec length(double leastCm, double mostCm) {
+    Phrase expected = Phrase.of("a length in cm from %s to %s", plain(leastCm), plain(mostCm));
+    return new NumberCodec(Unit.CENTIMETRE, expected, leastCm, mostCm);
+  }
+
+  /** A speed in centimetres a second, as metres a second. */
+  static NumberCodec speed(double mostCm) {
+    Phrase expected = Phrase.of("a speed in cm/s from 0 to %s", plain(mostCm));
+    return new NumberCodec(Unit.CENTIMETRE, expected, 0, mostCm);
+  }
+
+  @Override
+  public Optional<Double> read(Node node, Reading reading) {
+    double value = number(node);
+    if (value >= least && value <= most) {
+      return Optional.of(inSi(value));
+    }
+    return reading.mistakes().expected(expected, node);
+  }
+
+  @Override
+  public Node write(Double value, Path folder) {
+    return switch (unit) {
+      case ONE -> Yaml.number(value);
+      case CENTIMETRE -> Yaml.number(value * 100);
+      case DEGREE -> Yaml.number(degrees(value));
+    };
+  }
+
+  @Override
+  public Map<String, Object> schema(Map<String, Object> definitions) {
+    Map<String, Object> schema = Codec.object("type", "number");
+    schema.put("minimum", new BigDecimal(plain(least)));
+    schema.put("maximum", new BigDecimal(plain(most)));
+    return schema;
+  }
+
+  /** The number that a node is, or NaN. */
+  private static double number(Node node) {
+    String word = node instanceof ScalarNode scalar && scalar.isPlain() ? scalar.getValue() : "";
+    return FORM.matcher(word).matches() ? rounded(Double.parseDouble(word)) : Double.NaN;
+  }
+
+  private double inSi(double value) {
+    if (unit == Unit.CENTIMETRE) {
+      return Frames.metres(value);
+    }
+    return unit == Unit.DEGREE ? StrictMath.toRadians(within180(value)) : value;
+  }
+
+  /** Above -180 and up to 180, as they are read. */
+  private static double degrees(double radians) {
+    return within180(rounded(StrictMath.toDegrees(Frames.wrapped(radians))));
+  }
+
+  private static double within180(double degrees) {
+    double turned = degrees > 180 ? degrees - 360 : degrees;
+    return turned <= -180 ? turned + 360 : turned;
+  }
+
+  /** To the millionth. */
+  static double rounded(double value) {
+    double scaled = value * PRECISION;
+    return Math.abs(scaled) < 1L << 53 ? Math.rint(scaled) / PRECISION + 0.0 : value;
+  }
+
+  /** Without decimals that say nothing. */
+  static String plain(double value) {
+    return new BigDecimal(Double.toString(rounded(value))).stripTrailingZeros().toPlainString();
+  }
+}

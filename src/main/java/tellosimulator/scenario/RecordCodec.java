@@ -1,0 +1,183 @@
+package tellosimulator.scenario;
+
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.snakeyaml.engine.v2.common.FlowStyle;
+import org.snakeyaml.engine.v2.nodes.MappingNode;
+import org.snakeyaml.engine.v2.nodes.Node;
+import org.snakeyaml.engine.v2.nodes.NodeTuple;
+import org.snakeyaml.engine.v2.nodes.ScalarNode;
+import org.snakeyaml.engine.v2.nodes.Tag;
+import tellosimulator.words.Phrase;
+import tellosimulator.words.Spelling;
+
+/**
+ * A mapping with known keys. A subclass declares them as {@link Field}s, in the order in which they
+ * are written, and makes the value of what was read.
+ *
+ * @param <T> what the mapping describes
+ */
+abstract class RecordCodec<T> implements Codec<T> {
+
+  private final String name;
+  private final Phrase phrase;
+  private final String description;
+  private final Map<String, Field<T, ?>> fields = new LinkedHashMap<>();
+  private final List<Case> cases = new ArrayList<>();
+
+  /**
+   * A codec without fields yet.
+   *
+   * @param name in the JSON schema
+   * @param phrase for people: {@code a room}
+   * @param description for editors
+   */
+  RecordCodec(String name, Phrase phrase, String description) {
+    this.name = name;
+    this.phrase = phrase;
+    this.description = description;
+  }
+
+  /** Begins to declare the next key. */
+  final Field.Key<T> key(String key, String keyDescription) {
+    return new Field.Key<>(key, keyDescription, this::add);
+  }
+
+  /** Declares the next key. */
+  final void add(Field<T, ?> field) {
+    fields.put(field.key(), field);
+  }
+
+  /** Declares the next keys. */
+  @SafeVarargs
+  final void addAll(Field<T, ?>... next) {
+    for (Field<T, ?> field : next) {
+      add(field);
+    }
+  }
+
+  /** Declares which keys go with others. */
+  final void add(Case rule) {
+    cases.add(rule);
+  }
+
+  /** In the order in which they are written. */
+  final List<String> keys() {
+    return List.copyOf(fields.keySet());
+  }
+
+  /** Looks whether values go together that could all be read. */
+  void check(Entries in) {}
+
+  /** The value of entries without mistakes. */
+  abstract T make(Entries in);
+
+  /** How a mapping is written: in one line, unless said otherwise. */
+  FlowStyle style() {
+    return FlowStyle.FLOW;
+  }
+
+  @Override
+  public Optional<T> read(Node node, Reading reading) {
+    Entries in = entries(node, reading);
+    if (in.sound()) {
+      check(in);
+    }
+    return in.sound() ? Optional.of(make(in)) : Optional.empty();
+  }
+
+  /** Reads the values of all keys. */
+  final Entries entries(Node node, Reading reading) {
+    Entries in = new Entries(node, reading);
+    if (!(node instanceof MappingNode mapping)) {
+      reading.mistakes().expected(phrase, node);
+      return in;
+    }
+    for (NodeTuple tuple : mapping.getValue()) {
+      take(tuple, in);
+    }
+    if (checkKeys(in)) {
+      for (Field<T, ?> field : fields.values()) {
+        in.read(field, phrase);
+      }
+      for (Case rule : cases) {
+        rule.check(in, phrase);
+      }
+    }
+    return in;
+  }
+
+  /** Whether the keys as such allow to read their values. */
+  boolean checkKeys(Entries in) {
+    return true;
+  }
+
+  private void take(NodeTuple tuple, Entries in) {
+    Mistakes mistakes = in.mistakes();
+    Node key = tuple.getKeyNode();
+    if (!(key instanceof ScalarNode scalar)) {
+      mistakes.add(key, Phrase.of("expected a key, found %s", Mistakes.found(key)));
+      return;
+    }
+    String word = scalar.getValue();
+    if (!fields.containsKey(word)) {
+      mistakes.add(Mistakes.place(key), () -> unknown(word));
+    } else if (!in.put(word, tuple.getValueNode())) {
+      mistakes.add(key, Phrase.of("the key %s is there twice", word));
+    }
+  }
+
+  private Phrase unknown(String key) {
+    String shown = Mistakes.shown(key);
+    return Spelling.meant(key, fields.keySet())
+        .map(meant -> Phrase.of("%s has no key %s, did you mean %s?", phrase, shown, meant))
+        .orElseGet(
+            () ->
+                Phrase.of(
+                    "%s has no key %s, but only %s",
+                    phrase, shown, String.join(", ", fields.keySet())));
+  }
+
+  @Override
+  public Node write(T value, Path folder) {
+    List<NodeTuple> tuples = new ArrayList<>();
+    for (Field<T, ?> field : fields.values()) {
+      Optional<Node> node = field.write(value, folder);
+      if (node.isPresent()) {
+        tuples.add(new NodeTuple(Yaml.text(field.key()), node.get()));
+      }
+    }
+    return new MappingNode(Tag.MAP, tuples, style());
+  }
+
+  @Override
+  public Map<String, Object> schema(Map<String, Object> definitions) {
+    if (!definitions.containsKey(name)) {
+      definitions.put(name, Map.of()); // before those that it refers to
+      definitions.put(name, definition(definitions));
+    }
+    return Codec.object("$ref", "#/$defs/" + name);
+  }
+
+  /** The JSON schema of the mapping itself. */
+  Map<String, Object> definition(Map<String, Object> definitions) {
+    Map<String, Object> properties = new LinkedHashMap<>();
+    fields.forEach((key, field) -> properties.put(key, field.schema(definitions)));
+    Map<String, Object> definition = Codec.object("type", "object");
+    definition.put("description", description);
+    definition.put("additionalProperties", false);
+    definition.put("properties", properties);
+    List<String> required = fields.values().stream().filter(Field::needed).map(Field::key).toList();
+    if (!required.isEmpty()) {
+      definition.put("required", required);
+    }
+    if (!cases.isEmpty()) {
+      definition.put("allOf", cases.stream().map(Case::schema).toList());
+    }
+    return definition;
+  }
+}
