@@ -19,6 +19,7 @@ import tellosimulator.words.Phrase;
 import tellosimulator.words.Spelling;
 import tellosimulator.world.Arena;
 import tellosimulator.world.Decor;
+import tellosimulator.world.Footprint;
 import tellosimulator.world.MissionPad;
 import tellosimulator.world.Obstacle;
 import tellosimulator.world.Obstacles;

@@ -171,7 +171,7 @@ class ScenarioWindowFxTest {
     Scenario saved = ScenarioFile.read(copy);
     assertThat(saved.name()).isEqualTo("Small slalom");
     assertThat(saved.challenge().goals()).hasSize(2);
-    assertThat(saved.config().arena().obstacles()).extracting("name").contains("pole", "box-1");
+    assertThat(saved.config().arena().obstacles()).extracting("name").contains("pole", "box 1");
     assertThat(saved.config().starts().get(0).position()).isEqualTo(new Vec3(-2, 0.5, 0));
     assertThat(saved.config().starts().get(0).attitude().heading())
         .isCloseTo(Math.PI / 2, within(1e-9));
@@ -260,7 +260,7 @@ class ScenarioWindowFxTest {
     robot.press(KeyCode.CONTROL).type(KeyCode.Z).release(KeyCode.CONTROL);
     assertThat(window.label("plan-status")).doesNotStartWith("A goal");
     change(() -> app.save(file));
-    assertThat(Files.readString(file)).doesNotContain("box-1").contains(goal);
+    assertThat(Files.readString(file)).doesNotContain("box 1").contains(goal);
   }
 
   private long ticked() {

@@ -66,7 +66,7 @@ class UnsavedEditsFxTest {
 
     waitUntil(() -> stage.getTitle().equals("slalom.yaml – Tello Simulator"));
     List<String> lines = new ArrayList<>(Files.readAllLines(file));
-    assertThat(lines.removeIf(line -> line.startsWith("  - box: {name: box-1, at: ["))).isTrue();
+    assertThat(lines.removeIf(line -> line.startsWith("  - box: {name: box 1, at: ["))).isTrue();
     assertThat(lines).as("all other lines").isEqualTo(SLALOM.lines().toList());
     assertThat(asked()).isFalse();
   }
@@ -109,7 +109,7 @@ class UnsavedEditsFxTest {
     robot.clickOn("#save");
 
     waitUntil(() -> stage.getTitle().equals("Wind – Tello Simulator"));
-    assertThat(Files.readString(file)).contains("# wood\n  - box: {name: box-1");
+    assertThat(Files.readString(file)).contains("# wood\n  - box: {name: box 1");
   }
 
   @Test
@@ -123,7 +123,7 @@ class UnsavedEditsFxTest {
     waitUntil(this::asked);
     assertThat(file).hasContent(foreign);
     robot.clickOn("#overwrite-it");
-    assertThat(Files.readString(file)).contains("in May").contains("box-1");
+    assertThat(Files.readString(file)).contains("in May").contains("box 1");
   }
 
   private void openWithBox() {

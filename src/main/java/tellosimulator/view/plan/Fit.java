@@ -5,9 +5,11 @@ import java.util.Optional;
 import tellosimulator.goal.Goal;
 import tellosimulator.math.Vec3;
 import tellosimulator.model.DroneSpec;
+import tellosimulator.view.plan.Piece.Pad;
 import tellosimulator.view.plan.Piece.Start;
 import tellosimulator.view.plan.Piece.Thing;
 import tellosimulator.world.Arena;
+import tellosimulator.world.Footprint;
 import tellosimulator.world.Obstacle;
 import tellosimulator.world.Obstacles;
 
@@ -31,15 +33,14 @@ enum Fit {
 
   /** What keeps a piece from where it is; empty if nothing does. */
   static Optional<Fit> problem(Layout layout, Piece piece) {
-    if (!layout.outline(piece).inside(layout.arena().room(), layout.spot(piece))) {
-      return Optional.of(OUTSIDE);
-    }
     if (piece instanceof Thing thing) {
       return problem(layout, layout.obstacle(thing));
     } else if (piece instanceof Start start) {
       return problem(layout, start);
     }
-    return Optional.empty();
+    return Footprint.inside(layout.pad((Pad) piece), layout.arena().room())
+        ? Optional.empty()
+        : Optional.of(OUTSIDE);
   }
 
   /** What keeps a piece from being taken away; empty if nothing does. */
@@ -52,7 +53,10 @@ enum Fit {
 
   private static Optional<Fit> problem(Layout layout, Obstacle obstacle) {
     Arena arena = layout.arena();
-    if (obstacle.foot().z() + obstacle.shape().height() > arena.room().height() + SLACK) {
+    if (!Footprint.betweenWalls(obstacle, arena.room())) {
+      return Optional.of(OUTSIDE);
+    }
+    if (!Footprint.underCeiling(obstacle, arena.room())) {
       return Optional.of(TOO_HIGH);
     }
     Obstacles alone = Obstacles.of(arena.withObstacles(List.of(obstacle)));
@@ -64,6 +68,9 @@ enum Fit {
 
   private static Optional<Fit> problem(Layout layout, Start start) {
     Vec3 place = layout.spot(start).place();
+    if (!layout.arena().room().contains(place, DroneSpec.HULL)) {
+      return Optional.of(OUTSIDE);
+    }
     if (Obstacles.of(layout.arena()).around(place, DroneSpec.HULL).isPresent()) {
       return Optional.of(IN_OBSTACLE);
     }

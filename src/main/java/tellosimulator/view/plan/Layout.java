@@ -15,6 +15,7 @@ import tellosimulator.view.plan.Piece.Thing;
 import tellosimulator.world.Arena;
 import tellosimulator.world.MissionPad;
 import tellosimulator.world.Obstacle;
+import tellosimulator.world.ObstacleNames;
 
 /**
  * Everything that can be placed in a room, and where it is. Immutable.
@@ -152,13 +153,11 @@ record Layout(Arena arena, List<Pose> starts) {
         .findFirst();
   }
 
-  /** A name that no obstacle has: {@code box-2}. */
+  /** A name that no obstacle has: {@code box 2}. */
   String freeName(String kind) {
-    return IntStream.iterate(1, i -> i + 1)
-        .mapToObj(i -> kind + "-" + i)
-        .filter(name -> arena.obstacles().stream().noneMatch(o -> o.name().equals(name)))
-        .findFirst()
-        .orElseThrow();
+    ObstacleNames names = new ObstacleNames();
+    arena.obstacles().forEach(obstacle -> names.take(obstacle.name()));
+    return names.next(kind);
   }
 
   /** These pieces in a room that may have become another one, with its own looks and wind. */

@@ -4,8 +4,8 @@ import java.util.List;
 import java.util.stream.Stream;
 import tellosimulator.math.Vec3;
 import tellosimulator.model.DroneSpec;
+import tellosimulator.world.Footprint;
 import tellosimulator.world.MissionPad;
-import tellosimulator.world.Room;
 import tellosimulator.world.Shape;
 
 /**
@@ -17,9 +17,6 @@ import tellosimulator.world.Shape;
  * @param round whether it is a circle
  */
 record Outline(double depth, double width, boolean round) {
-
-  /** What may stick out of the room [m]: the last bits of a calculation. */
-  private static final double SLACK = 1e-6;
 
   /** Thickness with which a hanging mission pad is drawn [m]. Decided: to be seen and caught. */
   static final double HANGING = 0.04;
@@ -40,15 +37,8 @@ record Outline(double depth, double width, boolean round) {
 
   /** Of an obstacle. */
   static Outline of(Shape shape) {
-    if (shape instanceof Shape.Box box) {
-      return new Outline(box.depth(), box.width(), false);
-    } else if (shape instanceof Shape.Cylinder cylinder) {
-      return circle(cylinder.radius());
-    } else if (shape instanceof Shape.Ring ring) {
-      return new Outline(ring.tube(), 2 * ring.reach(), false);
-    }
-    Shape.Frame frame = (Shape.Frame) shape;
-    return new Outline(frame.beam(), frame.width() + 2 * frame.beam(), false);
+    Vec3 size = Footprint.size(shape);
+    return new Outline(size.x(), size.y(), shape instanceof Shape.Cylinder);
   }
 
   /**
@@ -81,13 +71,5 @@ record Outline(double depth, double width, boolean round) {
     return Stream.of(new Vec3(x, y, 0), new Vec3(-x, y, 0), new Vec3(-x, -y, 0), new Vec3(x, -y, 0))
         .map(spot::toRoom)
         .toList();
-  }
-
-  /** Whether nothing of it is outside of the walls. */
-  boolean inside(Room room, Spot spot) {
-    double x = room.depth() / 2 + SLACK;
-    double y = room.width() / 2 + SLACK;
-    return corners(spot).stream()
-        .allMatch(corner -> Math.abs(corner.x()) <= x && Math.abs(corner.y()) <= y);
   }
 }

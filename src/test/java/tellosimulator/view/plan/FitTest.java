@@ -34,12 +34,16 @@ class FitTest {
     return new Obstacle("thing", shape, foot, 0, Cover.DEFAULT);
   }
 
-  /** Half of the table's depth is 20 cm, a drone's radius 8.7 cm. */
+  /**
+   * Half of the table's depth is 20 cm, a drone's radius 8.7 cm. What a file may have outside of
+   * the room for rounding, half a millimetre, is no problem here either.
+   */
   @ParameterizedTest
   @CsvSource(
       nullValues = "-",
       value = {
         "2.3,   0, -",
+        "2.3005, 0, -",
         "2.31,  0, OUTSIDE",
         "0.288, 0, -",
         "0.286, 0, ON_START",

@@ -24,7 +24,7 @@ import tellosimulator.world.Wind;
 class LayoutTest {
 
   private static final Obstacle BOX =
-      new Obstacle("box-1", new Shape.Box(0.4, 1, 0.5), new Vec3(1, 0, 0), 0, Cover.DEFAULT);
+      new Obstacle("box 1", new Shape.Box(0.4, 1, 0.5), new Vec3(1, 0, 0), 0, Cover.DEFAULT);
 
   private final Layout layout =
       new Layout(
@@ -75,8 +75,8 @@ class LayoutTest {
 
   @Test
   void newThingsGetNamesAndIdsThatAreFree() {
-    assertThat(layout.freeName("box")).isEqualTo("box-2");
-    assertThat(layout.freeName("ring")).isEqualTo("ring-1");
+    assertThat(layout.freeName("box")).isEqualTo("box 2");
+    assertThat(layout.freeName("ring")).isEqualTo("ring 1");
     assertThat(layout.freePadId()).contains(2);
   }
 

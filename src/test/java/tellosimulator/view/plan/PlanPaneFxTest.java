@@ -61,7 +61,7 @@ class PlanPaneFxTest {
     robot().clickOn("#plan-add-box");
     assertThat(obstacles()).hasSize(1);
     Obstacle box = obstacles().get(0);
-    assertThat(box.name()).isEqualTo("box-1");
+    assertThat(box.name()).isEqualTo("box 1");
     assertThat(box.shape()).isInstanceOf(Shape.Box.class);
 
     robot().type(KeyCode.R).type(KeyCode.UP, 3);
@@ -145,7 +145,7 @@ class PlanPaneFxTest {
     waitUntil(() -> status().equals("That would be outside of the room."));
     robot().drop();
 
-    assertThat(status()).startsWith("box-1");
+    assertThat(status()).startsWith("box 1");
     Obstacle box = obstacles().get(0);
     assertThat(Math.abs(box.foot().x())).isLessThanOrEqualTo(2.2); // half of it is 30 cm
     assertThat(box.foot().distanceTo(start(2))).isGreaterThan(0.3);
