@@ -10,8 +10,9 @@ import java.util.Map;
 /**
  * Shows height, battery and attitude from the state lines, which a drone sends ten times a second.
  *
- * <p>Start the simulator first, in another terminal: {@code mvn javafx:run}. Then start this, with
- * nothing but a JDK, and while it runs fly the drone with another program, such as FirstFlight:
+ * <p>Start the simulator first, in another terminal: {@code mvn javafx:run}, and switch the drone
+ * on. Then start this, with nothing but a JDK, and while it runs fly the drone with another
+ * program, such as FirstFlight:
  *
  * <pre>java examples/ReadState.java [host] [port] [state port] [lines]</pre>
  *

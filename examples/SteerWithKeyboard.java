@@ -13,8 +13,8 @@ import java.util.concurrent.TimeUnit;
 /**
  * Steers a drone from the keyboard with {@code rc}, which moves four sticks.
  *
- * <p>Start the simulator first, in another terminal: {@code mvn javafx:run}. Then start this, with
- * nothing but a JDK:
+ * <p>Start the simulator first, in another terminal: {@code mvn javafx:run}, and switch the drone
+ * on. Then start this, with nothing but a JDK:
  *
  * <pre>java examples/SteerWithKeyboard.java [host] [port]</pre>
  *

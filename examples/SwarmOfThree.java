@@ -18,7 +18,7 @@ import java.util.concurrent.Future;
  *
  * <p>Start the simulator with three drones first, in another terminal:
  *
- * <pre>mvn javafx:run "-Djavafx.args=--drones 3"</pre>
+ * <pre>mvn javafx:run "-Djavafx.args=--drones 3 --on"</pre>
  *
  * <p>Then start this, with nothing but a JDK:
  *

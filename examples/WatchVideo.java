@@ -23,8 +23,8 @@ import org.jcodec.common.model.Picture;
 /**
  * Shows what the drone's camera sees, or saves a picture each second.
  *
- * <p>Start the simulator first, in another terminal: {@code mvn javafx:run}. This needs a decoder
- * for H.264; JCodec is in the simulator's jar:
+ * <p>Start the simulator first, in another terminal: {@code mvn javafx:run}, and switch the drone
+ * on. This needs a decoder for H.264; JCodec is in the simulator's jar:
  *
  * <pre>java -cp target/tello-simulator.jar examples/WatchVideo.java [host] [port] [video port]
  *     [folder] [pictures]</pre>

@@ -2,7 +2,7 @@
 
 Start the simulator first, in another terminal:
 
-    mvn javafx:run
+    mvn javafx:run "-Djavafx.args=--on"
 
 Then start this:
 

@@ -56,7 +56,7 @@ class ArchitectureTest {
           Map.entry("network", List.of("sim")),
           Map.entry("scenery", List.of("sim")),
           Map.entry("video", List.of("files", "network", "scenery")),
-          Map.entry("scenario", List.of("goal", "network")),
+          Map.entry("scenario", List.of("files", "goal", "network")),
           Map.entry("record", List.of("sim")),
           Map.entry("junit", List.of("scenario", "video", "record")),
           Map.entry("headless", List.of("scenario", "video", "record")));

@@ -28,6 +28,9 @@ public final class IoReason {
     if (e instanceof FileAlreadyExistsException there) {
       return Phrase.of("%s is in the way", there.getFile());
     }
+    if (e instanceof IrregularFileException irregular) {
+      return Phrase.of("%s is a folder, a pipe or a device, not a file", irregular.getFile());
+    }
     if (e instanceof NoSuchFileException missing) {
       return Phrase.of("there is no folder for %s", missing.getFile());
     }

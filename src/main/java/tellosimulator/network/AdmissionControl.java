@@ -40,7 +40,9 @@ final class AdmissionControl {
 
   private static final Phrase TOO_MANY = Phrase.of("too many at once");
   private static final Phrase FOREIGN =
-      Phrase.of("only hosts of this machine's own networks are listened to");
+      Phrase.of(
+          "only private addresses of this machine's own networks are listened to;"
+              + " --operator names another one");
 
   private final int drone;
   private final Simulation simulation;

@@ -18,6 +18,7 @@ import java.util.Arrays;
 import java.util.Optional;
 import org.snakeyaml.engine.v2.nodes.Node;
 import tellosimulator.scenario.ScenarioCodec.Noted;
+import tellosimulator.files.IrregularFileException;
 
 /** A scenario as a YAML file. For any thread. */
 public final class ScenarioFile {
@@ -93,8 +94,14 @@ public final class ScenarioFile {
    * @throws IOException if it cannot be read
    */
   public static boolean holds(Path file, ScenarioDocument document) throws IOException {
-    return Files.notExists(file)
-        || Arrays.equals(Files.readAllBytes(file), document.bytes().orElse(new byte[0]));
+    if (Files.notExists(file)) {
+      return true;
+    }
+    IrregularFileException.check(file);
+    byte[] expected = document.bytes().orElse(new byte[0]);
+    try (InputStream input = Files.newInputStream(file)) {
+      return Arrays.equals(input.readNBytes(expected.length + 1), expected);
+    }
   }
 
   /**
@@ -113,6 +120,7 @@ public final class ScenarioFile {
    * @throws IOException if it cannot be written
    */
   public static void write(ScenarioDocument document, Path file) throws IOException {
+    IrregularFileException.check(file);
     Path target = Files.exists(file) ? file.toRealPath() : file.toAbsolutePath();
     if (Files.exists(target) && !Files.isWritable(target)) {
       throw new AccessDeniedException(file.toString());

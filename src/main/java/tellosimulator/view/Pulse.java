@@ -147,7 +147,11 @@ public final class Pulse {
   /** One at a time waits for the JavaFX thread, however busy that is. */
   private void order() {
     if (ordered.compareAndSet(false, true)) {
-      Platform.runLater(this::carryOut);
+      try {
+        Platform.runLater(this::carryOut);
+      } catch (IllegalStateException e) { // there is no toolkit: whoever beats in its place goes on
+        ordered.set(false);
+      }
     }
   }
 

@@ -1,6 +1,7 @@
 package tellosimulator.files;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.io.IOException;
 import java.nio.channels.ClosedChannelException;
@@ -8,6 +9,7 @@ import java.nio.file.AccessDeniedException;
 import java.nio.file.FileAlreadyExistsException;
 import java.nio.file.FileSystemException;
 import java.nio.file.NoSuchFileException;
+import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
 
 class IoReasonTest {
@@ -16,6 +18,12 @@ class IoReasonTest {
   void eachIsAClauseForPeople() {
     assertThat(clause(new AccessDeniedException("/a"))).isEqualTo("you may not write to /a");
     assertThat(clause(new FileAlreadyExistsException("/a"))).isEqualTo("/a is in the way");
+    assertThatThrownBy(() -> IrregularFileException.check(Path.of("/dev/null")))
+        .isInstanceOfSatisfying(
+            IOException.class,
+            e ->
+                assertThat(clause(e))
+                    .isEqualTo("/dev/null is a folder, a pipe or a device, not a file"));
     assertThat(clause(new NoSuchFileException("/a"))).isEqualTo("there is no folder for /a");
     assertThat(clause(new FileSystemException("/a", null, "No space left on device")))
         .isEqualTo("No space left on device");

@@ -84,8 +84,8 @@ class AdmissionControlTest {
     assertThat(dropped).hasSize(1);
     assertThat(dropped.get(0).words())
         .isEqualTo(
-            "3 datagrams from 192.168.2.9 turned away: only hosts of this machine's own networks are"
-                + " listened to");
+            "3 datagrams from 192.168.2.9 turned away: only private addresses of this machine's own"
+                + " networks are listened to; --operator names another one");
   }
 
   @Test

@@ -1,6 +1,7 @@
 package tellosimulator.scenario;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.catchThrowableOfType;
 import static org.assertj.core.api.Assertions.within;
 
@@ -26,6 +27,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import tellosimulator.files.IrregularFileException;
 import tellosimulator.goal.Challenge;
 import tellosimulator.goal.Goal;
 import tellosimulator.goal.Goal.Direction;
@@ -585,6 +587,23 @@ class ScenarioFileTest {
     for (Path file : List.of(pipe, Path.of("/dev/zero"))) {
       assertThat(catchThrowableOfType(ScenarioException.class, () -> ScenarioFile.read(file)))
           .hasMessage(file + ": expected a file, found a pipe or a device");
+    }
+  }
+
+  /** Somebody puts it where the file was; writing would wait for a reader, or never end. */
+  @Test
+  @EnabledOnOs({OS.LINUX, OS.MAC})
+  @Timeout(20)
+  void nothingIsSavedIntoAPipeOrADevice() throws Exception {
+    Path pipe = folder.resolve("pipe.yaml");
+    assertThat(new ProcessBuilder("mkfifo", pipe.toString()).start().waitFor()).isZero();
+    Path device = Files.createSymbolicLink(folder.resolve("link.yaml"), Path.of("/dev/zero"));
+    ScenarioDocument document = ScenarioDocument.of(Scenario.of(SimConfig.DEFAULT));
+    for (Path file : List.of(pipe, device)) {
+      assertThatThrownBy(() -> ScenarioFile.holds(file, document))
+          .isInstanceOf(IrregularFileException.class);
+      assertThatThrownBy(() -> ScenarioFile.write(document, file))
+          .isInstanceOf(IrregularFileException.class);
     }
   }
 
