@@ -17,8 +17,8 @@ import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.Optional;
 import org.snakeyaml.engine.v2.nodes.Node;
-import tellosimulator.scenario.ScenarioCodec.Noted;
 import tellosimulator.files.IrregularFileException;
+import tellosimulator.scenario.ScenarioCodec.Noted;
 
 /** A scenario as a YAML file. For any thread. */
 public final class ScenarioFile {

@@ -7,7 +7,6 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
-import java.util.concurrent.CompletionException;
 import tellosimulator.benchmark.Row;
 
 /**
@@ -81,8 +80,8 @@ public final class Endurance {
     List<Row> rows;
     try {
       rows = trial.run(minutes);
-    } catch (IOException | CompletionException e) {
-      System.out.println(e.getMessage());
+    } catch (IOException | RuntimeException e) { // whatever it is, the other trials go on
+      System.out.println(e);
       rows = List.of(new Row(name, "a measurement", "none, see above", false));
     }
     System.out.printf("%n%s: %.0f s%n", name, (System.nanoTime() - start) * 1e-9);
