@@ -114,7 +114,7 @@ public final class Endurance {
     trials.put("silent", new Entry(Lane.BESIDE, inNetwork(ReflectorTrial::runSilent)));
     trials.put("outbox", new Entry(Lane.IN_TURN, OutboxTrial::run));
     trials.put("heap", new Entry(Lane.IN_TURN, SmallHeapTrial::run));
-    trials.put("garbage", new Entry(Lane.IN_TURN, GarbageTrial::run));
+    trials.put("garbage", new Entry(Lane.IN_TURN, again(GarbageTrial::run)));
     trials.put("power", new Entry(Lane.IN_TURN, PowerTrial::run));
     trials.put("address", new Entry(Lane.IN_TURN, inNetwork(NewAddressTrial::run)));
     trials.put("files", new Entry(Lane.IN_TURN, FilesTrial::run));
