@@ -1,0 +1,29 @@
+package tellosimulator.fault;
+
+import java.util.Optional;
+import tellosimulator.sensor.SensorReadings;
+import tellosimulator.sensor.SensorReadings.Range;
+import tellosimulator.sensor.TimeOfFlight;
+
+/** What faults make of the readings of sensors. */
+public final class SensorFaults {
+
+  private SensorFaults() {}
+
+  /** The readings with what is wrong about them. */
+  public static SensorReadings applied(SensorReadings readings, ActiveFaults faults) {
+    if (faults.faults().isEmpty()) {
+      return readings;
+    }
+    Optional<Fault> jump = faults.find(FaultKind.BARO_JUMP);
+    double step = jump.map(fault -> fault.value(FaultParameter.STEP)).orElse(0.0);
+    boolean noEcho = faults.find(FaultKind.TOF_OUT).isPresent();
+    return new SensorReadings(
+        readings.attitude(),
+        readings.velocityDm(),
+        noEcho ? new Range(TimeOfFlight.NONE_MM, readings.range().heightDm()) : readings.range(),
+        readings.barometer() + step,
+        readings.acceleration(),
+        readings.health());
+  }
+}
