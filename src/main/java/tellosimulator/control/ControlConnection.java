@@ -1,0 +1,152 @@
+package tellosimulator.control;
+
+import java.io.BufferedInputStream;
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.io.InputStream;
+import java.net.Socket;
+import java.nio.charset.StandardCharsets;
+import java.util.LinkedHashMap;
+import java.util.Map;
+import java.util.Optional;
+import java.util.function.Consumer;
+import tellosimulator.concurrent.Agent;
+import tellosimulator.concurrent.Verdict;
+
+/**
+ * Takes a client's requests, one a line, and answers each before it takes the next. It ends with
+ * the client, and after a request with a wrong token. For the thread of its worker, but for {@link
+ * #close}.
+ */
+final class ControlConnection implements Agent {
+
+  /** Longest request [bytes]. Decided. */
+  static final int LONGEST_LINE = 64 * 1024;
+
+  private static final String WRONG_TOKEN =
+      "the token is %s: it stands in the line that begins with `control:`";
+
+  private final Verdict failed = Verdict.goOn("A request to the control channel failed");
+  private final Verdict gone = Verdict.finish("A client of the control channel is gone");
+  private final Socket socket;
+  private final InputStream in;
+  private final AccessToken token;
+  private final Requests requests;
+  private final Consumer<ControlConnection> ended;
+
+  /**
+   * @param ended is told when it has ended
+   */
+  ControlConnection(
+      Socket socket, AccessToken token, Requests requests, Consumer<ControlConnection> ended)
+      throws IOException {
+    this.socket = socket;
+    this.in = new BufferedInputStream(socket.getInputStream());
+    this.token = token;
+    this.requests = requests;
+    this.ended = ended;
+  }
+
+  @Override
+  public Outcome doWork() throws IOException {
+    try {
+      return takeLine();
+    } catch (IOException e) {
+      if (socket.isClosed()) {
+        return Outcome.FINISHED;
+      }
+      throw e;
+    }
+  }
+
+  private Outcome takeLine() throws IOException {
+    ByteArrayOutputStream line = new ByteArrayOutputStream();
+    boolean tooLong = false;
+    int next = in.read();
+    if (next < 0) {
+      return Outcome.FINISHED;
+    }
+    while (next >= 0 && next != '\n') {
+      tooLong = tooLong || line.size() == LONGEST_LINE;
+      if (!tooLong) {
+        line.write(next);
+      }
+      next = in.read();
+    }
+    if (tooLong) {
+      refuse(socket, "a request must have at most " + LONGEST_LINE + " bytes, but this has more");
+      return Outcome.WORKED;
+    }
+    return take(line.toString(StandardCharsets.UTF_8));
+  }
+
+  private Outcome take(String line) throws IOException {
+    Map<String, Object> request;
+    try {
+      request = Json.object(line);
+    } catch (IllegalArgumentException e) {
+      refuse(socket, e.getMessage());
+      return Outcome.WORKED;
+    }
+    Optional<Object> id = Optional.ofNullable(request.get("id"));
+    if (!(request.get("token") instanceof String said && token.is(said))) {
+      String what = request.containsKey("token") ? "wrong" : "missing";
+      refuse(socket, id, WRONG_TOKEN.replace("%s", what));
+      return Outcome.FINISHED;
+    }
+    try {
+      accept(id, requests.result(request));
+    } catch (IllegalArgumentException | IllegalStateException | AssertionError e) {
+      refuse(socket, id, e.getMessage().lines().findFirst().orElse("it cannot be done"));
+    } catch (RuntimeException e) {
+      refuse(socket, id, "the simulator failed, please report this: " + e);
+      throw e;
+    }
+    return Outcome.WORKED;
+  }
+
+  private void accept(Optional<Object> id, Object result) throws IOException {
+    Map<String, Object> answer = new LinkedHashMap<>();
+    answer.put("id", id.orElse(null));
+    answer.put("ok", true);
+    answer.put("result", result);
+    send(socket, answer);
+  }
+
+  /** Says what is wrong with something of which no more is known. */
+  static void refuse(Socket socket, String why) throws IOException {
+    refuse(socket, Optional.empty(), why);
+  }
+
+  private static void refuse(Socket socket, Optional<Object> id, String why) throws IOException {
+    Map<String, Object> answer = new LinkedHashMap<>();
+    answer.put("id", id.orElse(null));
+    answer.put("ok", false);
+    answer.put("error", why);
+    send(socket, answer);
+  }
+
+  private static void send(Socket socket, Map<String, Object> answer) throws IOException {
+    socket.getOutputStream().write((Json.text(answer) + "\n").getBytes(StandardCharsets.US_ASCII));
+  }
+
+  @Override
+  public Verdict onError(Throwable failure) {
+    return failure instanceof IOException ? gone : failed;
+  }
+
+  @Override
+  public void onClose() {
+    close();
+    ended.accept(this);
+  }
+
+  /** Ends it; a request that waits for something ends when its time is over. For any thread. */
+  void close() {
+    try {
+      socket.close();
+    } catch (IOException e) {
+      // it is closed
+    }
+  }
+}
