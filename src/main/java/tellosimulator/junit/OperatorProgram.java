@@ -1,0 +1,136 @@
+package tellosimulator.junit;
+
+import java.io.IOException;
+import java.nio.charset.Charset;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.List;
+import java.util.Locale;
+import java.util.concurrent.TimeUnit;
+
+/**
+ * A program in any language that flies a drone: a process whose output is kept, and which is killed
+ * with all that it started when its time is over. For one thread.
+ */
+public final class OperatorProgram {
+
+  /** Lines of output in a failure. Decided: a stack trace of Python and what led to it. */
+  private static final int SHOWN_LINES = 40;
+
+  private final List<String> command;
+  private final SimulatedDrone drone;
+  private Duration limit = Duration.ofSeconds(60);
+  private Path directory = Path.of("").toAbsolutePath();
+  private String output = "";
+
+  OperatorProgram(List<String> command, SimulatedDrone drone) {
+    this.command = command.stream().map(word -> filled(word, drone)).toList();
+    this.drone = drone;
+  }
+
+  private static String filled(String word, SimulatedDrone drone) {
+    return word.replace("{host}", drone.host())
+        .replace("{commandPort}", Integer.toString(drone.commandPort()))
+        .replace("{statePort}", Integer.toString(drone.statePort()))
+        .replace("{videoPort}", Integer.toString(drone.videoPort()));
+  }
+
+  /** Kills it after so long by the wall clock; without this, after a minute. */
+  public OperatorProgram within(Duration newLimit) {
+    limit = newLimit;
+    return this;
+  }
+
+  /** Where it runs; without this, where the test does. */
+  public OperatorProgram in(Path newDirectory) {
+    directory = newDirectory;
+    return this;
+  }
+
+  /**
+   * Runs it to its end.
+   *
+   * @return itself, with its output
+   * @throws AssertionError with the end of its output, if it cannot be started, if it was killed,
+   *     or if its exit code is not 0
+   */
+  public OperatorProgram run() {
+    int exit = exitCode();
+    if (exit != 0) {
+      throw failure("ended with exit code " + exit);
+    }
+    return this;
+  }
+
+  /**
+   * Runs it to its end, whatever that is.
+   *
+   * @return its exit code
+   * @throws AssertionError with the end of its output, if it cannot be started, or if it was killed
+   */
+  public int exitCode() {
+    try {
+      Path kept = Files.createTempFile("operator", ".log");
+      try {
+        return run(kept);
+      } finally {
+        output = Files.readString(kept, Charset.defaultCharset());
+        Files.delete(kept);
+      }
+    } catch (IOException e) {
+      throw failure("could not be run: " + e.getMessage());
+    }
+  }
+
+  private int run(Path kept) throws IOException {
+    Process process =
+        new ProcessBuilder(command)
+            .directory(directory.toFile())
+            .redirectErrorStream(true)
+            .redirectOutput(kept.toFile())
+            .start();
+    try {
+      process.getOutputStream().close(); // it has nothing to read
+      if (!process.waitFor(limit.toMillis(), TimeUnit.MILLISECONDS)) {
+        kill(process);
+        output = Files.readString(kept, Charset.defaultCharset());
+        throw failure(
+            String.format(
+                Locale.ROOT,
+                "was killed, because it ran longer than %.1f s",
+                limit.toMillis() / 1e3));
+      }
+      return process.exitValue();
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+      throw failure("was interrupted");
+    } finally {
+      kill(process);
+    }
+  }
+
+  private static void kill(Process process) {
+    process.descendants().forEach(ProcessHandle::destroyForcibly);
+    process.destroyForcibly();
+  }
+
+  private AssertionError failure(String what) {
+    List<String> lines = output.lines().toList();
+    List<String> last = lines.subList(Math.max(0, lines.size() - SHOWN_LINES), lines.size());
+    return new AssertionError(
+        String.format(
+            Locale.ROOT,
+            "%s for %s %s%s%s",
+            String.join(" ", command),
+            drone,
+            what,
+            last.isEmpty() ? "" : System.lineSeparator(),
+            String.join(System.lineSeparator(), last)));
+  }
+
+  /** What it wrote to standard output and standard error. */
+  public String output() {
+    return output;
+  }
+}

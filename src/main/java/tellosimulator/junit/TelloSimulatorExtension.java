@@ -1,0 +1,322 @@
+package tellosimulator.junit;
+
+import java.lang.reflect.AnnotatedElement;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.Semaphore;
+import org.junit.jupiter.api.extension.AfterAllCallback;
+import org.junit.jupiter.api.extension.AfterEachCallback;
+import org.junit.jupiter.api.extension.AfterTestExecutionCallback;
+import org.junit.jupiter.api.extension.BeforeAllCallback;
+import org.junit.jupiter.api.extension.BeforeEachCallback;
+import org.junit.jupiter.api.extension.ExtensionContext;
+import org.junit.jupiter.api.extension.ExtensionContext.Namespace;
+import org.junit.jupiter.api.extension.MediaType;
+import org.junit.jupiter.api.extension.ParameterContext;
+import org.junit.jupiter.api.extension.ParameterResolutionException;
+import org.junit.jupiter.api.extension.ParameterResolver;
+import org.junit.jupiter.api.extension.TestExecutionExceptionHandler;
+import org.junit.platform.commons.JUnitException;
+import org.junit.platform.commons.support.AnnotationSupport;
+import org.opentest4j.AssertionFailedError;
+import org.opentest4j.IncompleteExecutionException;
+
+/**
+ * Gives simulated drones to JUnit tests; {@link TelloTest} registers it. With {@code
+ * RegisterExtension} it is told what to simulate by its builder: as a static field for one
+ * simulator a class, otherwise for one each test. Called by JUnit.
+ */
+public final class TelloSimulatorExtension
+    implements BeforeAllCallback,
+        AfterAllCallback,
+        BeforeEachCallback,
+        AfterEachCallback,
+        AfterTestExecutionCallback,
+        TestExecutionExceptionHandler,
+        ParameterResolver {
+
+  /** Name of the file that is published for a test that failed. */
+  private static final String PUBLISHED = "tello-flight.txt";
+
+  private final Optional<Builder> configured;
+  private final Namespace namespace;
+
+  /** What is simulated, and what becomes of crashes. */
+  public static final class Builder extends SimulatorSettings<Builder> {
+
+    private OnCrash onCrash = OnCrash.FAIL;
+
+    private Builder() {}
+
+    @Override
+    Builder self() {
+      return this;
+    }
+
+    /** What becomes of a test whose drone crashed, or missed its goals; without this it fails. */
+    public Builder onCrash(OnCrash what) {
+      onCrash = what;
+      return this;
+    }
+
+    /** The extension, for a field that is annotated with {@code RegisterExtension}. */
+    public TelloSimulatorExtension build() {
+      return new TelloSimulatorExtension(Optional.of(this));
+    }
+  }
+
+  /**
+   * A simulator while it is used by tests.
+   *
+   * @param owner the context whose end is its end
+   * @param turn which the test has that runs now
+   */
+  private record Running(TelloSimulator simulator, OnCrash onCrash, String owner, Semaphore turn) {}
+
+  /** For {@link TelloTest}. */
+  public TelloSimulatorExtension() {
+    this(Optional.empty());
+  }
+
+  private TelloSimulatorExtension(Optional<Builder> configured) {
+    this.configured = configured;
+    this.namespace =
+        configured.isPresent()
+            ? Namespace.create(TelloSimulatorExtension.class, this)
+            : Namespace.create(TelloSimulatorExtension.class);
+  }
+
+  /** What can be said before the start. */
+  public static Builder builder() {
+    return new Builder();
+  }
+
+  @Override
+  public void beforeAll(ExtensionContext context) {
+    Class<?> type = context.getRequiredTestClass();
+    boolean own = configured.isEmpty() && AnnotationSupport.isAnnotated(type, TelloTest.class);
+    if (own || running(context).isEmpty()) {
+      start(context, type);
+    }
+  }
+
+  @Override
+  public void afterAll(ExtensionContext context) {
+    close(context);
+  }
+
+  @Override
+  public void beforeEach(ExtensionContext context) {
+    boolean own =
+        configured.isEmpty()
+            && AnnotationSupport.isAnnotated(context.getRequiredTestMethod(), TelloTest.class);
+    if (own || running(context).isEmpty()) {
+      start(context, own ? context.getRequiredTestMethod() : context.getRequiredTestClass());
+    }
+    Running running = running(context).orElseThrow();
+    running.turn.acquireUninterruptibly();
+    context.getStore(namespace).put(Semaphore.class, running.turn);
+    if (running.simulator.closed()) {
+      throw new IllegalStateException(
+          "a test before "
+              + context.getDisplayName()
+              + " closed the simulator that all tests of the class share; a parameter must not be"
+              + " closed");
+    }
+    running.simulator.reset();
+  }
+
+  @Override
+  public void afterEach(ExtensionContext context) {
+    Semaphore turn = context.getStore(namespace).remove(Semaphore.class, Semaphore.class);
+    if (turn != null) {
+      turn.release();
+    }
+    close(context);
+  }
+
+  private void start(ExtensionContext context, AnnotatedElement element) {
+    Builder settings = configured.orElseGet(() -> settings(context, element));
+    try {
+      TelloSimulator simulator = new TelloSimulator(settings);
+      context
+          .getStore(namespace)
+          .put(
+              Running.class,
+              new Running(simulator, settings.onCrash, context.getUniqueId(), new Semaphore(1)));
+    } catch (IllegalArgumentException e) {
+      throw new IllegalArgumentException(
+          (configured.isPresent() ? "TelloSimulatorExtension" : "@TelloTest")
+              + " of "
+              + element
+              + ": "
+              + e.getMessage(),
+          e);
+    }
+  }
+
+  private static Builder settings(ExtensionContext context, AnnotatedElement element) {
+    TelloTest said =
+        AnnotationSupport.findAnnotation(element, TelloTest.class)
+            .or(
+                () ->
+                    AnnotationSupport.findAnnotation(
+                        context.getRequiredTestClass(),
+                        TelloTest.class,
+                        context.getEnclosingTestClasses()))
+            .orElseThrow(
+                () ->
+                    new IllegalArgumentException(
+                        "the extension is registered by @ExtendWith, but needs @TelloTest"));
+    Builder builder =
+        builder()
+            .scenario(said.scenario())
+            .profile(said.profile())
+            .behaviour(said.behaviour())
+            .timeFactor(said.timeFactor())
+            .link(said.link())
+            .video(said.video())
+            .ports(said.ports())
+            .onCrash(said.onCrash());
+    List.of(said.faults()).forEach(builder::fault);
+    if (said.drones() != 0) {
+      builder.drones(said.drones());
+    }
+    if (said.seed() != 0) {
+      builder.seed(said.seed());
+    }
+    return builder;
+  }
+
+  private Optional<Running> running(ExtensionContext context) {
+    return Optional.ofNullable(context.getStore(namespace).get(Running.class, Running.class));
+  }
+
+  private void close(ExtensionContext context) {
+    Optional<Running> running =
+        running(context).filter(one -> one.owner.equals(context.getUniqueId()));
+    if (running.isPresent()) {
+      context.getStore(namespace).remove(Running.class);
+      running.get().simulator.closeOnce();
+    }
+  }
+
+  // --- failures ---
+
+  @Override
+  public void afterTestExecution(ExtensionContext context) throws Exception {
+    Optional<Running> running = running(context);
+    if (context.getExecutionException().isPresent()
+        || running.isEmpty()
+        || running.get().onCrash == OnCrash.ALLOW) {
+      return;
+    }
+    TelloSimulator simulator = running.get().simulator;
+    simulator.awaitFalls();
+    List<String> unasked = new ArrayList<>();
+    for (SimulatedDrone drone : simulator.drones()) {
+      drone.truth().touched().stream()
+          .filter(DroneTruth.Touch::crash)
+          .map(touch -> drone + " " + FlightExplanation.touch(touch))
+          .forEach(unasked::add);
+    }
+    if (unasked.isEmpty() && simulator.simulation().goals().missed()) {
+      unasked.add("the goals were missed");
+    }
+    if (!unasked.isEmpty()) {
+      String message = String.join(", ", unasked) + "; onCrash = ALLOW would let that pass";
+      throw explained(context, simulator, new AssertionFailedError(message));
+    }
+  }
+
+  @Override
+  public void handleTestExecutionException(ExtensionContext context, Throwable failure)
+      throws Throwable {
+    Optional<Running> running = running(context);
+    if (running.isEmpty() || failure instanceof IncompleteExecutionException) {
+      throw failure;
+    }
+    if (failure instanceof AssertionError error) {
+      throw explained(context, running.get().simulator, error);
+    }
+    failure.addSuppressed(
+        new FlightFailure("what happened until then", explained(context, running.get().simulator)));
+    throw failure;
+  }
+
+  private static AssertionError explained(
+      ExtensionContext context, TelloSimulator simulator, AssertionError error) {
+    String explanation = explained(context, simulator);
+    if (error instanceof FlightFailure) {
+      return error; // says it already
+    }
+    String message = error.getMessage() + System.lineSeparator() + explanation;
+    AssertionFailedError all =
+        error instanceof AssertionFailedError failed && failed.isExpectedDefined()
+            ? new AssertionFailedError(message, failed.getExpected(), failed.getActual(), error)
+            : new AssertionFailedError(message, error);
+    all.setStackTrace(error.getStackTrace());
+    return all;
+  }
+
+  /** What happened, which is also published as a file. */
+  private static String explained(ExtensionContext context, TelloSimulator simulator) {
+    String explanation = simulator.explanation();
+    String text = context.getDisplayName() + System.lineSeparator() + explanation;
+    try {
+      context.publishFile(
+          PUBLISHED,
+          MediaType.TEXT_PLAIN_UTF_8,
+          file -> Files.writeString(file, text, StandardCharsets.UTF_8));
+      return explanation;
+    } catch (JUnitException e) { // the reason of the failure must not be lost for it
+      return explanation + System.lineSeparator() + e.getMessage();
+    }
+  }
+
+  // --- parameters ---
+
+  @Override
+  public boolean supportsParameter(ParameterContext parameter, ExtensionContext context) {
+    Class<?> type = parameter.getParameter().getType();
+    return type == SimulatedDrone.class
+        || type == TelloSimulation.class
+        || type == TelloSimulator.class;
+  }
+
+  @Override
+  public Object resolveParameter(ParameterContext parameter, ExtensionContext context) {
+    Class<?> type = parameter.getParameter().getType();
+    TelloSimulator simulator =
+        running(context)
+            .orElseThrow(
+                () ->
+                    new ParameterResolutionException(
+                        "there is no simulator yet in "
+                            + parameter.getDeclaringExecutable().getName()
+                            + ": it is started before each test"))
+            .simulator;
+    if (type == TelloSimulator.class) {
+      return simulator;
+    }
+    if (type == TelloSimulation.class) {
+      return simulator.simulation();
+    }
+    int number = parameter.findAnnotation(Drone.class).map(Drone::value).orElse(1);
+    try {
+      return simulator.drone(number);
+    } catch (IllegalArgumentException e) {
+      throw new ParameterResolutionException(
+          "@Drone("
+              + number
+              + ") in "
+              + parameter.getDeclaringExecutable().getName()
+              + ": "
+              + e.getMessage(),
+          e);
+    }
+  }
+}

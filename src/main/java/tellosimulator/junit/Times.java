@@ -1,0 +1,43 @@
+package tellosimulator.junit;
+
+/**
+ * How often something is expected in a {@link Journal}. Immutable.
+ *
+ * @param least at least
+ * @param most at the most
+ */
+public record Times(int least, int most) {
+
+  public Times {
+    if (least < 0 || most < least) {
+      throw new IllegalArgumentException(
+          "times are from " + least + " to " + most + ", but must be from 0 up, in rising order");
+    }
+  }
+
+  /** Exactly so often. */
+  public static Times times(int count) {
+    return new Times(count, count);
+  }
+
+  /** So often, or more. */
+  public static Times atLeast(int count) {
+    return new Times(count, Integer.MAX_VALUE);
+  }
+
+  /** So often, or less. */
+  public static Times atMost(int count) {
+    return new Times(0, count);
+  }
+
+  boolean holds(int count) {
+    return count >= least && count <= most;
+  }
+
+  @Override
+  public String toString() {
+    String count = least == most || least > 0 ? Integer.toString(least) : Integer.toString(most);
+    String prefix = least == most ? "" : least > 0 ? "at least " : "at most ";
+    return prefix + count + (count.equals("1") ? " time" : " times");
+  }
+}
