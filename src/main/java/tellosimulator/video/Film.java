@@ -3,8 +3,8 @@ package tellosimulator.video;
 import java.util.Optional;
 import tellosimulator.sim.SimSnapshot;
 import tellosimulator.video.camera.CameraId;
+import tellosimulator.video.camera.CameraView;
 import tellosimulator.video.camera.FrameSource;
-import tellosimulator.video.camera.Sight;
 import tellosimulator.video.codec.AccessUnit;
 import tellosimulator.video.codec.VideoEncoder;
 import tellosimulator.video.picture.Picture;
@@ -57,8 +57,8 @@ final class Film {
   }
 
   /** Everything that a frame of this format shows; empty if the source cannot tell. */
-  Optional<Sight> sight(SimSnapshot snapshot, VideoFormat format) {
-    return source.sight(snapshot, new CameraId(drone, format.downward()));
+  Optional<CameraView> view(SimSnapshot snapshot, VideoFormat format) {
+    return source.view(snapshot, new CameraId(drone, format.downward()));
   }
 
   /** Renders the next frame; it is valid until the next call. */

@@ -19,16 +19,19 @@ import tellosimulator.words.Phrase;
 /**
  * A stream that is kept as an MP4 file, picture by picture as it is sent. It begins with the next
  * key picture, and ends when it is closed, when pictures get another size, or when the file cannot
- * be written. Each second is written when it is over, so that the file plays up to the last one if
- * the program is killed. For any thread.
+ * be written. Each half second is written when it is over, so that at most the last second is
+ * missing if the program is killed. For any thread.
  */
 public final class Recording implements VideoWatcher, AutoCloseable {
 
   /** How long the last picture is shown [ticks]. Decided: as at 30 pictures a second. */
   private static final int LAST = Mp4File.TIMESCALE / 30;
 
-  /** How much is written at a time [ticks]. Decided: what may be lost. */
-  private static final long FRAGMENT = Mp4File.TIMESCALE;
+  /**
+   * How much is written at a time [ticks]. Decided: half of what may be lost, because pictures that
+   * a busy machine sends late come in bursts.
+   */
+  private static final long FRAGMENT = Mp4File.TIMESCALE / 2;
 
   private static final int START_CODE_LENGTH = 4;
 

@@ -1,7 +1,7 @@
 package tellosimulator.video;
 
 import java.util.function.Supplier;
-import tellosimulator.scenery.Stage;
+import tellosimulator.scenery.SceneBuilder;
 import tellosimulator.video.camera.ColorSpace;
 import tellosimulator.video.camera.DroneOptics;
 import tellosimulator.video.camera.FrameSource;
@@ -11,33 +11,22 @@ import tellosimulator.video.camera.SoftwareFrameSource;
 /** Creates software cameras that share a render cache. For any thread. */
 public final class SoftwareCameras implements Supplier<FrameSource> {
 
-  private final Stage stage;
-  private final RenderCache cache;
+  private final SceneBuilder scenes = new SceneBuilder();
+  private final RenderCache cache = new RenderCache(ColorSpace.YUV);
   private final DroneOptics optics;
 
   public SoftwareCameras(DroneOptics optics) {
-    this(new Stage(), new RenderCache(ColorSpace.YUV), optics);
-  }
-
-  private SoftwareCameras(Stage stage, RenderCache cache, DroneOptics optics) {
-    this.stage = stage;
-    this.cache = cache;
     this.optics = optics;
   }
 
-  /** Cameras with other optics, which share this render cache. */
-  public SoftwareCameras withOptics(DroneOptics newOptics) {
-    return new SoftwareCameras(stage, cache, newOptics);
-  }
-
   /** What makes the scenes that they draw. */
-  public Stage stage() {
-    return stage;
+  public SceneBuilder scenes() {
+    return scenes;
   }
 
   /** One more camera; for one thread. */
   @Override
   public FrameSource get() {
-    return new SoftwareFrameSource(cache, optics, stage::scene);
+    return new SoftwareFrameSource(cache, optics, scenes::scene);
   }
 }

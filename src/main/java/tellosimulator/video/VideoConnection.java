@@ -54,6 +54,7 @@ final class VideoConnection implements AutoCloseable {
   private final Metronome metronome;
   private final Runnable unreachable;
   private final Connector connector;
+  private final VideoFaults faults;
   private Optional<DatagramPort> port = Optional.empty();
   private Route opened;
   private InetAddress refused;
@@ -65,12 +66,15 @@ final class VideoConnection implements AutoCloseable {
    * Opens nothing yet.
    *
    * @param unreachable is called when another machine says that nothing receives there
+   * @param faults what goes wrong on the way
    */
-  VideoConnection(Metronome metronome, Runnable unreachable) {
-    this(metronome, unreachable, UdpPort::connect);
+  VideoConnection(Metronome metronome, Runnable unreachable, VideoFaults faults) {
+    this(metronome, unreachable, faults, UdpPort::connect);
   }
 
-  VideoConnection(Metronome metronome, Runnable unreachable, Connector connector) {
+  VideoConnection(
+      Metronome metronome, Runnable unreachable, VideoFaults faults, Connector connector) {
+    this.faults = faults;
     this.metronome = metronome;
     this.unreachable = unreachable;
     this.connector = connector;
@@ -98,8 +102,8 @@ final class VideoConnection implements AutoCloseable {
       if (i > 0) {
         metronome.pauseUntil(begun + nanos * i / (packets.size() - 1));
       }
-      byte[] packet = packets.get(i);
-      from.get().send(packet, route.to());
+      faults.deliver(metronome.nanos());
+      faults.send(from.get(), route.to(), packets.get(i), metronome.nanos());
     }
   }
 
@@ -150,6 +154,7 @@ final class VideoConnection implements AutoCloseable {
 
   @Override
   public void close() {
+    faults.forget();
     port.ifPresent(DatagramPort::close);
     port = Optional.empty();
   }

@@ -6,7 +6,6 @@ import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.function.Supplier;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
-import tellosimulator.command.Link;
 import tellosimulator.concurrent.Agent;
 import tellosimulator.concurrent.Exceptions;
 import tellosimulator.concurrent.Verdict;
@@ -17,7 +16,7 @@ import tellosimulator.sim.SimSnapshot;
 import tellosimulator.sim.SimSnapshot.DroneSnapshot;
 import tellosimulator.time.Metronome;
 import tellosimulator.video.VideoConnection.Route;
-import tellosimulator.video.camera.Sight;
+import tellosimulator.video.camera.CameraView;
 import tellosimulator.video.codec.AccessUnit;
 import tellosimulator.video.picture.Picture;
 
@@ -44,20 +43,6 @@ public final class VideoStream implements AutoCloseable {
    */
   private static final long LEAST_SPREAD = 100_000;
 
-  /**
-   * Silence of an operator on another machine after which nothing is sent [ns]. Decided: what
-   * nobody asks for is not sent into a network for ever.
-   */
-  private static final long REST_AFTER = 120_000_000_000L;
-
-  /**
-   * How long it is tried again whether a remote operator takes video, and how often [ns]. Decided:
-   * decoders take some seconds to open; a try is one small datagram.
-   */
-  private static final long TRIES = 10_000_000_000L;
-
-  private static final long TRY_PERIOD = 1_500_000_000;
-
   /** From look to look between two tries [ns]. Decided. */
   private static final long LOOK_PERIOD = 100_000_000;
 
@@ -68,7 +53,9 @@ public final class VideoStream implements AutoCloseable {
   private final Supplier<SimSnapshot> snapshots;
   private final Supplier<Film> films;
   private final Metronome metronome = new Metronome();
-  private final VideoConnection connection = new VideoConnection(metronome, this::lose);
+  private final Reachability reachability = new Reachability(metronome::nanos);
+  private final VideoFaults faults;
+  private final VideoConnection connection;
   private final VideoMeter meter = new VideoMeter();
   private final List<VideoWatcher> watchers = new CopyOnWriteArrayList<>();
   private final Worker worker;
@@ -83,12 +70,6 @@ public final class VideoStream implements AutoCloseable {
   private int starvedAt;
   private int start;
 
-  /** Whether an operator on another machine took no video when it was sent last. */
-  private volatile boolean gone;
-
-  private volatile long goneNanos;
-
-  private volatile long heardNanos;
   private Wish last = Wish.NOTHING;
   private Optional<Film> begun = Optional.empty();
 
@@ -107,7 +88,7 @@ public final class VideoStream implements AutoCloseable {
   }
 
   /** What a frame shows, and in which format. */
-  private record Seen(Sight sight, VideoFormat format) {}
+  private record Seen(CameraView view, VideoFormat format) {}
 
   /**
    * Starts to rest at once.
@@ -118,6 +99,8 @@ public final class VideoStream implements AutoCloseable {
     this.drone = drone;
     this.snapshots = snapshots;
     this.films = films;
+    this.faults = new VideoFaults(drone);
+    this.connection = new VideoConnection(metronome, reachability::unreachable, faults);
     this.worker = Worker.start("video-" + drone, new Filming());
   }
 
@@ -137,30 +120,7 @@ public final class VideoStream implements AutoCloseable {
 
   /** The drone's operator has sent something. */
   void heard() {
-    heardNanos = metronome.nanos();
-    gone = false;
-  }
-
-  private void lose() {
-    goneNanos = metronome.nanos();
-    gone = true;
-  }
-
-  /** Whether its operator is on another machine and takes nothing, now or any more. */
-  private boolean rests(Link link) {
-    long now = metronome.nanos();
-    boolean between = now - goneNanos < TRY_PERIOD;
-    return remote(link)
-        && (now - heardNanos > REST_AFTER || (gone && (between || !triesAgain(link))));
-  }
-
-  /** Whether it is tried again and again, because programs open their port after streamon. */
-  private boolean triesAgain(Link link) {
-    return remote(link) && gone && metronome.nanos() - heardNanos < TRIES;
-  }
-
-  private static boolean remote(Link link) {
-    return link.operator().filter(operator -> !operator.local()).isPresent();
+    reachability.heard();
   }
 
   /** Lets it look at once whether something has changed. */
@@ -209,7 +169,7 @@ public final class VideoStream implements AutoCloseable {
     if (resting(now) || !wish.seen) {
       last = wish;
       connection.close();
-      if (!triesAgain(now.link())) {
+      if (!reachability.triesAgain(now.link())) {
         return false;
       }
       metronome.pauseUntil(metronome.nanos() + LOOK_PERIOD);
@@ -227,19 +187,23 @@ public final class VideoStream implements AutoCloseable {
   }
 
   private void film(SimSnapshot newest) {
-    Wish wish = wish(drone(newest));
-    VideoFormat format = VideoFormat.of(drone(newest).state().video());
+    DroneSnapshot now = drone(newest);
+    faults.set(now.faults());
+    faults.deliver(metronome.nanos());
+    Wish wish = wish(now);
+    VideoFormat format = VideoFormat.of(now.state().video());
+    SimSnapshot filmed = faults.shown(newest);
     if (wish.encoded) {
       shown = Optional.empty();
-      picture(newest, wish, format);
+      picture(filmed, wish, format);
     } else {
-      preview(newest, wish, format);
+      preview(filmed, wish, format);
     }
   }
 
   /** Takes a picture for those who look, unless it would be as the last one. */
   private void preview(SimSnapshot snapshot, Wish wish, VideoFormat format) {
-    Optional<Seen> seen = film().sight(snapshot, format).map(sight -> new Seen(sight, format));
+    Optional<Seen> seen = film().view(snapshot, format).map(view -> new Seen(view, format));
     if (unseen || seen.isEmpty() || !seen.equals(shown)) {
       unseen = false;
       shown = Optional.empty(); // if it fails
@@ -270,7 +234,7 @@ public final class VideoStream implements AutoCloseable {
     VideoFigures figures =
         meter.count(new VideoMeter.Sample(start, bytes, filmed - start, done - filmed));
     if (wish.sent) { // before anybody looks at it, who may take his time
-      List<byte[]> packets = Packets.of(encoded.orElseThrow());
+      List<byte[]> packets = faults.sent(Packets.of(encoded.orElseThrow()));
       connection.send(packets, wish.route.orElseThrow(), spread(packets.size()));
     }
     FilmedPicture filmedPicture = new FilmedPicture(picture, encoded, figures, start);
@@ -302,7 +266,12 @@ public final class VideoStream implements AutoCloseable {
   private Wish wish(DroneSnapshot now) {
     VideoSettings video = now.state().video();
     boolean powered = now.state().phase() != FlightPhase.OFF;
-    boolean sent = powered && video.on() && now.link().sdkMode() && !rests(now.link());
+    boolean sent =
+        powered
+            && video.on()
+            && now.link().sdkMode()
+            && !VideoFaults.silent(now.faults())
+            && !reachability.rests(now.link());
     boolean encoded = sent || (powered && watchers.stream().anyMatch(VideoWatcher::needsStream));
     boolean seen = encoded || !watchers.isEmpty();
     return new Wish(sent, encoded, seen, Route.of(now.link()), video.starts());

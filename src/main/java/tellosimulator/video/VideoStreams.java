@@ -59,14 +59,14 @@ public final class VideoStreams implements SimListener, AutoCloseable {
   /** A drone was told something, perhaps to film. */
   @Override
   public void event(SimEvent event) {
-    for (int drone = 1; drone <= streams.size(); drone++) {
-      if (event.drone() == drone || event.drone() == 0) {
-        if (event instanceof SimEvent.CommandReceived command && fromOperator(command)) {
-          stream(drone).heard();
-        }
-        stream(drone).wake();
-      }
+    if (!(event instanceof SimEvent.ForDrone one)) {
+      streams.forEach(VideoStream::wake);
+      return;
     }
+    if (event instanceof SimEvent.CommandReceived command && fromOperator(command)) {
+      stream(one.drone()).heard();
+    }
+    stream(one.drone()).wake();
   }
 
   private boolean fromOperator(SimEvent.CommandReceived command) {

@@ -7,6 +7,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import tellosimulator.math.Attitude;
 import tellosimulator.math.Vec3;
+import tellosimulator.scenery.mesh.Rgb;
 import tellosimulator.sim.SimConfig;
 import tellosimulator.sim.SimSnapshot;
 import tellosimulator.sim.Simulation;
@@ -43,7 +44,7 @@ class DetailTest {
     SimSnapshot snapshot =
         new Simulation(SimConfig.DEFAULT, drone -> (peer, text) -> {}, report -> {}, List.of())
             .snapshot();
-    Eye eye = new Eye(new Stage().scene(snapshot, 1));
+    RayTracer eye = new RayTracer(new SceneBuilder().scene(snapshot, 1));
     double heading = Math.toRadians(headingDeg);
     Vec3 place = new Vec3(ahead, 0, height).turned(heading);
     Attitude down = new Attitude(Math.cos(TILT / 2), 0, Math.sin(TILT / 2), 0);
@@ -53,7 +54,7 @@ class DetailTest {
     assertThat(standardDeviation(luma)).isGreaterThan(25);
   }
 
-  private static double[] picture(Eye eye, Vec3 place, Attitude attitude) {
+  private static double[] picture(RayTracer eye, Vec3 place, Attitude attitude) {
     double[] luma = new double[WIDTH * HEIGHT];
     for (int y = 0; y < RAYS * HEIGHT; y++) {
       for (int x = 0; x < RAYS * WIDTH; x++) {

@@ -12,7 +12,7 @@ import tellosimulator.model.VideoSettings;
 import tellosimulator.sim.SimConfig;
 import tellosimulator.sim.SimSnapshot;
 import tellosimulator.sim.Simulation;
-import tellosimulator.testing.SimulatedDrone;
+import tellosimulator.testing.SteppedDrone;
 import tellosimulator.video.camera.DroneOptics;
 import tellosimulator.video.codec.AccessUnit;
 import tellosimulator.video.codec.H264Encoder;
@@ -46,7 +46,7 @@ class FilmDeterminismTest {
 
   private static String film(String... commands) throws NoSuchAlgorithmException {
     MessageDigest digest = MessageDigest.getInstance("SHA-256");
-    SimulatedDrone drone = SimulatedDrone.of(SimConfig.DEFAULT);
+    SteppedDrone drone = SteppedDrone.of(SimConfig.DEFAULT);
     SimSnapshot room =
         new Simulation(SimConfig.DEFAULT, number -> (peer, text) -> {}, report -> {}, List.of())
             .snapshot();

@@ -59,7 +59,7 @@ class GoldenPicturesTest {
     }
 
     Still take() {
-      return Still.of(Moments.flying(arena, drones), new CameraId(1, downward));
+      return Still.of(FlyingSnapshots.flying(arena, drones), new CameraId(1, downward));
     }
   }
 

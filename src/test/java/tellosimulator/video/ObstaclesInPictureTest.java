@@ -127,7 +127,8 @@ class ObstaclesInPictureTest {
   void anObstacleHidesADrone() {
     Pose other = new Pose(new Vec3(0.8, 0, 0.8), Attitude.LEVEL);
     Obstacle wall = at(new Shape.Box(0.05, 1, 1), new Vec3(0.3, 0, 0.3), RED);
-    Still hidden = Still.ahead(Moments.flying(EMPTY.withObstacles(List.of(wall)), DRONE, other));
+    Still hidden =
+        Still.ahead(FlyingSnapshots.flying(EMPTY.withObstacles(List.of(wall)), DRONE, other));
     Still alone = take(wall);
 
     assertThat(rgb(hidden, other.position())).isEqualTo(rgb(alone, other.position()));
@@ -138,7 +139,7 @@ class ObstaclesInPictureTest {
   }
 
   private static Still take(Obstacle... obstacles) {
-    return Still.ahead(Moments.flying(EMPTY.withObstacles(List.of(obstacles)), DRONE));
+    return Still.ahead(FlyingSnapshots.flying(EMPTY.withObstacles(List.of(obstacles)), DRONE));
   }
 
   /** What is seen in the direction of a place in the room. */

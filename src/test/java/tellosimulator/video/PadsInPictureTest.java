@@ -12,7 +12,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import tellosimulator.math.Attitude;
 import tellosimulator.math.Pose;
 import tellosimulator.math.Vec3;
-import tellosimulator.scenery.Stage;
+import tellosimulator.scenery.SceneBuilder;
 import tellosimulator.video.camera.ColorSpace;
 import tellosimulator.video.camera.DroneOptics;
 import tellosimulator.video.camera.FrameBuffer;
@@ -118,7 +118,8 @@ class PadsInPictureTest {
     Pose elsewhere = new Pose(new Vec3(-2, -2, 1), Attitude.LEVEL);
     new SoftwareCamera(new RenderCache(ColorSpace.RGB))
         .draw(
-            new Stage().scene(Moments.flying(EMPTY.withPads(List.of(pad)), elsewhere), 1),
+            new SceneBuilder()
+                .scene(FlyingSnapshots.flying(EMPTY.withPads(List.of(pad)), elsewhere), 1),
             camera,
             frameBuffer);
     int[] argb = new int[WIDTH * HEIGHT];

@@ -32,7 +32,8 @@ class VideoConnectionTest {
   private static final List<byte[]> TEN = Collections.nCopies(10, new byte[] {0, 0, 0, 1, 1});
 
   private final Metronome metronome = new Metronome();
-  private final VideoConnection connection = new VideoConnection(metronome, () -> {});
+  private final VideoConnection connection =
+      new VideoConnection(metronome, () -> {}, new VideoFaults(1));
   private VideoReceiver receiver;
 
   @BeforeEach
@@ -112,7 +113,8 @@ class VideoConnectionTest {
           return port;
         };
 
-    try (VideoConnection tried = new VideoConnection(metronome, told::incrementAndGet, silent)) {
+    try (VideoConnection tried =
+        new VideoConnection(metronome, told::incrementAndGet, new VideoFaults(1), silent)) {
       tried.send(TEN, route, 0);
       assertThat(sent).hasSize(1);
       assertThat(told).hasValue(1);

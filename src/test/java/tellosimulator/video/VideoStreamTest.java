@@ -1,7 +1,7 @@
 package tellosimulator.video;
 
 import static org.assertj.core.api.Assertions.assertThat;
-import static tellosimulator.testing.SimulatedDrone.address;
+import static tellosimulator.testing.SteppedDrone.address;
 
 import java.util.List;
 import java.util.Optional;
@@ -16,6 +16,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import tellosimulator.command.Peer;
 import tellosimulator.concurrent.Verdict;
+import tellosimulator.fault.Fault;
 import tellosimulator.math.Attitude;
 import tellosimulator.math.Pose;
 import tellosimulator.math.Vec3;
@@ -27,8 +28,8 @@ import tellosimulator.sim.SimSnapshot;
 import tellosimulator.sim.Simulation;
 import tellosimulator.testing.CapturedLog;
 import tellosimulator.video.camera.CameraId;
+import tellosimulator.video.camera.CameraView;
 import tellosimulator.video.camera.FrameSource;
-import tellosimulator.video.camera.Sight;
 import tellosimulator.video.codec.H264Encoder;
 import tellosimulator.video.picture.Picture;
 
@@ -52,7 +53,7 @@ class VideoStreamTest {
           List.of());
   private final AtomicReference<Error> failure = new AtomicReference<>();
   private final BlockingQueue<String> filmed = new LinkedBlockingQueue<>();
-  private final AtomicReference<Sight> sight = new AtomicReference<>(sight(0));
+  private final AtomicReference<CameraView> view = new AtomicReference<>(view(0));
   private final AtomicInteger films = new AtomicInteger();
   private final Semaphore looks = new Semaphore(0);
   private final CapturedLog log = CapturedLog.of(Verdict.class);
@@ -60,9 +61,9 @@ class VideoStreamTest {
       new VideoStream(1, this::look, () -> new Film(1, source(), H264Encoder::new));
 
   /** What is seen by a drone at some height [m]. */
-  private static Sight sight(double height) {
+  private static CameraView view(double height) {
     Pose pose = new Pose(new Vec3(0, 0, height), Attitude.LEVEL);
-    return new Sight(new Scene(List.of()), pose, false);
+    return new CameraView(Scene.of(List.of()), pose, false);
   }
 
   private SimSnapshot look() {
@@ -83,8 +84,8 @@ class VideoStreamTest {
       }
 
       @Override
-      public Optional<Sight> sight(SimSnapshot snapshot, CameraId shot) {
-        return Optional.of(sight.get());
+      public Optional<CameraView> view(SimSnapshot snapshot, CameraId shot) {
+        return Optional.of(view.get());
       }
     };
   }
@@ -93,6 +94,20 @@ class VideoStreamTest {
   void close() {
     stream.close();
     log.close();
+  }
+
+  @Test
+  void inStationModeNothingIsFilmedUntilTheFaultIsOver() throws InterruptedException {
+    simulation.control(new Control.InjectFault(Fault.of("no-video-in-station-mode")));
+    switchOn();
+    tell("streamon");
+    lookAgain();
+    assertThat(filmed).isEmpty();
+
+    simulation.control(new Control.ClearFaults());
+    simulation.drain();
+    stream.wake();
+    assertThat(filmed.take()).isEqualTo("picture");
   }
 
   @Test
@@ -149,13 +164,7 @@ class VideoStreamTest {
     failure.set(new StackOverflowError("broken on purpose"));
     switchOn();
     tell("streamon");
-    assertThat(filmed.take()).isEqualTo("failure");
-    assertThat(log.next()).startsWith("A picture of drone 1 failed; please report this: ");
-    failure.set(null);
-
-    while (!filmed.take().equals("picture")) {
-      assertThat(films).hasValue(1);
-    }
+    assertGoesOnAfterTheFailure();
   }
 
   @Test
@@ -167,7 +176,7 @@ class VideoStreamTest {
     looks.acquire(6); // some ticks, at which an encoded stream would have pictures
 
     assertThat(filmed).isEmpty();
-    sight.set(sight(1));
+    view.set(view(1));
     assertThat(filmed.take()).isEqualTo("picture");
   }
 
@@ -186,13 +195,7 @@ class VideoStreamTest {
   void aPictureThatFailedIsTakenAgain() throws InterruptedException {
     failure.set(new StackOverflowError("broken on purpose"));
     stream.watch(picture -> {});
-    assertThat(filmed.take()).isEqualTo("failure");
-    assertThat(log.next()).startsWith("A picture of drone 1 failed; please report this: ");
-    failure.set(null);
-
-    while (!filmed.take().equals("picture")) {
-      assertThat(films).hasValue(1);
-    }
+    assertGoesOnAfterTheFailure();
   }
 
   @Test
@@ -202,6 +205,16 @@ class VideoStreamTest {
 
     assertThat(filmed.take()).isEqualTo("picture");
     assertThat(filmed.take()).isEqualTo("picture");
+  }
+
+  private void assertGoesOnAfterTheFailure() throws InterruptedException {
+    assertThat(filmed.take()).isEqualTo("failure");
+    assertThat(log.next()).startsWith("A picture of drone 1 failed; please report this: ");
+    failure.set(null);
+
+    while (!filmed.take().equals("picture")) {
+      assertThat(films).hasValue(1);
+    }
   }
 
   /** Lets it look twice, so that at least one look is later than this. */

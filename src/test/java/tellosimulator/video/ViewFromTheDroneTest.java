@@ -93,7 +93,7 @@ class ViewFromTheDroneTest {
     Poster ahead = new Poster(Surface.FLOOR, 0, 0.3, 0.2, file(Color.WHITE));
     Decor decor = PLAIN.withPosters(List.of(ahead));
 
-    Still still = Still.of(Moments.flying(decor, at(MIDDLE, 0)), new CameraId(1, true));
+    Still still = Still.of(FlyingSnapshots.flying(decor, at(MIDDLE, 0)), new CameraId(1, true));
 
     assertThat(still.column(rgb -> rgb == 0xffffff)).isBetween(0.0, Still.WIDTH * 0.45);
   }
@@ -117,7 +117,7 @@ class ViewFromTheDroneTest {
 
   /** Where the floor begins below the front wall. */
   private static int[] floorAtLeftMiddleAndRight(Attitude attitude) {
-    Still still = Still.ahead(Moments.flying(PLAIN, new Pose(MIDDLE, attitude)));
+    Still still = Still.ahead(FlyingSnapshots.flying(PLAIN, new Pose(MIDDLE, attitude)));
     int floor = still.rgb(Still.WIDTH / 2, Still.HEIGHT - 20);
     return new int[] {
       still.firstRow(20, rgb -> isLike(rgb, floor)),
@@ -129,7 +129,7 @@ class ViewFromTheDroneTest {
   private SimSnapshot withRed(Pose drone, Poster where) throws IOException {
     Poster poster =
         new Poster(where.surface(), where.along(), where.height(), where.width(), file(Color.RED));
-    return Moments.flying(Decor.DEFAULT.withPosters(List.of(poster)), drone);
+    return FlyingSnapshots.flying(Decor.DEFAULT.withPosters(List.of(poster)), drone);
   }
 
   private String file(Color color) throws IOException {

@@ -3,8 +3,8 @@ package tellosimulator.scenery.drone;
 import java.util.ArrayList;
 import java.util.List;
 import tellosimulator.math.Vec3;
-import tellosimulator.scenery.Mesh;
-import tellosimulator.scenery.drone.Solids.Section;
+import tellosimulator.scenery.drone.Loft.Section;
+import tellosimulator.scenery.mesh.Mesh;
 
 /**
  * The shape of a Tello without its propellers: shell, nose, arms, motors, feet and guards. Body
@@ -38,7 +38,7 @@ final class BodyMesh {
   /** The signs of x and y of the four motors: front left, front right, back left, back right. */
   private static final int[][] CORNERS = {{1, 1}, {1, -1}, {-1, 1}, {-1, -1}};
 
-  private final MeshBuilder mesh = new MeshBuilder();
+  private final SmoothMeshBuilder mesh = new SmoothMeshBuilder();
 
   private BodyMesh() {
     Shell.addTo(mesh);
@@ -49,7 +49,7 @@ final class BodyMesh {
     }
   }
 
-  static MeshBuilder shape() {
+  static SmoothMeshBuilder shape() {
     return new BodyMesh().mesh;
   }
 
@@ -72,16 +72,16 @@ final class BodyMesh {
 
   private void addArm(int front, int left) {
     Vec3 motor = motor(front, left);
-    mesh.surface(Palette.ARM);
-    Solids.tube(
+    mesh.group(Palette.ARM);
+    Loft.tube(
         mesh,
         List.of(
             new Section(new Vec3(front * 0.022, left * 0.012, 0.014), 0.0042),
             new Section(new Vec3(front * 0.034, left * 0.024, 0.0155), 0.0036),
             new Section(motor.withZ(0.0185), 0.0034)),
         8);
-    mesh.surface(Palette.ARM);
-    Solids.bar(
+    mesh.group(Palette.ARM);
+    Loft.bar(
         mesh,
         new Section(new Vec3(front * 0.013, left * 0.014, 0.018), 0.0018),
         new Section(motor.withZ(0.026), 0.0016),
@@ -90,28 +90,28 @@ final class BodyMesh {
 
   private void addMotor(int front, int left) {
     Vec3 motor = motor(front, left);
-    mesh.surface(Palette.FOOT);
-    Solids.tube(
+    mesh.group(Palette.FOOT);
+    Loft.tube(
         mesh,
         List.of(
             new Section(motor, 0.0022),
             new Section(motor.withZ(0.001), 0.0032),
             new Section(motor.withZ(0.009), 0.0052)),
         ROUND);
-    mesh.surface(Palette.ARM);
-    Solids.bar(
+    mesh.group(Palette.ARM);
+    Loft.bar(
         mesh,
         new Section(motor.withZ(0.009), 0.0058),
         new Section(motor.withZ(0.027), 0.0062),
         ROUND);
-    mesh.surface(Palette.CAP);
-    Solids.bar(
+    mesh.group(Palette.CAP);
+    Loft.bar(
         mesh,
         new Section(motor.withZ(0.027), 0.005),
         new Section(motor.withZ(0.0325), 0.005),
         ROUND);
-    mesh.surface(Palette.MOTOR);
-    Solids.bar(
+    mesh.group(Palette.MOTOR);
+    Loft.bar(
         mesh,
         new Section(motor.withZ(0.0325), 0.0011),
         new Section(motor.withZ(PROPELLER_HEIGHT - 0.0022), 0.0011),
@@ -121,8 +121,8 @@ final class BodyMesh {
 
   /** The middle of a propeller. It is round, so that it need not turn. */
   private void addHub(Vec3 motor) {
-    mesh.surface(Palette.PROPELLER);
-    Solids.tube(
+    mesh.group(Palette.PROPELLER);
+    Loft.tube(
         mesh,
         List.of(
             new Section(motor.withZ(PROPELLER_HEIGHT - 0.0022), 0.004),
@@ -134,18 +134,18 @@ final class BodyMesh {
   private void addGuard(int front, int left) {
     Vec3 motor = motor(front, left);
     double outward = StrictMath.atan2(left * WIDTH, front * LENGTH);
-    mesh.surface(Palette.GUARD);
+    mesh.group(Palette.GUARD);
     int parts = 18;
     List<int[]> rings = new ArrayList<>();
     for (int i = 0; i <= parts; i++) {
       double angle = outward + GUARD_HALF_ANGLE * (2.0 * i / parts - 1);
       rings.add(guardSection(motor, angle));
     }
-    Solids.skin(mesh, rings);
+    Loft.loft(mesh, rings);
     for (double side : new double[] {-0.62, 0, 0.62}) {
       double angle = outward + GUARD_HALF_ANGLE * side;
-      mesh.surface(Palette.GUARD);
-      Solids.bar(
+      mesh.group(Palette.GUARD);
+      Loft.bar(
           mesh,
           new Section(motor.withZ(0.022), 0.0014),
           new Section(onGuard(motor, angle, 0.0306), 0.0011),

@@ -3,10 +3,11 @@ package tellosimulator.scenery.drone;
 import java.util.List;
 import java.util.Map;
 import tellosimulator.math.Vec3;
-import tellosimulator.scenery.Finish;
-import tellosimulator.scenery.Mesh;
-import tellosimulator.scenery.Part;
-import tellosimulator.scenery.Texture;
+import tellosimulator.scenery.mesh.Mesh;
+import tellosimulator.scenery.mesh.Part;
+import tellosimulator.scenery.mesh.Rgb;
+import tellosimulator.scenery.mesh.Shading;
+import tellosimulator.scenery.mesh.Texture;
 
 /**
  * The parts of one drone. Body and lamp are in the body frame; a propeller is at the origin of its
@@ -21,26 +22,26 @@ public final class DroneParts {
   private final Part clockwise;
   private final Part counterClockwise;
 
-  /** What is the same for all drones; made when the first drone is. */
+  /** What is the same for all drones; made for the first one. */
   private static final class Shared {
 
     static final Mesh BODY = BodyMesh.create();
     static final Mesh CLOCKWISE = PropellerMesh.create(true);
     static final Mesh COUNTER_CLOCKWISE = PropellerMesh.create(false);
     static final Part DISC =
-        new Part(PropellerDisc.create(), PropellerDisc.picture(), Finish.SHEER);
+        new Part(PropellerDisc.mesh(), PropellerDisc.texture(), Shading.TRANSLUCENT);
     static final Map<StatusLight, Part> LAMP = StatusLamp.parts();
     static final List<Vec3> PROPELLERS = List.copyOf(BodyMesh.propellers());
   }
 
   /**
-   * @param livery the drone's colours
+   * @param cover colour of the drone's cover
    */
-  public DroneParts(Livery livery) {
-    Texture colors = Palette.picture(livery.cover());
-    body = new Part(Shared.BODY, colors, Finish.LIT);
-    clockwise = new Part(Shared.CLOCKWISE, colors, Finish.LIT);
-    counterClockwise = new Part(Shared.COUNTER_CLOCKWISE, colors, Finish.LIT);
+  public DroneParts(Rgb cover) {
+    Texture colors = Palette.texture(cover);
+    body = new Part(Shared.BODY, colors, Shading.GLOSSY);
+    clockwise = new Part(Shared.CLOCKWISE, colors, Shading.GLOSSY);
+    counterClockwise = new Part(Shared.COUNTER_CLOCKWISE, colors, Shading.GLOSSY);
   }
 
   /** All but lamp and propellers. */
@@ -53,13 +54,13 @@ public final class DroneParts {
     return Shared.LAMP.get(light);
   }
 
-  /** The middles of the propellers, body frame [m]: front left, front right, back left, right. */
+  /** The hubs of the propellers, body frame [m]: front left, front right, back left, right. */
   public List<Vec3> propellers() {
     return Shared.PROPELLERS;
   }
 
   /**
-   * A propeller as one sees it: its blades, or a disc when they turn fast.
+   * A propeller: its blades, or a disc when they turn fast.
    *
    * @param index its place in {@link #propellers}
    */

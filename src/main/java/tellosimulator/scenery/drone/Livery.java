@@ -2,7 +2,7 @@ package tellosimulator.scenery.drone;
 
 import java.util.List;
 import java.util.OptionalInt;
-import tellosimulator.scenery.Rgb;
+import tellosimulator.scenery.mesh.Rgb;
 import tellosimulator.sim.SimSnapshot.DroneSnapshot;
 
 /**

@@ -1,12 +1,12 @@
 package tellosimulator.scenery.drone;
 
 import java.util.Arrays;
-import tellosimulator.scenery.Rgb;
-import tellosimulator.scenery.Texture;
+import tellosimulator.scenery.mesh.Rgb;
+import tellosimulator.scenery.mesh.Texture;
 
 /**
- * The colours of a drone's parts. All of them are in one small picture, so that a whole body is one
- * mesh with one material. Assumed: by eye, from pictures of a Tello.
+ * The colours of a drone, in one small texture atlas, so that a whole body is one mesh with one
+ * material. Assumed: by eye, from pictures of a Tello.
  */
 enum Palette {
   COVER(Rgb.of(0xeceded)),
@@ -23,7 +23,7 @@ enum Palette {
   PROPELLER(Rgb.of(0x4b4f57)),
   FOOT(Rgb.of(0x6a6e75));
 
-  /** Pixels from one colour to the next; what lies between hides the neighbours from filters. */
+  /** Texels of a colour; so many that filters do not reach its neighbours. */
   private static final int CELL = 8;
 
   private final Rgb color;
@@ -37,18 +37,18 @@ enum Palette {
     return Arrays.asList(values()).indexOf(this);
   }
 
-  /** Where each colour lies in the picture: u and v of the first one, then of the next. */
-  static float[] places() {
-    float[] places = new float[2 * values().length];
+  /** The texture coordinates of the colours: u and v of the first one, then of the next. */
+  static float[] texCoords() {
+    float[] texCoords = new float[2 * values().length];
     for (Palette part : values()) {
-      places[2 * part.index()] = (part.index() + 0.5f) / values().length;
-      places[2 * part.index() + 1] = 0.5f;
+      texCoords[2 * part.index()] = (part.index() + 0.5f) / values().length;
+      texCoords[2 * part.index() + 1] = 0.5f;
     }
-    return places;
+    return texCoords;
   }
 
-  /** The picture for a drone with a cover of some colour. */
-  static Texture picture(Rgb cover) {
+  /** The texture of a drone whose cover has this colour. */
+  static Texture texture(Rgb cover) {
     int width = CELL * values().length;
     int[] pixels = new int[width * CELL];
     for (int i = 0; i < pixels.length; i++) {

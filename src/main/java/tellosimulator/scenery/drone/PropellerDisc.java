@@ -1,18 +1,22 @@
 package tellosimulator.scenery.drone;
 
-import tellosimulator.scenery.Mesh;
-import tellosimulator.scenery.Rgb;
-import tellosimulator.scenery.Texture;
+import tellosimulator.math.Vec3;
+import tellosimulator.scenery.mesh.Mesh;
+import tellosimulator.scenery.mesh.MeshBuilder;
+import tellosimulator.scenery.mesh.MeshBuilder.Vertex;
+import tellosimulator.scenery.mesh.Rgb;
+import tellosimulator.scenery.mesh.Texture;
 
 /**
- * What the eye sees of a propeller that turns fast: a translucent disc in which the blades are
- * smeared; one sees it from above and from below. About z, its middle at the origin [m].
+ * The motion blur of a propeller that turns fast: a translucent two-sided disc with smeared blades.
+ * It turns about z, with its centre at the origin [m].
  */
 final class PropellerDisc {
 
   private static final int SIDES = 24;
 
-  private static final int PICTURE_SIZE = 64;
+  /** Edge of the texture [texels]. */
+  private static final int SIZE = 64;
 
   private static final Rgb BLADE = Rgb.of(0x3b3e45);
 
@@ -23,39 +27,33 @@ final class PropellerDisc {
 
   private PropellerDisc() {}
 
-  static Mesh create() {
-    float[] points = new float[3 * (SIDES + 1)];
-    float[] places = new float[2 * (SIDES + 1)];
-    int[] corners = new int[2 * 9 * SIDES];
-    places[2 * SIDES] = 0.5f;
-    places[2 * SIDES + 1] = 0.5f;
-    int corner = 0;
+  static Mesh mesh() {
+    MeshBuilder mesh = new MeshBuilder();
+    int hub = mesh.vertex(new Vertex(Vec3.ZERO, Vec3.UP, 0.5, 0.5));
     for (int i = 0; i < SIDES; i++) {
       double angle = 2 * Math.PI * i / SIDES;
-      points[3 * i] = (float) (PropellerMesh.RADIUS * StrictMath.cos(angle));
-      points[3 * i + 1] = (float) (PropellerMesh.RADIUS * StrictMath.sin(angle));
-      places[2 * i] = (float) (0.5 + StrictMath.cos(angle) / 2);
-      places[2 * i + 1] = (float) (0.5 + StrictMath.sin(angle) / 2);
-      int next = (i + 1) % SIDES;
-      for (int vertex : new int[] {SIDES, i, next, SIDES, next, i}) {
-        corners[corner] = vertex;
-        corners[corner + 1] = corner / 9 % 2; // the second triangle is the underside of the first
-        corners[corner + 2] = vertex;
-        corner += 3;
-      }
+      Vec3 out = new Vec3(StrictMath.cos(angle), StrictMath.sin(angle), 0);
+      Vec3 rim = out.times(PropellerMesh.RADIUS);
+      mesh.vertex(new Vertex(rim, Vec3.UP, 0.5 + out.x() / 2, 0.5 + out.y() / 2));
     }
-    return new Mesh(points, new float[] {0, 0, 1, 0, 0, -1}, places, corners);
+    for (int i = 0; i < SIDES; i++) {
+      int near = hub + 1 + i;
+      int far = hub + 1 + (i + 1) % SIDES;
+      mesh.triangle(hub, near, far);
+      mesh.triangle(hub, far, near); // from below
+    }
+    return mesh.build();
   }
 
-  static Texture picture() {
-    int[] pixels = new int[PICTURE_SIZE * PICTURE_SIZE];
-    for (int i = 0; i < pixels.length; i++) {
-      int row = i / PICTURE_SIZE;
-      double x = (i - row * PICTURE_SIZE + 0.5) * 2 / PICTURE_SIZE - 1;
-      double y = (row + 0.5) * 2 / PICTURE_SIZE - 1;
-      pixels[i] = BLADE.argb(opacity(x, y));
+  static Texture texture() {
+    int[] argb = new int[SIZE * SIZE];
+    for (int i = 0; i < argb.length; i++) {
+      int row = i / SIZE;
+      double x = (i - row * SIZE + 0.5) * 2 / SIZE - 1;
+      double y = (row + 0.5) * 2 / SIZE - 1;
+      argb[i] = BLADE.argb(opacity(x, y));
     }
-    return new Texture(PICTURE_SIZE, PICTURE_SIZE, pixels);
+    return new Texture(SIZE, SIZE, argb);
   }
 
   /**

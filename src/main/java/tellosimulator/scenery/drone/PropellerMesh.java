@@ -3,7 +3,7 @@ package tellosimulator.scenery.drone;
 import java.util.ArrayList;
 import java.util.List;
 import tellosimulator.math.Vec3;
-import tellosimulator.scenery.Mesh;
+import tellosimulator.scenery.mesh.Mesh;
 
 /** The two blades of a propeller that turns about z, its middle at the origin [m]. */
 final class PropellerMesh {
@@ -40,8 +40,8 @@ final class PropellerMesh {
    *
    * @param clockwise whether it pushes air down when it turns clockwise, seen from above
    */
-  static MeshBuilder shape(boolean clockwise) {
-    MeshBuilder mesh = new MeshBuilder();
+  static SmoothMeshBuilder shape(boolean clockwise) {
+    SmoothMeshBuilder mesh = new SmoothMeshBuilder();
     addBlade(mesh, 1, clockwise);
     addBlade(mesh, -1, clockwise);
     return mesh;
@@ -51,17 +51,17 @@ final class PropellerMesh {
     return shape(clockwise).build();
   }
 
-  private static void addBlade(MeshBuilder mesh, int side, boolean clockwise) {
+  private static void addBlade(SmoothMeshBuilder mesh, int side, boolean clockwise) {
     List<int[]> rings = new ArrayList<>();
     for (Blade blade : BLADES) {
       rings.add(section(mesh, blade, side, clockwise ? -1 : 1));
     }
-    mesh.surface(Palette.PROPELLER);
-    Solids.skin(mesh, rings);
+    mesh.group(Palette.PROPELLER);
+    Loft.loft(mesh, rings);
   }
 
   /** Four corners around the section's middle: two edges, the back and the belly. */
-  private static int[] section(MeshBuilder mesh, Blade blade, int side, int sense) {
+  private static int[] section(SmoothMeshBuilder mesh, Blade blade, int side, int sense) {
     double flat = blade.chord / 2 * StrictMath.cos(blade.twist);
     double steep = blade.chord / 2 * StrictMath.sin(blade.twist) * sense;
     Vec3 middle = new Vec3(side * blade.radius, 0, 0);

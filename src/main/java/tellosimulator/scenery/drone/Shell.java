@@ -3,7 +3,7 @@ package tellosimulator.scenery.drone;
 import java.util.ArrayList;
 import java.util.List;
 import tellosimulator.math.Vec3;
-import tellosimulator.scenery.drone.Solids.Section;
+import tellosimulator.scenery.drone.Loft.Section;
 
 /**
  * The shell of a Tello: a rounded cover on a dark underside, with a dark nose that holds the lens.
@@ -55,40 +55,40 @@ final class Shell {
 
   private Shell() {}
 
-  static void addTo(MeshBuilder mesh) {
+  static void addTo(SmoothMeshBuilder mesh) {
     addHull(mesh);
     addLens(mesh);
     addBattery(mesh);
     addSensors(mesh);
   }
 
-  private static void addHull(MeshBuilder mesh) {
+  private static void addHull(SmoothMeshBuilder mesh) {
     List<int[]> rings = new ArrayList<>();
     for (Rib rib : RIBS) {
       rings.add(ring(mesh, rib));
     }
-    mesh.surface(Palette.COVER);
+    mesh.group(Palette.COVER);
     for (int i = 1; i < rings.size(); i++) {
       boolean nose = RIBS.get(i - 1).x >= NOSE_BEGINS;
       strip(mesh, rings.get(i - 1), rings.get(i), nose);
     }
-    mesh.surface(Palette.NOSE);
-    Solids.cap(mesh, rings.get(rings.size() - 1), false);
-    mesh.surface(Palette.SEAM);
-    Solids.cap(mesh, rings.get(0), true);
+    mesh.group(Palette.NOSE);
+    Loft.cap(mesh, rings.get(rings.size() - 1), false);
+    mesh.group(Palette.SEAM);
+    Loft.cap(mesh, rings.get(0), true);
   }
 
-  private static void strip(MeshBuilder mesh, int[] near, int[] far, boolean nose) {
+  private static void strip(SmoothMeshBuilder mesh, int[] near, int[] far, boolean nose) {
     for (int i = 0; i < AROUND; i++) {
       int next = (i + 1) % AROUND;
       boolean above = i < AROUND / 2;
-      mesh.paint(nose ? Palette.NOSE : above ? Palette.COVER : Palette.UNDERSIDE);
+      mesh.color(nose ? Palette.NOSE : above ? Palette.COVER : Palette.UNDERSIDE);
       mesh.triangle(near[i], near[next], far[next]);
       mesh.triangle(near[i], far[next], far[i]);
     }
   }
 
-  private static int[] ring(MeshBuilder mesh, Rib rib) {
+  private static int[] ring(SmoothMeshBuilder mesh, Rib rib) {
     int[] ring = new int[AROUND];
     for (int i = 0; i < AROUND; i++) {
       double angle = 2 * Math.PI * i / AROUND;
@@ -110,16 +110,16 @@ final class Shell {
     return Math.signum(value) * StrictMath.pow(Math.abs(value), 2 / BOXINESS);
   }
 
-  private static void addLens(MeshBuilder mesh) {
+  private static void addLens(SmoothMeshBuilder mesh) {
     Vec3 middle = new Vec3(BodyMesh.NOSE, -0.002, BodyMesh.LENS_HEIGHT);
-    mesh.surface(Palette.LENS_RING);
-    Solids.bar(
+    mesh.group(Palette.LENS_RING);
+    Loft.bar(
         mesh,
         new Section(middle.minus(new Vec3(0.004, 0, 0)), 0.0066),
         new Section(middle.plus(new Vec3(0.0012, 0, 0)), 0.0062),
         20);
-    mesh.surface(Palette.LENS);
-    Solids.tube(
+    mesh.group(Palette.LENS);
+    Loft.tube(
         mesh,
         List.of(
             new Section(middle, 0.0048),
@@ -127,8 +127,8 @@ final class Shell {
             new Section(middle.plus(new Vec3(0.0026, 0, 0)), 0.0024)),
         20);
     Vec3 glint = middle.plus(new Vec3(0.0022, 0.0014, 0.0014));
-    mesh.surface(Palette.GLINT);
-    Solids.bar(
+    mesh.group(Palette.GLINT);
+    Loft.bar(
         mesh,
         new Section(glint, 0.0011),
         new Section(glint.plus(new Vec3(0.0007, 0, 0)), 0.0009),
@@ -136,9 +136,9 @@ final class Shell {
   }
 
   /** The end of the battery, which is pushed in from behind. */
-  private static void addBattery(MeshBuilder mesh) {
-    mesh.surface(Palette.UNDERSIDE);
-    Solids.skin(
+  private static void addBattery(SmoothMeshBuilder mesh) {
+    mesh.group(Palette.UNDERSIDE);
+    Loft.loft(
         mesh,
         List.of(
             batteryEnd(mesh, new Vec3(-0.0455, 0.0125, 0.0068)),
@@ -146,7 +146,7 @@ final class Shell {
   }
 
   /** A rectangle across: x, half its width and half its height [m]. */
-  private static int[] batteryEnd(MeshBuilder mesh, Vec3 size) {
+  private static int[] batteryEnd(SmoothMeshBuilder mesh, Vec3 size) {
     double middle = 0.0185;
     return new int[] {
       mesh.vertex(new Vec3(size.x(), -size.y(), middle - size.z())),
@@ -157,10 +157,10 @@ final class Shell {
   }
 
   /** The two eyes of the vision positioning system below. */
-  private static void addSensors(MeshBuilder mesh) {
+  private static void addSensors(SmoothMeshBuilder mesh) {
     for (double y : new double[] {-0.005, 0.005}) {
-      mesh.surface(Palette.LENS);
-      Solids.bar(
+      mesh.group(Palette.LENS);
+      Loft.bar(
           mesh,
           new Section(new Vec3(-0.012, y, 0.0062), 0.003),
           new Section(new Vec3(-0.012, y, 0.0085), 0.003),

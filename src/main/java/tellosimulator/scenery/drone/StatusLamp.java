@@ -6,11 +6,11 @@ import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;
 import tellosimulator.math.Vec3;
-import tellosimulator.scenery.Finish;
-import tellosimulator.scenery.Mesh;
-import tellosimulator.scenery.Part;
-import tellosimulator.scenery.Texture;
-import tellosimulator.scenery.drone.Solids.Section;
+import tellosimulator.scenery.drone.Loft.Section;
+import tellosimulator.scenery.mesh.Mesh;
+import tellosimulator.scenery.mesh.Part;
+import tellosimulator.scenery.mesh.Shading;
+import tellosimulator.scenery.mesh.Texture;
 
 /** The lamp beside the lens, in all its colours. Body frame [m]. */
 final class StatusLamp {
@@ -31,7 +31,7 @@ final class StatusLamp {
     for (StatusLight light : StatusLight.values()) {
       int[] pixels = new int[4];
       Arrays.fill(pixels, light.color().argb());
-      parts.put(light, new Part(ball, new Texture(2, 2, pixels), Finish.PAINTED));
+      parts.put(light, new Part(ball, new Texture(2, 2, pixels), Shading.UNLIT));
     }
     return parts;
   }
@@ -43,8 +43,8 @@ final class StatusLamp {
       Vec3 centre = PLACE.minus(new Vec3(RADIUS * StrictMath.cos(angle), 0, 0));
       sections.add(new Section(centre, RADIUS * StrictMath.sin(angle)));
     }
-    MeshBuilder mesh = new MeshBuilder();
-    Solids.tube(mesh, sections, SIDES);
+    SmoothMeshBuilder mesh = new SmoothMeshBuilder();
+    Loft.tube(mesh, sections, SIDES);
     return mesh.build();
   }
 }

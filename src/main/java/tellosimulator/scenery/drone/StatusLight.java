@@ -3,7 +3,7 @@ package tellosimulator.scenery.drone;
 import tellosimulator.model.Battery;
 import tellosimulator.model.DroneState;
 import tellosimulator.model.FlightPhase;
-import tellosimulator.scenery.Rgb;
+import tellosimulator.scenery.mesh.Rgb;
 import tellosimulator.sim.SimSnapshot.DroneSnapshot;
 import tellosimulator.time.SimTime;
 

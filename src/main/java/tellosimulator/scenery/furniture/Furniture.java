@@ -3,9 +3,9 @@ package tellosimulator.scenery.furniture;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
-import tellosimulator.scenery.Part;
-import tellosimulator.scenery.Placed;
-import tellosimulator.scenery.room.PictureShelf;
+import tellosimulator.scenery.mesh.Instance;
+import tellosimulator.scenery.mesh.Part;
+import tellosimulator.scenery.texture.ImageCache;
 import tellosimulator.world.Cover;
 import tellosimulator.world.Obstacle;
 import tellosimulator.world.Shape;
@@ -19,27 +19,28 @@ public final class Furniture {
   /** All that decides what an obstacle looks like. */
   private record Look(Shape shape, Cover cover) {}
 
-  private final PictureShelf pictures = new PictureShelf();
-  private Workshop workshop = new Workshop(pictures, Grit.of(0));
+  private final ImageCache images = new ImageCache();
+  private FurnitureBuilder builder = new FurnitureBuilder(images, PatternTexture.forCount(0));
   private Map<Look, List<Part>> made = new HashMap<>();
   private List<Obstacle> latest = List.of();
-  private List<Placed> placed = List.of();
+  private List<Instance> instances = List.of();
 
-  /** The parts of obstacles, each in its obstacle's frame; none is a decal or sheer. */
-  public synchronized List<Placed> placed(List<Obstacle> obstacles) {
+  /** The obstacles; none of their parts is blended. The same list for the same obstacles. */
+  public synchronized List<Instance> instances(List<Obstacle> obstacles) {
     if (obstacles != latest) {
       make(obstacles);
       latest = obstacles;
-      placed = obstacles.stream().flatMap(obstacle -> place(obstacle).stream()).toList();
+      instances =
+          List.copyOf(obstacles.stream().flatMap(obstacle -> place(obstacle).stream()).toList());
     }
-    return placed;
+    return instances;
   }
 
   private void make(List<Obstacle> obstacles) {
     List<Cover> covers = obstacles.stream().map(Obstacle::cover).distinct().toList();
-    Grit grit = Workshop.grit(covers);
-    if (!grit.equals(workshop.grit())) {
-      workshop = new Workshop(pictures, grit);
+    PatternTexture patterns = FurnitureBuilder.patterns(covers);
+    if (!patterns.equals(builder.patterns())) {
+      builder = new FurnitureBuilder(images, patterns);
       made = Map.of();
     }
     Map<Look, List<Part>> needed = new HashMap<>();
@@ -47,17 +48,17 @@ public final class Furniture {
       needed.computeIfAbsent(look(obstacle), this::parts);
     }
     made = needed;
-    workshop.keep(covers);
+    builder.keep(covers);
   }
 
   private List<Part> parts(Look look) {
     List<Part> known = made.get(look);
-    return known == null ? workshop.parts(look.shape, look.cover) : known;
+    return known == null ? builder.parts(look.shape, look.cover) : known;
   }
 
-  private List<Placed> place(Obstacle obstacle) {
+  private List<Instance> place(Obstacle obstacle) {
     return made.get(look(obstacle)).stream()
-        .map(part -> new Placed(part, obstacle.pose()))
+        .map(part -> new Instance(part, obstacle.pose()))
         .toList();
   }
 

@@ -2,9 +2,9 @@ package tellosimulator.scenery.pad;
 
 import java.util.ArrayList;
 import java.util.List;
-import tellosimulator.scenery.Rgb;
-import tellosimulator.scenery.paint.Sketch;
-import tellosimulator.scenery.paint.Sketch.Point;
+import tellosimulator.scenery.mesh.Rgb;
+import tellosimulator.scenery.texture.AlphaMask;
+import tellosimulator.scenery.texture.AlphaMask.Point;
 
 /**
  * The stars on a pad: figures of the sky, simplified by hand, each in a field 1 wide and 0.6 high.
@@ -55,12 +55,12 @@ enum Constellation {
     return color;
   }
 
-  void draw(Sketch sheet) {
+  void draw(AlphaMask mask) {
     List<Point> stars =
         way.stream()
             .map(star -> new Point(CORNER.x() + WIDTH * star.x(), CORNER.y() + WIDTH * star.y()))
             .toList();
-    sheet.stroke(stars, LINE);
-    stars.forEach(star -> sheet.dot(star, STAR));
+    mask.stroke(stars, LINE);
+    stars.forEach(star -> mask.dot(star, STAR));
   }
 }

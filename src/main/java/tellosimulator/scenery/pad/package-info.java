@@ -1,8 +1,8 @@
 /**
  * What mission pads look like.
  *
- * <p>{@link tellosimulator.scenery.pad.PadCards} puts them into the room; their design is drawn in
- * code. The package stands on {@code scenery.room} and {@code scenery.paint} and is for any thread.
- * What a drone makes of a pad is not its job.
+ * <p>{@link tellosimulator.scenery.pad.PadDecals} makes the decals of a room's pads; their textures
+ * are drawn in code. The package imports {@code scenery.mesh} and {@code scenery.texture} and is
+ * for any thread. What a drone makes of a pad is not its job.
  */
 package tellosimulator.scenery.pad;

@@ -1,16 +1,15 @@
 package tellosimulator.scenery.room;
 
 import tellosimulator.math.Vec3;
-import tellosimulator.scenery.room.Quads.Quad;
+import tellosimulator.scenery.mesh.MeshBuilder.Quad;
 import tellosimulator.world.Room;
 import tellosimulator.world.Surface;
 
 /**
- * One of the six sides of a room, as one sees it from inside. Places on it are metres to the right
- * of its middle, and metres upwards: on a wall from the floor, on floor and ceiling from their
- * middle.
+ * One of the six sides of a room, seen from inside. Coordinates on it are metres to the right of
+ * its middle, and metres upwards: on a wall from the floor, on floor and ceiling from their middle.
  *
- * @param origin from where places count, room frame [m]
+ * @param origin of its coordinates, room frame [m]
  * @param right unit vector
  * @param up unit vector; on the floor to the front wall, on the ceiling to the back wall
  * @param width metres
@@ -40,8 +39,8 @@ record Face(Vec3 origin, Vec3 right, Vec3 up, double width, double height, doubl
   }
 
   /** All of it. */
-  Quad whole() {
-    return part(area());
+  Quad quad() {
+    return quad(area());
   }
 
   /** Where all of it is. */
@@ -49,9 +48,9 @@ record Face(Vec3 origin, Vec3 right, Vec3 up, double width, double height, doubl
     return new Area(-width / 2, bottom, width, height);
   }
 
-  /** As wide as the face. */
+  /** A horizontal band as wide as the face. */
   Quad band(double lower, double bandHeight) {
-    return part(new Area(-width / 2, lower, width, bandHeight));
+    return quad(new Area(-width / 2, lower, width, bandHeight));
   }
 
   /**
@@ -80,7 +79,7 @@ record Face(Vec3 origin, Vec3 right, Vec3 up, double width, double height, doubl
     }
   }
 
-  Quad part(Area area) {
+  Quad quad(Area area) {
     Vec3 corner = origin.plusScaled(right, area.left).plusScaled(up, area.lower);
     return new Quad(corner, right.times(area.width), up.times(area.height));
   }

@@ -2,62 +2,94 @@ package tellosimulator.scenery.room;
 
 import java.util.ArrayList;
 import java.util.List;
-import tellosimulator.scenery.Finish;
-import tellosimulator.scenery.Part;
-import tellosimulator.scenery.Texture;
-import tellosimulator.scenery.room.Quads.Patch;
+import java.util.Optional;
+import java.util.function.Function;
+import tellosimulator.scenery.mesh.Instance;
+import tellosimulator.scenery.mesh.MeshBuilder;
+import tellosimulator.scenery.mesh.MeshBuilder.TextureRegion;
+import tellosimulator.scenery.mesh.Part;
+import tellosimulator.scenery.mesh.Shading;
+import tellosimulator.scenery.mesh.Texture;
 import tellosimulator.world.Decor;
 import tellosimulator.world.Room;
 import tellosimulator.world.Surface;
 import tellosimulator.world.Walls;
 
 /**
- * The inside of a room: floor, walls and ceiling, and what is painted on them. It has no outside:
- * where a wall stands between the camera and the room, one does not see it. It keeps the pictures
- * of the latest room. For any thread.
+ * The inside of a room: floor, walls and ceiling, and the decals on them. It has no outside: a wall
+ * between the camera and the room is a back face and not drawn. Keeps what it made for the latest
+ * room. For any thread.
  */
 public final class Interior {
 
   /** Brightness of plain walls across the depth; so one sees the corners. Decided: by eye. */
   private static final double SHADE = 0.955;
 
-  /** The wall's uppermost pixels, of which a plain ceiling is. */
-  private static final Patch CEILING = new Patch(0, 0, 1, 0.001);
+  /** The uppermost texels of a wall, for a plain ceiling. */
+  private static final TextureRegion CEILING = new TextureRegion(0, 0, 1, 0.001);
 
-  private final Gallery gallery = new Gallery();
-  private final Latest<Double, Texture> plainFloor = new Latest<>(PlainSurface::floor);
-  private final Latest<Double, Texture> parquet = new Latest<>(Parquet::texture);
-  private final Latest<Double, Texture> plainWall =
-      new Latest<>(height -> PlainSurface.wall(height, 1));
-  private final Latest<Double, Texture> shadedWall =
-      new Latest<>(height -> PlainSurface.wall(height, SHADE));
+  private record Look(Room room, Decor decor) {}
 
-  /** The parts of a room, room frame, in the order in which they are drawn. */
-  public synchronized List<Part> parts(Room room, Decor decor) {
+  /** A value and its key, kept until another key comes. */
+  private static final class Cached<K, V> {
+
+    private final Function<K, V> compute;
+    private Optional<K> key = Optional.empty();
+    private V value;
+
+    Cached(Function<K, V> compute) {
+      this.compute = compute;
+    }
+
+    V get(K newKey) {
+      if (!key.equals(Optional.of(newKey))) {
+        value = compute.apply(newKey);
+        key = Optional.of(newKey);
+      }
+      return value;
+    }
+  }
+
+  private final Cached<Look, List<Instance>> instances =
+      new Cached<>(look -> make(look.room, look.decor));
+  private final Posters posters = new Posters();
+  private final Cached<Double, Texture> plainFloor = new Cached<>(PlainTextures::floor);
+  private final Cached<Double, Texture> parquet = new Cached<>(Parquet::texture);
+  private final Cached<Double, Texture> plainWall =
+      new Cached<>(height -> PlainTextures.wall(height, 1));
+  private final Cached<Double, Texture> shadedWall =
+      new Cached<>(height -> PlainTextures.wall(height, SHADE));
+
+  /** The room, in drawing order; the same list while room and decor are the same. */
+  public synchronized List<Instance> instances(Room room, Decor decor) {
+    return instances.get(new Look(room, decor));
+  }
+
+  private List<Instance> make(Room room, Decor decor) {
     boolean plain = decor.walls() == Walls.PLAIN;
     List<Part> parts = new ArrayList<>(plain ? plain(room, decor) : textured(room, decor));
-    parts.add(MetreMarks.part(room, decor.walls()));
-    parts.addAll(gallery.parts(room, decor.posters()));
-    return List.copyOf(parts);
+    parts.add(MeterMarks.part(room, decor.walls()));
+    parts.addAll(posters.parts(room, decor.posters()));
+    return List.copyOf(parts.stream().map(Instance::atOrigin).toList());
   }
 
   private List<Part> plain(Room room, Decor decor) {
     Face floor = Face.of(room, Surface.FLOOR);
-    Quads across =
-        new Quads()
-            .add(Face.of(room, Surface.FRONT_WALL).whole(), Patch.WHOLE)
-            .add(Face.of(room, Surface.BACK_WALL).whole(), Patch.WHOLE)
-            .add(Face.of(room, Surface.CEILING).whole(), CEILING);
-    Quads along =
-        new Quads()
-            .add(Face.of(room, Surface.LEFT_WALL).whole(), Patch.WHOLE)
-            .add(Face.of(room, Surface.RIGHT_WALL).whole(), Patch.WHOLE);
+    MeshBuilder across =
+        new MeshBuilder()
+            .quad(Face.of(room, Surface.FRONT_WALL).quad(), TextureRegion.WHOLE)
+            .quad(Face.of(room, Surface.BACK_WALL).quad(), TextureRegion.WHOLE)
+            .quad(Face.of(room, Surface.CEILING).quad(), CEILING);
+    MeshBuilder along =
+        new MeshBuilder()
+            .quad(Face.of(room, Surface.LEFT_WALL).quad(), TextureRegion.WHOLE)
+            .quad(Face.of(room, Surface.RIGHT_WALL).quad(), TextureRegion.WHOLE);
     return List.of(
         painted(
-            new Quads().add(floor.whole(), centred(floor, decor.grid(), 0.5)),
-            plainFloor.of(decor.grid())),
-        painted(across, plainWall.of(room.height())),
-        painted(along, shadedWall.of(room.height())));
+            new MeshBuilder().quad(floor.quad(), centered(floor, decor.grid(), 0.5)),
+            plainFloor.get(decor.grid())),
+        painted(across, plainWall.get(room.height())),
+        painted(along, shadedWall.get(room.height())));
   }
 
   private List<Part> textured(Room room, Decor decor) {
@@ -67,29 +99,31 @@ public final class Interior {
     List<Part> parts = new ArrayList<>();
     parts.add(
         painted(
-            new Quads().add(floor.whole(), centred(floor, cells * decor.grid(), 0.5 / cells)),
-            parquet.of(decor.grid())));
+            new MeshBuilder()
+                .quad(floor.quad(), centered(floor, cells * decor.grid(), 0.5 / cells)),
+            parquet.get(decor.grid())));
     parts.add(
         painted(
-            new Quads().add(ceiling.whole(), centred(ceiling, Wallpaper.TILE, 0)),
-            Wallpaper.PANELS.texture()));
-    parts.add(papered(Face.of(room, Surface.FRONT_WALL), Wallpaper.BRICKS.texture()));
-    parts.add(papered(Face.of(room, Surface.BACK_WALL), Wallpaper.HEXAGONS.texture()));
-    parts.add(papered(Face.of(room, Surface.LEFT_WALL), Wallpaper.BOARDS.texture()));
-    parts.add(papered(Face.of(room, Surface.RIGHT_WALL), Wallpaper.TRIANGLES.texture()));
+            new MeshBuilder().quad(ceiling.quad(), centered(ceiling, SurfaceTexture.TILE, 0)),
+            SurfaceTexture.PANELS.texture()));
+    parts.add(wall(Face.of(room, Surface.FRONT_WALL), SurfaceTexture.BRICKS.texture()));
+    parts.add(wall(Face.of(room, Surface.BACK_WALL), SurfaceTexture.HEXAGONS.texture()));
+    parts.add(wall(Face.of(room, Surface.LEFT_WALL), SurfaceTexture.BOARDS.texture()));
+    parts.add(wall(Face.of(room, Surface.RIGHT_WALL), SurfaceTexture.TRIANGLES.texture()));
     parts.addAll(Trim.parts(room));
     return parts;
   }
 
-  private static Part papered(Face wall, Texture paper) {
-    double across = wall.width() / Wallpaper.TILE;
-    double down = wall.height() / Wallpaper.TILE;
-    Patch tiles = new Patch(firstEdge(across, 0), Math.ceil(down) - down, across, down);
-    return painted(new Quads().add(wall.whole(), tiles), paper);
+  private static Part wall(Face wall, Texture paper) {
+    double across = wall.width() / SurfaceTexture.TILE;
+    double down = wall.height() / SurfaceTexture.TILE;
+    TextureRegion tiles =
+        new TextureRegion(firstEdge(across, 0), Math.ceil(down) - down, across, down);
+    return painted(new MeshBuilder().quad(wall.quad(), tiles), paper);
   }
 
-  private static Part painted(Quads quads, Texture texture) {
-    return new Part(quads.mesh(), texture, Finish.PAINTED);
+  private static Part painted(MeshBuilder mesh, Texture texture) {
+    return new Part(mesh.build(), texture, Shading.UNLIT);
   }
 
   /**
@@ -98,10 +132,10 @@ public final class Interior {
    * @param tile its edge [m]
    * @param place in parts of the tile from its left and from its top
    */
-  private static Patch centred(Face face, double tile, double place) {
+  private static TextureRegion centered(Face face, double tile, double place) {
     double across = face.width() / tile;
     double down = face.height() / tile;
-    return new Patch(firstEdge(across, place), firstEdge(down, place), across, down);
+    return new TextureRegion(firstEdge(across, place), firstEdge(down, place), across, down);
   }
 
   /** Where in a tile the first edge of all is, from 0 to 1. */

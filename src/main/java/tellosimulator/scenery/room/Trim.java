@@ -3,29 +3,30 @@ package tellosimulator.scenery.room;
 import java.util.Arrays;
 import java.util.List;
 import java.util.function.IntUnaryOperator;
-import tellosimulator.scenery.Finish;
-import tellosimulator.scenery.Part;
-import tellosimulator.scenery.Rgb;
-import tellosimulator.scenery.Texture;
-import tellosimulator.scenery.room.Quads.Patch;
+import tellosimulator.scenery.mesh.MeshBuilder;
+import tellosimulator.scenery.mesh.MeshBuilder.TextureRegion;
+import tellosimulator.scenery.mesh.Part;
+import tellosimulator.scenery.mesh.Rgb;
+import tellosimulator.scenery.mesh.Shading;
+import tellosimulator.scenery.mesh.Texture;
 import tellosimulator.world.Room;
 import tellosimulator.world.Surface;
 
-/** What runs around the walls of a textured room: a skirting board, and a line at each metre. */
+/** The trim of textured walls: a skirting board, and a line at each metre. */
 final class Trim {
 
-  /** Height of the picture of a line [m]; the line itself is a third of it. Decided: by eye. */
+  /** Height of the texture of a line [m]; the line itself is a third of it. Decided: by eye. */
   private static final double LINE = 0.036;
 
   /** Decided: by eye. */
   private static final double LINE_OPACITY = 0.7;
 
-  private static final int PICTURE = 16;
+  private static final int SIZE = 16;
 
   private static final List<Surface> WALLS =
       List.of(Surface.FRONT_WALL, Surface.BACK_WALL, Surface.LEFT_WALL, Surface.RIGHT_WALL);
 
-  private static final class Pictures {
+  private static final class Textures {
     static final Texture LINE = line();
     static final Texture BOARD = board();
   }
@@ -34,18 +35,18 @@ final class Trim {
 
   /** The parts of a room, room frame. */
   static List<Part> parts(Room room) {
-    Quads boards = new Quads();
-    Quads lines = new Quads();
+    MeshBuilder boards = new MeshBuilder();
+    MeshBuilder lines = new MeshBuilder();
     for (Surface wall : WALLS) {
       Face face = Face.of(room, wall);
-      boards.add(face.band(0, PlainSurface.SKIRTING_HEIGHT), Patch.WHOLE);
+      boards.quad(face.band(0, PlainTextures.SKIRTING_HEIGHT), TextureRegion.WHOLE);
       for (int metre = 1; metre < room.height(); metre++) {
-        lines.add(face.band(metre - LINE / 2, LINE), Patch.WHOLE);
+        lines.quad(face.band(metre - LINE / 2, LINE), TextureRegion.WHOLE);
       }
     }
-    Part board = new Part(boards.mesh(), Pictures.BOARD, Finish.DECAL);
+    Part board = new Part(boards.build(), Textures.BOARD, Shading.DECAL);
     return room.height() > 1
-        ? List.of(board, new Part(lines.mesh(), Pictures.LINE, Finish.DECAL))
+        ? List.of(board, new Part(lines.build(), Textures.LINE, Shading.DECAL))
         : List.of(board);
   }
 
@@ -53,8 +54,8 @@ final class Trim {
   private static Texture line() {
     return striped(
         row -> {
-          double fromMiddle = Math.abs(row + 0.5 - PICTURE / 2.0);
-          double part = Math.max(0, Math.min(1, PICTURE / 6.0 - fromMiddle + 0.5));
+          double fromMiddle = Math.abs(row + 0.5 - SIZE / 2.0);
+          double part = Math.max(0, Math.min(1, SIZE / 6.0 - fromMiddle + 0.5));
           return Rgb.of(0x2e2c2a).argb(LINE_OPACITY * part);
         });
   }
@@ -64,14 +65,14 @@ final class Trim {
     Rgb white = Rgb.of(0xe4e0d8);
     return striped(
         row -> {
-          boolean shade = row == 3 || row == PICTURE - 1;
+          boolean shade = row == 3 || row == SIZE - 1;
           return (row < 1 ? white.shaded(0.55) : shade ? white.shaded(0.75) : white).argb();
         });
   }
 
   private static Texture striped(IntUnaryOperator row) {
-    int[] pixels = new int[PICTURE * PICTURE];
-    Arrays.setAll(pixels, i -> row.applyAsInt(i / PICTURE));
-    return new Texture(PICTURE, PICTURE, pixels);
+    int[] pixels = new int[SIZE * SIZE];
+    Arrays.setAll(pixels, i -> row.applyAsInt(i / SIZE));
+    return new Texture(SIZE, SIZE, pixels);
   }
 }

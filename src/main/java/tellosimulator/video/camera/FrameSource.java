@@ -16,7 +16,7 @@ public interface FrameSource {
   void film(SimSnapshot snapshot, CameraId camera, Picture picture);
 
   /** Everything that a frame of this snapshot shows; empty if this source cannot tell. */
-  default Optional<Sight> sight(SimSnapshot snapshot, CameraId camera) {
+  default Optional<CameraView> view(SimSnapshot snapshot, CameraId camera) {
     return Optional.empty();
   }
 }

@@ -3,12 +3,12 @@ package tellosimulator.video.camera;
 import java.util.Arrays;
 import tellosimulator.math.Attitude;
 import tellosimulator.math.Vec3;
-import tellosimulator.scenery.Lamps;
-import tellosimulator.scenery.Lamps.Lamp;
-import tellosimulator.scenery.Rgb;
+import tellosimulator.scenery.mesh.Lights;
+import tellosimulator.scenery.mesh.Lights.Directional;
+import tellosimulator.scenery.mesh.Rgb;
 
 /**
- * Diffuse (Lambert) light of the scene's lamps at the normals of a mesh. The lamps are taken to be
+ * Diffuse (Lambert) light of the scene's lights at the normals of a mesh. They are taken to be
  * white, which they nearly are: then light acts the same in any colour space. Refilled for each
  * mesh; for one thread.
  */
@@ -22,15 +22,15 @@ final class Lighting {
   }
 
   /** Computes the light on a mesh in some attitude. */
-  void illuminate(Lamps lamps, RenderMesh mesh, Attitude attitude) {
+  void illuminate(Lights lights, RenderMesh mesh, Attitude attitude) {
     float[] normals = mesh.normals;
     int count = normals.length / 3;
     if (intensities.length < count) {
       intensities = new float[count];
     }
-    Arrays.fill(intensities, 0, count, (float) luma(lamps.ambient()));
-    for (Lamp lamp : lamps.all()) {
-      Vec3 towards = attitude.toBody(lamp.direction()).times(-luma(lamp.color()));
+    Arrays.fill(intensities, 0, count, (float) luma(lights.ambient()));
+    for (Directional light : lights.directional()) {
+      Vec3 towards = attitude.toBody(light.direction()).times(-luma(light.color()));
       addDiffuse(normals, count, towards);
     }
   }

@@ -2,7 +2,7 @@ package tellosimulator.video.camera;
 
 import java.util.ArrayList;
 import java.util.List;
-import tellosimulator.scenery.Texture;
+import tellosimulator.scenery.mesh.Texture;
 
 /**
  * A mip-mapped texture in a colour space: sides are powers of two, and each level is half as large

@@ -3,7 +3,7 @@ package tellosimulator.video.camera;
 import tellosimulator.math.Attitude;
 import tellosimulator.math.Pose;
 import tellosimulator.math.Vec3;
-import tellosimulator.scenery.Placed;
+import tellosimulator.scenery.mesh.Instance;
 
 /**
  * The model-view-projection transform, viewport transform included: from model coordinates to
@@ -67,19 +67,19 @@ final class ModelViewProjection {
     }
   }
 
-  /** Sets the model transform of a part. */
-  void setModel(Placed placed) {
-    Pose pose = placed.pose();
+  /** Sets the model transform. */
+  void setModel(Instance instance) {
+    Pose pose = instance.pose();
+    Vec3 scale = instance.scale();
     Vec3 at = pose.position();
     setRotation(pose.attitude());
     for (int row = 0; row < 12; row += 4) {
       double x = viewProjection[row];
       double y = viewProjection[row + 1];
       double z = viewProjection[row + 2];
-      for (int axis = 0; axis < 3; axis++) {
-        matrix[row + axis] =
-            placed.scale() * (x * rotation[axis] + y * rotation[3 + axis] + z * rotation[6 + axis]);
-      }
+      matrix[row] = scale.x() * (x * rotation[0] + y * rotation[3] + z * rotation[6]);
+      matrix[row + 1] = scale.y() * (x * rotation[1] + y * rotation[4] + z * rotation[7]);
+      matrix[row + 2] = scale.z() * (x * rotation[2] + y * rotation[5] + z * rotation[8]);
       matrix[row + 3] = x * at.x() + y * at.y() + z * at.z() + viewProjection[row + 3];
     }
   }

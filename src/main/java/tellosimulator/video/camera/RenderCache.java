@@ -3,10 +3,9 @@ package tellosimulator.video.camera;
 import java.util.Map;
 import java.util.WeakHashMap;
 import java.util.function.Function;
-import tellosimulator.scenery.Finish;
-import tellosimulator.scenery.Mesh;
-import tellosimulator.scenery.Part;
-import tellosimulator.scenery.Texture;
+import tellosimulator.scenery.mesh.Mesh;
+import tellosimulator.scenery.mesh.Part;
+import tellosimulator.scenery.mesh.Texture;
 
 /**
  * A cache of meshes and textures prepared for rendering in a colour space. They are prepared when a
@@ -37,8 +36,8 @@ public final class RenderCache {
   }
 
   MipMap texture(Part part) {
-    return (part.finish() == Finish.DECAL || part.finish() == Finish.SHEER ? translucent : opaque)
-        .get(part.texture());
+    return (part.material().shading().blended() ? translucent : opaque)
+        .get(part.material().texture());
   }
 
   /**
@@ -49,7 +48,7 @@ public final class RenderCache {
    * @param v from the upper edge, in its heights
    */
   int color(Part part, float u, float v) {
-    Texture texture = part.texture();
+    Texture texture = part.material().texture();
     int x = Math.floorMod((int) Math.floor(u * texture.width()), texture.width());
     int y = Math.floorMod((int) Math.floor(v * texture.height()), texture.height());
     return space.pack(texture.argb(x, y) | OPAQUE);

@@ -1,6 +1,6 @@
 package tellosimulator.video.camera;
 
-import tellosimulator.scenery.Mesh;
+import tellosimulator.scenery.mesh.Mesh;
 
 /**
  * A mesh laid out for rendering, with its bounding sphere. Its arrays must only be read. Immutable;
@@ -34,13 +34,13 @@ final class RenderMesh {
 
   RenderMesh(Mesh mesh) {
     int triangles = mesh.triangles();
-    positions = mesh.pointArray();
+    positions = mesh.positionArray();
     normals = mesh.normalArray();
     positionIndices = new int[3 * triangles];
     normalIndices = new int[3 * triangles];
     texCoords = new float[6 * triangles];
     solid = new boolean[triangles];
-    int[] corners = mesh.cornerArray();
+    int[] corners = mesh.faceArray();
     float[] meshTexCoords = mesh.texCoordArray();
     for (int i = 0; i < 3 * triangles; i++) {
       positionIndices[i] = corners[3 * i];

@@ -1,10 +1,10 @@
 package tellosimulator.video.camera;
 
 import java.util.List;
-import tellosimulator.scenery.Finish;
-import tellosimulator.scenery.Part;
-import tellosimulator.scenery.Placed;
 import tellosimulator.scenery.Scene;
+import tellosimulator.scenery.mesh.Instance;
+import tellosimulator.scenery.mesh.Part;
+import tellosimulator.scenery.mesh.Shading;
 
 /**
  * A software rasteriser: scanline rasterisation with a depth buffer, perspective-correct bilinear
@@ -50,18 +50,22 @@ public final class SoftwareCamera {
     }
     frameBuffer.clear();
     setUp(camera, frameBuffer);
-    List<Placed> parts = scene.parts();
+    List<Instance> instances = scene.instances();
     // The room comes first and is behind all else: drawn last, it fails most depth tests.
-    for (int i = parts.size() - 1; i >= 0; i--) {
-      if (!isTranslucent(parts.get(i).part().finish())) {
-        draw(parts.get(i));
+    for (int i = instances.size() - 1; i >= 0; i--) {
+      if (!isBlended(instances.get(i))) {
+        draw(instances.get(i));
       }
     }
-    for (int i = 0; i < parts.size(); i++) {
-      if (isTranslucent(parts.get(i).part().finish())) {
-        draw(parts.get(i));
+    for (Instance instance : instances) {
+      if (isBlended(instance)) {
+        draw(instance);
       }
     }
+  }
+
+  private static boolean isBlended(Instance instance) {
+    return instance.part().material().shading().blended();
   }
 
   private void setUp(PinholeCamera camera, FrameBuffer frameBuffer) {
@@ -73,22 +77,24 @@ public final class SoftwareCamera {
     translucent.setTarget(frameBuffer);
   }
 
-  private void draw(Placed placed) {
-    RenderMesh mesh = cache.mesh(placed.part());
-    transform.setModel(placed);
-    if (!transform.intersectsFrustum(mesh.center, mesh.radius * placed.scale())) {
+  private void draw(Instance instance) {
+    RenderMesh mesh = cache.mesh(instance.part());
+    transform.setModel(instance);
+    if (!transform.intersectsFrustum(mesh.center, mesh.radius * instance.largestScale())) {
       return;
     }
     vertices.project(mesh, transform);
-    Finish finish = placed.part().finish();
-    finish.lamps().ifPresent(lamps -> lighting.illuminate(lamps, mesh, placed.pose().attitude()));
-    translucent.setOpacity(placed.opacity(), finish == Finish.DECAL);
-    drawTriangles(mesh, placed.part());
+    Shading shading = instance.part().material().shading();
+    shading
+        .lights()
+        .ifPresent(lights -> lighting.illuminate(lights, mesh, instance.pose().attitude()));
+    translucent.setOpacity(instance.opacity(), shading == Shading.DECAL);
+    drawTriangles(mesh, instance.part());
   }
 
   private void drawTriangles(RenderMesh mesh, Part part) {
-    boolean lit = part.finish().lamps().isPresent();
-    TextureShader shader = isTranslucent(part.finish()) ? translucent : opaque;
+    boolean lit = part.material().shading().lights().isPresent();
+    TextureShader shader = part.material().shading().blended() ? translucent : opaque;
     MipMap texture = null;
     for (int i = 0; i < mesh.triangles(); i++) {
       if (!setUpTriangle(mesh, i)) {
@@ -133,9 +139,5 @@ public final class SoftwareCamera {
       return false;
     }
     return gradients.setTriangle(vertices.homogeneous, triangle);
-  }
-
-  private static boolean isTranslucent(Finish finish) {
-    return finish == Finish.DECAL || finish == Finish.SHEER;
   }
 }

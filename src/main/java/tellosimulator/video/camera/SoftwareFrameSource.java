@@ -40,23 +40,23 @@ public final class SoftwareFrameSource implements FrameSource {
 
   @Override
   public void film(SimSnapshot snapshot, CameraId camera, Picture picture) {
-    Sight sight = seen(snapshot, camera);
+    CameraView view = seen(snapshot, camera);
     if (camera.downward()) {
-      filmDownward(sight.scene(), sight.drone(), picture);
+      filmDownward(view.scene(), view.drone(), picture);
     } else {
-      PinholeCamera ahead = optics.ahead(sight.drone(), picture.width(), picture.height());
-      renderer.draw(sight.scene(), ahead, frameBuffer(picture, picture.height()));
+      PinholeCamera ahead = optics.ahead(view.drone(), picture.width(), picture.height());
+      renderer.draw(view.scene(), ahead, frameBuffer(picture, picture.height()));
     }
   }
 
   @Override
-  public Optional<Sight> sight(SimSnapshot snapshot, CameraId camera) {
+  public Optional<CameraView> view(SimSnapshot snapshot, CameraId camera) {
     return Optional.of(seen(snapshot, camera));
   }
 
-  private Sight seen(SimSnapshot snapshot, CameraId camera) {
+  private CameraView seen(SimSnapshot snapshot, CameraId camera) {
     Pose drone = pose(snapshot, camera.drone());
-    return new Sight(scenes.scene(snapshot, camera.drone()), drone, camera.downward());
+    return new CameraView(scenes.scene(snapshot, camera.drone()), drone, camera.downward());
   }
 
   /**

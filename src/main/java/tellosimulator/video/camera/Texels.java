@@ -1,6 +1,6 @@
 package tellosimulator.video.camera;
 
-import tellosimulator.scenery.Texture;
+import tellosimulator.scenery.mesh.Texture;
 
 /**
  * A texture image in some size and colour space, while its mip levels are built. The first column

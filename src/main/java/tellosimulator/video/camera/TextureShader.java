@@ -219,7 +219,7 @@ abstract class TextureShader implements SpanShader {
     }
   }
 
-  /** Blends a translucent texture over the frame buffer: decals and sheer surfaces. */
+  /** Blends a translucent texture over the frame buffer: decals and see-through surfaces. */
   static final class Translucent extends TextureShader {
 
     /**

@@ -18,12 +18,12 @@ import javafx.util.Duration;
 import org.kordamp.ikonli.feather.Feather;
 import org.kordamp.ikonli.javafx.FontIcon;
 import tellosimulator.video.VideoFigures;
-import tellosimulator.view.FxDroneModel;
-import tellosimulator.view.FxSimulation;
-import tellosimulator.view.ViewContext;
+import tellosimulator.view.model.FxDroneModel;
+import tellosimulator.view.model.FxSimulation;
+import tellosimulator.view.model.ViewContext;
 import tellosimulator.view.text.Messages;
-import tellosimulator.view.video.Keeper;
-import tellosimulator.view.video.StreamView;
+import tellosimulator.view.video.VideoCapture;
+import tellosimulator.view.video.VideoView;
 import tellosimulator.view.video.WindowVideo;
 
 /**
@@ -55,7 +55,7 @@ final class DroneCameraInset extends StackPane {
   private final WindowVideo video;
   private final BooleanProperty shown = new SimpleBooleanProperty(this, "shown");
   private final BooleanProperty enlarged = new SimpleBooleanProperty(this, "enlarged");
-  private final StreamView picture = new StreamView();
+  private final VideoView picture = new VideoView();
   private final StackPane frame = new StackPane(picture);
   private final Tooltip figures = new Tooltip();
   private final Label live = new Label();
@@ -139,14 +139,14 @@ final class DroneCameraInset extends StackPane {
   private void setupEventHandlers() {
     toggle.setOnAction(action -> shown.set(!shown.get()));
     enlarge.setOnAction(action -> enlarged.set(!enlarged.get()));
-    still.setOnAction(action -> keeper().saveStill());
-    record.setOnAction(action -> keeper().toggleRecording());
+    still.setOnAction(action -> capture().saveStill());
+    record.setOnAction(action -> capture().toggleRecording());
     shown.addListener((property, before, now) -> watch());
     simulation.selectedProperty().addListener((property, before, now) -> watch());
   }
 
-  private Keeper keeper() {
-    return video.keeper(simulation.selected().number());
+  private VideoCapture capture() {
+    return video.capture(simulation.selected().number());
   }
 
   private void watch() {
@@ -172,7 +172,7 @@ final class DroneCameraInset extends StackPane {
       button.managedProperty().bind(shown);
     }
     describe(still, Feather.CAMERA, "inset.still");
-    bindRecord(simulation.selectedProperty().map(drone -> video.keeper(drone.number())));
+    bindRecord(simulation.selectedProperty().map(drone -> video.capture(drone.number())));
     shown.subscribe(
         now -> {
           describe(toggle, now ? Feather.X : Feather.VIDEO, now ? "inset.hide" : "inset.show");
@@ -187,9 +187,9 @@ final class DroneCameraInset extends StackPane {
   }
 
   /** While a film is recorded one sees that, though the inset be hidden. */
-  private void bindRecord(ObservableValue<Keeper> keeper) {
-    ObservableValue<Boolean> recording = keeper.flatMap(Keeper::recordingProperty);
-    ObservableValue<Number> seconds = keeper.flatMap(Keeper::secondsProperty);
+  private void bindRecord(ObservableValue<VideoCapture> keeper) {
+    ObservableValue<Boolean> recording = keeper.flatMap(VideoCapture::recordingProperty);
+    ObservableValue<Number> seconds = keeper.flatMap(VideoCapture::secondsProperty);
     recording.subscribe(
         now -> {
           describe(

@@ -1,5 +1,6 @@
 package tellosimulator.view.world;
 
+import java.util.List;
 import javafx.application.ConditionalFeature;
 import javafx.application.Platform;
 import javafx.beans.property.BooleanProperty;
@@ -7,11 +8,18 @@ import javafx.beans.property.ObjectProperty;
 import javafx.beans.property.SimpleBooleanProperty;
 import javafx.beans.property.SimpleObjectProperty;
 import javafx.geometry.HPos;
+import javafx.geometry.Insets;
 import javafx.geometry.VPos;
 import javafx.scene.Node;
 import javafx.scene.layout.Region;
+import tellosimulator.math.Pose;
+import tellosimulator.scenery.SceneBuilder;
+import tellosimulator.scenery.mesh.Instance;
+import tellosimulator.scenery.overlay.Overlay;
+import tellosimulator.sim.SimSnapshot;
 import tellosimulator.video.camera.DroneOptics;
-import tellosimulator.view.ViewContext;
+import tellosimulator.view.model.FxSimulation;
+import tellosimulator.view.model.ViewContext;
 
 /**
  * The room with its drones in 3D, seen through one of two cameras; over it the inset with the
@@ -29,17 +37,24 @@ public final class Simulator3DScene extends Region {
       new SimpleBooleanProperty(this, "trailVisible", true);
   private final BooleanProperty antialiasing = new SimpleBooleanProperty(this, "antialiasing");
   private final SimulatorCamera camera;
-  private final WorldPicture picture;
+  private final FxSimulation simulation;
+  private final DroneOptics optics;
+  private final SceneBuilder scenes;
+  private final Overlay overlay;
+  private final SceneView view;
   private final DroneCameraInset inset;
   private final WindArrow wind;
 
   public Simulator3DScene(ViewContext context) {
-    camera = new SimulatorCamera(context.simulation());
-    DroneCamera onDrone = new DroneCamera(context.simulation(), context.video().optics());
-    picture =
+    simulation = context.simulation();
+    optics = context.video().optics();
+    scenes = context.video().scenes();
+    overlay = new Overlay(simulation.snapshot());
+    camera = new SimulatorCamera(simulation);
+    view =
         Platform.isSupported(ConditionalFeature.SCENE3D)
-            ? new ScenePicture(context, camera, onDrone)
-            : new DrawnPicture(context, camera, onDrone);
+            ? new SubSceneView()
+            : new SoftwareSceneView();
     inset = new DroneCameraInset(context);
     wind = new WindArrow(context, camera);
     initializeSelf();
@@ -79,15 +94,15 @@ public final class Simulator3DScene extends Region {
     return antialiasing;
   }
 
-  /** What it shows of the world. */
-  WorldPicture picture() {
-    return picture;
+  /** What shows the scene. */
+  SceneView view() {
+    return view;
   }
 
   /** Looks at no more video, and takes part in none. */
   public void rest() {
     inset.rest();
-    picture.rest();
+    view.rest();
   }
 
   private void initializeSelf() {
@@ -99,7 +114,7 @@ public final class Simulator3DScene extends Region {
   }
 
   private void layoutParts() {
-    getChildren().addAll(picture.node(), wind, inset);
+    getChildren().addAll(view.node(), wind, inset);
   }
 
   private void setupEventHandlers() {
@@ -107,41 +122,62 @@ public final class Simulator3DScene extends Region {
   }
 
   private void setupBindings() {
-    trailVisible.subscribe(picture::showTrails);
-    antialiasing.subscribe(picture::smoothEdges);
-    viewCamera.subscribe(
-        seen -> {
-          picture.lookThrough(seen);
-          requestLayout();
-        });
+    trailVisible.subscribe(overlay::showTrails);
+    antialiasing.subscribe(view::smoothEdges);
+    viewCamera.subscribe(this::requestLayout);
   }
 
   private void advance(long nanos) {
     camera.advance(nanos);
-    picture.advance(nanos);
+    showScene(nanos);
     inset.advance(nanos);
     wind.advance(viewCamera.get() == ViewCamera.SIMULATOR);
   }
 
+  private void showScene(long nanos) {
+    SimSnapshot snapshot = simulation.pictured();
+    overlay.advance(snapshot, nanos);
+    if (viewCamera.get() == ViewCamera.DRONE) {
+      view.show(scenes.scene(snapshot, simulation.selected().number()), onDrone(), nanos);
+    } else {
+      List<Instance> aids = overlay.instances(snapshot, camera.pose());
+      view.show(scenes.scene(snapshot).withOverlay(aids), camera.viewpoint(), nanos);
+    }
+  }
+
+  /** The camera in the nose of the selected drone. */
+  private Viewpoint onDrone() {
+    Pose nose = optics.nose(simulation.selected().poseProperty().get());
+    return new Viewpoint(
+        nose, optics.fieldOfView(), false, optics.near(), 1 + camera.roomDiagonal());
+  }
+
   @Override
   protected void layoutChildren() {
-    layOutPicture();
+    layOutView();
     layOut(inset, HPos.RIGHT, VPos.TOP);
     layOut(wind, HPos.LEFT, VPos.BOTTOM);
   }
 
+  /**
+   * In a corner of what nothing else covers: the picture goes on below that, as the padding says.
+   */
   private void layOut(Node corner, HPos across, VPos down) {
-    double width = getWidth() - 2 * MARGIN;
-    layoutInArea(corner, MARGIN, MARGIN, width, getHeight() - 2 * MARGIN, 0, across, down);
+    Insets covered = getInsets();
+    double left = covered.getLeft() + MARGIN;
+    double top = covered.getTop() + MARGIN;
+    double width = getWidth() - left - covered.getRight() - MARGIN;
+    double height = getHeight() - top - covered.getBottom() - MARGIN;
+    layoutInArea(corner, left, top, width, height, 0, across, down);
   }
 
   /** The picture of the drone's camera keeps its form; the other fills everything. */
-  private void layOutPicture() {
+  private void layOutView() {
     double ratio = (double) DroneOptics.WIDTH / DroneOptics.HEIGHT;
-    boolean drones = viewCamera.get() == ViewCamera.DRONE;
-    double width = drones ? Math.min(getWidth(), getHeight() * ratio) : getWidth();
-    double height = drones ? width / ratio : getHeight();
-    picture.resize(width, height);
-    picture.node().relocate((getWidth() - width) / 2, (getHeight() - height) / 2);
+    boolean onDrone = viewCamera.get() == ViewCamera.DRONE;
+    double width = onDrone ? Math.min(getWidth(), getHeight() * ratio) : getWidth();
+    double height = onDrone ? width / ratio : getHeight();
+    view.resize(width, height);
+    view.node().relocate((getWidth() - width) / 2, (getHeight() - height) / 2);
   }
 }

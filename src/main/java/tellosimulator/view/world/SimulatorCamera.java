@@ -3,8 +3,8 @@ package tellosimulator.view.world;
 import tellosimulator.math.Attitude;
 import tellosimulator.math.Pose;
 import tellosimulator.math.Vec3;
-import tellosimulator.view.FxDroneModel;
-import tellosimulator.view.FxSimulation;
+import tellosimulator.view.model.FxDroneModel;
+import tellosimulator.view.model.FxSimulation;
 import tellosimulator.world.Room;
 
 /**
@@ -15,8 +15,8 @@ import tellosimulator.world.Room;
  */
 public final class SimulatorCamera {
 
-  /** Field of view from top to bottom [degrees]. Decided: little distortion at the edges. */
-  static final double FIELD_OF_VIEW_DEG = 38;
+  /** Field of view from top to bottom [rad]. Decided: little distortion at the edges. */
+  private static final double FIELD_OF_VIEW = Math.toRadians(38);
 
   /** Turn of the camera a pixel [rad]. Decided: half a turn across 600 pixels. */
   private static final double TURN_PER_PIXEL = Math.PI / 600;
@@ -46,7 +46,7 @@ public final class SimulatorCamera {
   private static final double LAG = 0.25;
 
   private final FxSimulation simulation;
-  private final Follow follow;
+  private final SmoothFollow follow;
   private Orbit orbit = start();
   private boolean chasing;
   private long lastNanos;
@@ -54,7 +54,7 @@ public final class SimulatorCamera {
   SimulatorCamera(FxSimulation simulation) {
     this.simulation = simulation;
     Pose pose = simulation.selected().poseProperty().get();
-    follow = new Follow(pose.position().plus(MIDDLE), pose.attitude().heading());
+    follow = new SmoothFollow(pose.position().plus(MIDDLE), pose.attitude().heading());
   }
 
   /** Looks at the nose. */
@@ -100,10 +100,7 @@ public final class SimulatorCamera {
    */
   public void shift(double rightPixels, double downPixels, double pictureHeight) {
     double metresPerPixel =
-        2
-            * orbit.distance()
-            * Math.tan(Math.toRadians(FIELD_OF_VIEW_DEG / 2))
-            / Math.max(1, pictureHeight);
+        2 * orbit.distance() * Math.tan(FIELD_OF_VIEW / 2) / Math.max(1, pictureHeight);
     orbit =
         orbit.shifted(-rightPixels * metresPerPixel, downPixels * metresPerPixel, farthestShift());
   }
@@ -133,14 +130,15 @@ public final class SimulatorCamera {
     return orbit.distance();
   }
 
-  /** Nearer things are not in the picture [m]. */
-  double near() {
-    return Math.max(0.02, orbit.distance() * 0.05);
-  }
-
-  /** Farther things are not in the picture [m]. */
-  double far() {
-    return orbit.distance() + 3 * diagonal();
+  /** From where the scene is seen. */
+  Viewpoint viewpoint() {
+    double distance = orbit.distance();
+    return new Viewpoint(
+        pose(),
+        FIELD_OF_VIEW,
+        true,
+        Math.max(0.02, distance * 0.05),
+        distance + 3 * roomDiagonal());
   }
 
   /**
@@ -173,14 +171,15 @@ public final class SimulatorCamera {
   }
 
   private double farthest() {
-    return Math.max(8, 2 * diagonal());
+    return Math.max(8, 2 * roomDiagonal());
   }
 
   private double farthestShift() {
-    return diagonal();
+    return roomDiagonal();
   }
 
-  private double diagonal() {
+  /** From a corner of the room to the opposite one [m]. */
+  double roomDiagonal() {
     Room room = simulation.roomProperty().get();
     return new Vec3(room.depth(), room.width(), room.height()).norm();
   }

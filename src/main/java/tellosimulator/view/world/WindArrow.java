@@ -9,8 +9,8 @@ import javafx.scene.shape.Polygon;
 import javafx.scene.transform.Rotate;
 import tellosimulator.math.Frames;
 import tellosimulator.math.Vec3;
-import tellosimulator.view.FxSimulation;
-import tellosimulator.view.ViewContext;
+import tellosimulator.view.model.FxSimulation;
+import tellosimulator.view.model.ViewContext;
 import tellosimulator.view.text.Messages;
 
 /**

@@ -12,8 +12,8 @@ class BodyMeshTest {
   /** What a computer without a graphics card draws in no time. */
   private static final int MOST_TRIANGLES = 6000;
 
-  private final MeshBuilder mesh = BodyMesh.shape();
-  private final Shape shape = new Shape(mesh);
+  private final SmoothMeshBuilder mesh = BodyMesh.shape();
+  private final MeshProbe shape = new MeshProbe(mesh);
 
   @Test
   void motorsAreAsFarApartAsOnTheRealDrone() {

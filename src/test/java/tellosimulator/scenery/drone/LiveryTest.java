@@ -7,7 +7,7 @@ import java.util.HashSet;
 import java.util.OptionalInt;
 import java.util.Set;
 import org.junit.jupiter.api.Test;
-import tellosimulator.scenery.Rgb;
+import tellosimulator.scenery.mesh.Rgb;
 
 class LiveryTest {
 

@@ -13,8 +13,8 @@ class PropellerMeshTest {
   @ParameterizedTest
   @ValueSource(booleans = {true, false})
   void itMeasuresThreeInchesAndIsClosed(boolean clockwise) {
-    MeshBuilder mesh = PropellerMesh.shape(clockwise);
-    Shape shape = new Shape(mesh);
+    SmoothMeshBuilder mesh = PropellerMesh.shape(clockwise);
+    MeshProbe shape = new MeshProbe(mesh);
 
     assertThat(shape.most(Vec3::x) - shape.least(Vec3::x)).isCloseTo(3 * 0.0254, within(1e-6));
     assertThat(shape.openEdges()).isZero();

@@ -12,11 +12,11 @@ import tellosimulator.model.FlightPhase;
 import tellosimulator.sim.Control;
 import tellosimulator.sim.SimConfig;
 import tellosimulator.sim.SimSnapshot.DroneSnapshot;
-import tellosimulator.testing.SimulatedDrone;
+import tellosimulator.testing.SteppedDrone;
 
 class StatusLightTest {
 
-  private final SimulatedDrone drone = SimulatedDrone.of(SimConfig.DEFAULT);
+  private final SteppedDrone drone = SteppedDrone.of(SimConfig.DEFAULT);
 
   @ParameterizedTest
   @CsvSource(

@@ -10,12 +10,12 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import tellosimulator.math.Vec3;
-import tellosimulator.scenery.Finish;
-import tellosimulator.scenery.Mesh;
-import tellosimulator.scenery.Part;
-import tellosimulator.scenery.Placed;
-import tellosimulator.scenery.Rgb;
-import tellosimulator.scenery.Texture;
+import tellosimulator.scenery.mesh.Instance;
+import tellosimulator.scenery.mesh.Mesh;
+import tellosimulator.scenery.mesh.Part;
+import tellosimulator.scenery.mesh.Rgb;
+import tellosimulator.scenery.mesh.Shading;
+import tellosimulator.scenery.mesh.Texture;
 import tellosimulator.world.Cover;
 import tellosimulator.world.Cover.Pattern;
 import tellosimulator.world.Cover.Side;
@@ -29,19 +29,19 @@ class FurnitureTest {
   private final Furniture furniture = new Furniture();
 
   @Test
-  void theSkinOfABoxEnclosesIt() {
+  void theMeshOfABoxEnclosesIt() {
     assertThat(volume(BOX)).isCloseTo(0.4 * 0.6 * 0.8, within(1e-6));
   }
 
   /** A circle of 28 sides has 0.8 % less area than a round one, that of 14 sides 3.3 % less. */
   @Test
-  void theSkinOfACylinderEnclosesIt() {
+  void theMeshOfACylinderEnclosesIt() {
     double round = Math.PI * 0.25 * 0.25 * 0.9;
     assertThat(volume(new Shape.Cylinder(0.25, 0.9))).isBetween(0.98 * round, round);
   }
 
   @Test
-  void theSkinOfAGateEnclosesIt() {
+  void theMeshOfAGateEnclosesIt() {
     // beams: two of 0.8 + 2 * 0.1 m and two of 0.6 m, posts: two of 0.5 m
     double frame = 0.1 * 0.1 * (2 * 1 + 2 * 0.6 + 2 * 0.5);
     assertThat(volume(new Shape.Frame(0.6, 0.8, 0.1, 1))).isCloseTo(frame, within(1e-6));
@@ -63,8 +63,8 @@ class FurnitureTest {
   void theOpeningOfARingIsFree() {
     Mesh ring = parts(new Shape.Ring(0.5, 0.1, 2), Cover.DEFAULT).get(1).mesh();
 
-    for (int i = 0; i < ring.points(); i++) {
-      Vec3 out = ring.point(i).minus(new Vec3(0, 0, 2));
+    for (int i = 0; i < ring.positions(); i++) {
+      Vec3 out = ring.position(i).minus(new Vec3(0, 0, 2));
       assertThat(Math.hypot(out.y(), out.z())).isBetween(0.5 - 1e-6, 0.6 + 1e-6);
       assertThat(out.x()).isBetween(-0.05 - 1e-6, 0.05 + 1e-6);
     }
@@ -73,7 +73,7 @@ class FurnitureTest {
   @ParameterizedTest
   @EnumSource
   void aPatternIsNearTheColourAndHasDetailButForPlainPaint(Pattern pattern) {
-    Texture texture = parts(BOX, paint(pattern)).get(0).texture();
+    Texture texture = parts(BOX, paint(pattern)).get(0).material().texture();
 
     int own = 0;
     double sum = 0;
@@ -106,14 +106,14 @@ class FurnitureTest {
     List<Part> parts = parts(BOX, cover);
 
     assertThat(parts)
-        .extracting(Part::finish)
-        .containsExactly(Finish.MATT, Finish.PAINTED, Finish.PAINTED);
+        .extracting(part -> part.material().shading())
+        .containsExactly(Shading.MATTE, Shading.UNLIT, Shading.UNLIT);
     assertThat(parts.get(0).mesh().triangles()).isEqualTo(2 * 4);
     Mesh front = parts.get(1).mesh();
-    for (int i = 0; i < front.points(); i++) {
-      assertThat(front.point(i).x()).isCloseTo(0.2, within(1e-6));
+    for (int i = 0; i < front.positions(); i++) {
+      assertThat(front.position(i).x()).isCloseTo(0.2, within(1e-6));
     }
-    Texture blank = parts.get(2).texture();
+    Texture blank = parts.get(2).material().texture();
     assertThat(Rgb.of(blank.argb(0, 0))).isEqualTo(Rgb.of(0x9a9a9a));
   }
 
@@ -121,15 +121,15 @@ class FurnitureTest {
   void aPictureGoesAroundACylinderAndIsUprightFromTheFront() {
     Cover cover = new Cover(0, Pattern.PLAIN, Map.of(Side.FRONT, "examples/marker.png"));
     Mesh around = parts(new Shape.Cylinder(0.3, 1), cover).get(1).mesh();
-    float[] places = around.texCoordArray();
+    float[] texCoords = around.texCoordArray();
 
-    for (int i = 0; i < around.points(); i++) {
-      Vec3 point = around.point(i);
+    for (int i = 0; i < around.positions(); i++) {
+      Vec3 point = around.position(i);
       double turn = Math.atan2(point.y(), point.x()) / (2 * Math.PI);
-      double v = places[2 * i + 1];
+      double v = texCoords[2 * i + 1];
       assertThat(v).isCloseTo(point.z() > 0.5 ? 0 : 1, within(0.005));
       if (Math.abs(turn) < 0.49) {
-        assertThat((double) places[2 * i]).isCloseTo(0.5 + turn, within(0.005));
+        assertThat((double) texCoords[2 * i]).isCloseTo(0.5 + turn, within(0.005));
       }
     }
   }
@@ -141,12 +141,13 @@ class FurnitureTest {
     Obstacle third =
         new Obstacle("third", new Shape.Cylinder(1, 1), Vec3.ZERO, 1, paint(Pattern.BRICKS));
 
-    List<Placed> placed = furniture.placed(List.of(one, other, third));
+    List<Instance> instances = furniture.instances(List.of(one, other, third));
 
-    assertThat(placed.get(0).part()).isSameAs(placed.get(1).part());
-    assertThat(placed.get(0).pose()).isEqualTo(one.pose());
-    assertThat(placed.get(1).pose()).isEqualTo(other.pose());
-    assertThat(placed.get(2).part().texture()).isSameAs(placed.get(0).part().texture());
+    assertThat(instances.get(0).part()).isSameAs(instances.get(1).part());
+    assertThat(instances.get(0).pose()).isEqualTo(one.pose());
+    assertThat(instances.get(1).pose()).isEqualTo(other.pose());
+    assertThat(instances.get(2).part().material().texture())
+        .isSameAs(instances.get(0).part().material().texture());
   }
 
   @Test
@@ -154,12 +155,12 @@ class FurnitureTest {
     Obstacle here = new Obstacle("one", BOX, new Vec3(1, 0, 0), 0, Cover.DEFAULT);
     List<Obstacle> obstacles = List.of(here);
 
-    List<Placed> first = furniture.placed(obstacles);
+    List<Instance> first = furniture.instances(obstacles);
 
-    assertThat(furniture.placed(obstacles)).isSameAs(first);
-    List<Placed> moved = furniture.placed(List.of(here.movedTo(new Vec3(2, 0, 0), 0.5)));
+    assertThat(furniture.instances(obstacles)).isSameAs(first);
+    List<Instance> moved = furniture.instances(List.of(here.movedTo(new Vec3(2, 0, 0), 0.5)));
     assertThat(moved.get(0).part()).isSameAs(first.get(0).part());
-    assertThat(furniture.placed(List.of())).isEmpty();
+    assertThat(furniture.instances(List.of())).isEmpty();
   }
 
   @Test
@@ -170,12 +171,12 @@ class FurnitureTest {
             .map(cover -> new Obstacle("thing", BOX, Vec3.ZERO, 0, cover))
             .toList();
 
-    assertThat(furniture.placed(many.subList(0, 16)).get(0).part().texture().width())
+    assertThat(furniture.instances(many.subList(0, 16)).get(0).part().material().texture().width())
         .isEqualTo(512);
-    assertThat(furniture.placed(many.subList(0, 17)).get(0).part().texture().width())
+    assertThat(furniture.instances(many.subList(0, 17)).get(0).part().material().texture().width())
         .isEqualTo(256);
     // 1000 times 64 times 64 pixels of 4 bytes: 16 MB
-    assertThat(furniture.placed(many).get(0).part().texture().width()).isEqualTo(64);
+    assertThat(furniture.instances(many).get(0).part().material().texture().width()).isEqualTo(64);
   }
 
   private static Cover paint(Pattern pattern) {
@@ -183,21 +184,21 @@ class FurnitureTest {
   }
 
   private List<Part> parts(Shape shape, Cover cover) {
-    return furniture.placed(List.of(new Obstacle("thing", shape, Vec3.ZERO, 0, cover))).stream()
-        .map(Placed::part)
+    return furniture.instances(List.of(new Obstacle("thing", shape, Vec3.ZERO, 0, cover))).stream()
+        .map(Instance::part)
         .toList();
   }
 
-  /** The volume within all skins of a thing [m³], less where they are seen from inside. */
+  /** The volume within all meshes of a thing [m³], less where they are seen from inside. */
   private double volume(Shape shape) {
     double volume = 0;
     for (Part part : parts(shape, Cover.DEFAULT)) {
       Mesh mesh = part.mesh();
-      int[] corners = mesh.cornerArray();
+      int[] corners = mesh.faceArray();
       for (int i = 0; i < corners.length; i += 9) {
-        Vec3 b = mesh.point(corners[i + 3]);
-        Vec3 c = mesh.point(corners[i + 6]);
-        volume += mesh.point(corners[i]).dot(b.cross(c)) / 6;
+        Vec3 b = mesh.position(corners[i + 3]);
+        Vec3 c = mesh.position(corners[i + 6]);
+        volume += mesh.position(corners[i]).dot(b.cross(c)) / 6;
       }
     }
     return volume;

@@ -12,15 +12,12 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
-import tellosimulator.math.Attitude;
-import tellosimulator.math.Pose;
 import tellosimulator.math.Vec3;
-import tellosimulator.scenery.Eye;
-import tellosimulator.scenery.Finish;
-import tellosimulator.scenery.Part;
-import tellosimulator.scenery.Placed;
-import tellosimulator.scenery.Rgb;
+import tellosimulator.scenery.RayTracer;
 import tellosimulator.scenery.Scene;
+import tellosimulator.scenery.mesh.Instance;
+import tellosimulator.scenery.mesh.Rgb;
+import tellosimulator.scenery.mesh.Shading;
 import tellosimulator.world.Decor;
 import tellosimulator.world.Poster;
 import tellosimulator.world.Room;
@@ -65,7 +62,7 @@ class InteriorTest {
     Vec3 right = place(wall).right;
     Vec3 up = place(wall).up;
     // twice as wide as high: 0.8 by 0.4 m
-    Eye eye = eye(PLAIN.withPosters(List.of(new Poster(wall, 0.5, 1.2, 0.8, fourColours()))));
+    RayTracer eye = eye(PLAIN.withPosters(List.of(new Poster(wall, 0.5, 1.2, 0.8, fourColours()))));
 
     assertThat(seen(eye, middle.plusScaled(right, -0.38).plusScaled(up, 0.18))).isEqualTo(RED);
     assertThat(seen(eye, middle.plusScaled(right, 0.38).plusScaled(up, 0.18))).isEqualTo(GREEN);
@@ -80,7 +77,7 @@ class InteriorTest {
   void aPosterEndsWhereItsWallEnds() throws IOException {
     // its left third is beyond the corner: the wall is 4 m wide, so that is at -2 m
     Poster poster = new Poster(Surface.FRONT_WALL, -1.9, 1.2, 0.6, fourColours());
-    Eye eye = eye(PLAIN.withPosters(List.of(poster)));
+    RayTracer eye = eye(PLAIN.withPosters(List.of(poster)));
 
     assertThat(seen(eye, new Vec3(3, 1.99, 1.3))).isEqualTo(RED);
     assertThat(seen(eye, new Vec3(3, 1.91, 1.3))).isEqualTo(RED);
@@ -93,7 +90,7 @@ class InteriorTest {
     String picture = fourColours();
     Poster first = new Poster(Surface.FRONT_WALL, 0, 1, 1, picture);
     Poster second = new Poster(Surface.FRONT_WALL, 0.5, 1.2, 1, picture);
-    Eye eye = eye(PLAIN.withPosters(List.of(first, second)));
+    RayTracer eye = eye(PLAIN.withPosters(List.of(first, second)));
 
     // right of the first one's middle, left of the second one's, in the upper half of both
     assertThat(seen(eye, new Vec3(3, -0.3, 1.23))).isEqualTo(RED);
@@ -111,7 +108,7 @@ class InteriorTest {
   @ParameterizedTest
   @EnumSource(Walls.class)
   void gridLinesGoThroughTheMiddleOfTheRoom(Walls walls) {
-    Eye eye = eye(Decor.DEFAULT.withWalls(walls).withGrid(0.5));
+    RayTracer eye = eye(Decor.DEFAULT.withWalls(walls).withGrid(0.5));
 
     for (double x : new double[] {-1, -0.5, 0, 0.5, 1}) {
       // a line is about 14 mm wide: 7 mm and 1.5 % of the grid
@@ -124,7 +121,7 @@ class InteriorTest {
 
   @Test
   void texturedWallsHaveALineAtEachMetreAndASkirtingBoard() {
-    Eye eye = eye(Decor.DEFAULT);
+    RayTracer eye = eye(Decor.DEFAULT);
 
     for (Surface wall :
         List.of(Surface.FRONT_WALL, Surface.BACK_WALL, Surface.LEFT_WALL, Surface.RIGHT_WALL)) {
@@ -139,7 +136,7 @@ class InteriorTest {
   }
 
   /** The mean of a wall at a height [m]. */
-  private static double brightness(Eye eye, Face wall, double height) {
+  private static double brightness(RayTracer eye, Face wall, double height) {
     return IntStream.range(-19, 20)
         .mapToDouble(
             i ->
@@ -151,7 +148,7 @@ class InteriorTest {
 
   @Test
   void eachWallHasAHueOfItsOwn() {
-    Eye eye = eye(Decor.DEFAULT);
+    RayTracer eye = eye(Decor.DEFAULT);
 
     Vec3 front = mean(eye, Surface.FRONT_WALL);
     Vec3 back = mean(eye, Surface.BACK_WALL);
@@ -167,7 +164,7 @@ class InteriorTest {
   @ParameterizedTest
   @EnumSource(Walls.class)
   void fromOutsideOneSeesThroughItsWalls(Walls walls) {
-    Eye eye = eye(Decor.DEFAULT.withWalls(walls));
+    RayTracer eye = eye(Decor.DEFAULT.withWalls(walls));
 
     Rgb frontThroughTheBack = eye.look(new Vec3(-9, 0.2, 1.4), new Vec3(1, 0, 0));
 
@@ -177,34 +174,34 @@ class InteriorTest {
 
   @Test
   void allDecalsComeAfterWhatTheyAreOn() {
-    List<Finish> order = interior.parts(ROOM, Decor.DEFAULT).stream().map(Part::finish).toList();
+    List<Shading> order =
+        interior.instances(ROOM, Decor.DEFAULT).stream()
+            .map(instance -> instance.part().material().shading())
+            .toList();
 
-    assertThat(order).containsOnly(Finish.PAINTED, Finish.DECAL);
-    assertThat(order.lastIndexOf(Finish.PAINTED)).isLessThan(order.indexOf(Finish.DECAL));
+    assertThat(order).containsOnly(Shading.UNLIT, Shading.DECAL);
+    assertThat(order.lastIndexOf(Shading.UNLIT)).isLessThan(order.indexOf(Shading.DECAL));
   }
 
   @Test
-  void picturesAreKeptWhileOnlyTheSizeChanges() {
-    List<Part> before = interior.parts(ROOM, Decor.DEFAULT);
-    List<Part> after = interior.parts(new Room(9, 9, 3), Decor.DEFAULT);
+  void texturesAreKeptWhileOnlyTheSizeChanges() {
+    List<Instance> before = interior.instances(ROOM, Decor.DEFAULT);
+    List<Instance> after = interior.instances(new Room(9, 9, 3), Decor.DEFAULT);
 
     assertThat(after)
-        .extracting(Part::texture)
-        .isEqualTo(before.stream().map(Part::texture).toList());
+        .extracting(instance -> instance.part().material().texture())
+        .isEqualTo(before.stream().map(instance -> instance.part().material().texture()).toList());
   }
 
-  private Eye eye(Decor decor) {
-    Pose origin = new Pose(Vec3.ZERO, Attitude.LEVEL);
-    return new Eye(
-        new Scene(
-            interior.parts(ROOM, decor).stream().map(part -> new Placed(part, origin)).toList()));
+  private RayTracer eye(Decor decor) {
+    return new RayTracer(Scene.of(interior.instances(ROOM, decor)));
   }
 
-  private static Rgb seen(Eye eye, Vec3 place) {
+  private static Rgb seen(RayTracer eye, Vec3 place) {
     return eye.look(EYE, place.minus(EYE).normalized());
   }
 
-  private static Vec3 mean(Eye eye, Surface wall) {
+  private static Vec3 mean(RayTracer eye, Surface wall) {
     Face face = Face.of(ROOM, wall);
     Vec3 sum = Vec3.ZERO;
     int count = 0;

@@ -12,7 +12,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
-import tellosimulator.scenery.Texture;
+import tellosimulator.scenery.mesh.Texture;
 
 class TexturesTest {
 
@@ -51,7 +51,7 @@ class TexturesTest {
 
   @Test
   void theyAreMadeOnce() {
-    assertThat(Wallpaper.BRICKS.texture()).isSameAs(Wallpaper.BRICKS.texture());
+    assertThat(SurfaceTexture.BRICKS.texture()).isSameAs(SurfaceTexture.BRICKS.texture());
   }
 
   @ParameterizedTest
@@ -106,11 +106,11 @@ class TexturesTest {
 
   private static Texture texture(String name) {
     return switch (name) {
-      case "bricks" -> Wallpaper.BRICKS.texture();
-      case "hexagons" -> Wallpaper.HEXAGONS.texture();
-      case "boards" -> Wallpaper.BOARDS.texture();
-      case "triangles" -> Wallpaper.TRIANGLES.texture();
-      case "panels" -> Wallpaper.PANELS.texture();
+      case "bricks" -> SurfaceTexture.BRICKS.texture();
+      case "hexagons" -> SurfaceTexture.HEXAGONS.texture();
+      case "boards" -> SurfaceTexture.BOARDS.texture();
+      case "triangles" -> SurfaceTexture.TRIANGLES.texture();
+      case "panels" -> SurfaceTexture.PANELS.texture();
       case "parquet" -> Parquet.texture(0.4);
       default -> throw new IllegalArgumentException("there is no texture " + name);
     };

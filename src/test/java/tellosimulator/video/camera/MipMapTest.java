@@ -8,7 +8,7 @@ import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import tellosimulator.scenery.Texture;
+import tellosimulator.scenery.mesh.Texture;
 
 class MipMapTest {
 

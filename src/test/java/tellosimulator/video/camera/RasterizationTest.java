@@ -13,11 +13,11 @@ import org.junit.jupiter.api.Test;
 import tellosimulator.math.Attitude;
 import tellosimulator.math.Pose;
 import tellosimulator.math.Vec3;
-import tellosimulator.scenery.Finish;
-import tellosimulator.scenery.Part;
-import tellosimulator.scenery.Placed;
 import tellosimulator.scenery.Scene;
-import tellosimulator.scenery.Texture;
+import tellosimulator.scenery.mesh.Instance;
+import tellosimulator.scenery.mesh.Part;
+import tellosimulator.scenery.mesh.Shading;
+import tellosimulator.scenery.mesh.Texture;
 import tellosimulator.video.camera.TestScenes.Quad;
 
 /** Rasterisation and texture mapping, pixel by pixel. */
@@ -31,7 +31,7 @@ class RasterizationTest {
   @Test
   void sharedEdgesHaveNoCracks() {
     SplittableRandom random = new SplittableRandom(1);
-    Scene room = new Scene(TestScenes.room());
+    Scene room = Scene.of(TestScenes.room());
     for (int i = 0; i < POSES; i++) {
       PinholeCamera camera =
           new PinholeCamera(
@@ -45,8 +45,9 @@ class RasterizationTest {
   void sharedEdgesAreNeverDrawnTwice() {
     SplittableRandom random = new SplittableRandom(2);
     Quad floor = new Quad(new Vec3(-30, 30, -0.3), new Vec3(0, -60, 0), new Vec3(60, 0, 0));
-    Placed sheer =
-        new Placed(new Part(TestScenes.mesh(floor), plain(0x80ffffff), Finish.SHEER), ORIGIN);
+    Instance sheer =
+        new Instance(
+            new Part(TestScenes.mesh(floor), plain(0x80ffffff), Shading.TRANSLUCENT), ORIGIN);
     for (int i = 0; i < POSES; i++) {
       RenderedFrame frame = RenderedFrame.of(anyhow(random), sheer);
 
@@ -63,7 +64,7 @@ class RasterizationTest {
     int[] argb = new int[256 * 256];
     Arrays.setAll(argb, i -> BLACK | (255 - i / 256) << 16 | (255 - i % 256) << 8);
     Quad quad = new Quad(new Vec3(0, 2, -0.4), new Vec3(0, -4, 0), new Vec3(4, 0, 0));
-    Placed floor = painted(new Texture(256, 256, argb), quad);
+    Instance floor = painted(new Texture(256, 256, argb), quad);
     CameraIntrinsics intrinsics = new CameraIntrinsics(480, 360, Math.toRadians(70));
     SplittableRandom random = new SplittableRandom(3);
     for (int i = 0; i < 20; i++) {
@@ -95,7 +96,7 @@ class RasterizationTest {
   @Test
   void aDistantFinePatternIsMipMappedToItsMean() {
     // 256 squares on 4 m, seen from 30 m: five squares fall on a pixel.
-    Placed board = painted(TestScenes.checkerboard(256, 512), Quad.ahead(30, MIDDLE, 4));
+    Instance board = painted(TestScenes.checkerboard(256, 512), Quad.ahead(30, MIDDLE, 4));
     PinholeCamera camera = new PinholeCamera(ORIGIN, new CameraIntrinsics(320, 240, 1), 0.1);
 
     RenderedFrame frame = RenderedFrame.of(camera, board);
@@ -109,7 +110,7 @@ class RasterizationTest {
 
   @Test
   void texturesDoNotFlickerWhenTheCameraMovesAMillimetre() {
-    Scene room = new Scene(TestScenes.room());
+    Scene room = Scene.of(TestScenes.room());
     CameraIntrinsics intrinsics = new CameraIntrinsics(480, 360, Math.toRadians(55));
     Attitude attitude = Attitude.ofHeading(0.4);
 
@@ -127,11 +128,11 @@ class RasterizationTest {
   @Test
   void lightFollowsTheAngleToTheLamp() {
     Quad quad = Quad.ahead(0, MIDDLE, 2);
-    Placed facing = lit(plain(0xffc0c0c0), quad);
+    Instance facing = lit(plain(0xffc0c0c0), quad);
     RenderedFrame ahead = RenderedFrame.of(facing);
     // Shone on from above and the front.
     Attitude tilted = new Attitude(Math.cos(0.4), 0, Math.sin(0.4), 0);
-    Placed leaning = new Placed(facing.part(), new Pose(new Vec3(1, 0, 0), tilted), 1, 1);
+    Instance leaning = new Instance(facing.part(), new Pose(new Vec3(1, 0, 0), tilted), 1, 1);
 
     // Ambient 0.53; the lamp of 0.55 shines along (0.45, -0.35, -0.82), the sheet faces -x; the
     // other lamp shines from behind.
@@ -140,9 +141,9 @@ class RasterizationTest {
         .isGreaterThan((ahead.rgb(50, 50) & 255) + 20);
   }
 
-  private static Placed lit(Texture texture, Quad quad) {
-    Part part = new Part(TestScenes.mesh(quad), texture, Finish.LIT);
-    return new Placed(part, new Pose(new Vec3(1, 0, 0), Attitude.LEVEL));
+  private static Instance lit(Texture texture, Quad quad) {
+    Part part = new Part(TestScenes.mesh(quad), texture, Shading.GLOSSY);
+    return new Instance(part, new Pose(new Vec3(1, 0, 0), Attitude.LEVEL));
   }
 
   private static boolean near(int rgb, int other, int tolerance) {

@@ -2,14 +2,19 @@ package tellosimulator.video.camera;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.lang.ref.ReferenceQueue;
+import java.lang.ref.WeakReference;
 import org.junit.jupiter.api.Test;
 import tellosimulator.math.Vec3;
-import tellosimulator.scenery.Part;
+import tellosimulator.scenery.mesh.Part;
 import tellosimulator.video.camera.TestScenes.Quad;
 
 class RenderCacheTest {
 
-  private static final int GARBAGE_COLLECTIONS = 20;
+  /** On a busy machine the JVM takes its time to tell of what is unreachable. */
+  private static final int GARBAGE_COLLECTIONS = 60;
+
+  private static final int PATIENCE_MS = 1000;
 
   private final RenderCache cache = new RenderCache(ColorSpace.YUV);
 
@@ -23,13 +28,17 @@ class RenderCacheTest {
   }
 
   @Test
-  void entriesOfUnreachableTexturesAreDropped() {
+  void entriesOfUnreachableTexturesAreDropped() throws InterruptedException {
     for (int i = 0; i < 50; i++) {
       cache.texture(part());
     }
 
+    ReferenceQueue<Object> told = new ReferenceQueue<>();
     for (int i = 0; i < GARBAGE_COLLECTIONS && cache.textures() > 0; i++) {
+      WeakReference<Object> collected = new WeakReference<>(new Object(), told);
       System.gc();
+      told.remove(PATIENCE_MS);
+      assertThat(collected.get()).isNull();
     }
 
     assertThat(cache.textures()).isZero();

@@ -5,8 +5,8 @@ import java.util.function.IntPredicate;
 import tellosimulator.math.Attitude;
 import tellosimulator.math.Pose;
 import tellosimulator.math.Vec3;
-import tellosimulator.scenery.Placed;
 import tellosimulator.scenery.Scene;
+import tellosimulator.scenery.mesh.Instance;
 
 /** A small frame rendered by a software camera, and queries about its pixels. */
 final class RenderedFrame {
@@ -24,16 +24,16 @@ final class RenderedFrame {
   }
 
   /** Renders from the origin, looking along x. */
-  static RenderedFrame of(Placed... parts) {
+  static RenderedFrame of(Instance... parts) {
     return of(new PinholeCamera(TestScenes.ORIGIN, INTRINSICS, 0.1), parts);
   }
 
   /** Renders from the origin. */
-  static RenderedFrame of(Attitude attitude, Placed... parts) {
+  static RenderedFrame of(Attitude attitude, Instance... parts) {
     return of(new PinholeCamera(new Pose(Vec3.ZERO, attitude), INTRINSICS, 0.1), parts);
   }
 
-  static RenderedFrame of(PinholeCamera camera, Placed... parts) {
+  static RenderedFrame of(PinholeCamera camera, Instance... parts) {
     return of(camera, TestScenes.scene(parts));
   }
 

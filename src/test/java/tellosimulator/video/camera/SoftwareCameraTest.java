@@ -15,10 +15,10 @@ import org.junit.jupiter.api.Test;
 import tellosimulator.math.Attitude;
 import tellosimulator.math.Pose;
 import tellosimulator.math.Vec3;
-import tellosimulator.scenery.Finish;
-import tellosimulator.scenery.Part;
-import tellosimulator.scenery.Placed;
-import tellosimulator.scenery.Texture;
+import tellosimulator.scenery.mesh.Instance;
+import tellosimulator.scenery.mesh.Part;
+import tellosimulator.scenery.mesh.Shading;
+import tellosimulator.scenery.mesh.Texture;
 import tellosimulator.video.camera.TestScenes.Quad;
 
 class SoftwareCameraTest {
@@ -44,7 +44,7 @@ class SoftwareCameraTest {
 
   @Test
   void turningRightMovesTheImageToTheLeft() {
-    Placed ahead = painted(plain(RED), Quad.ahead(1, MIDDLE, SIZE));
+    Instance ahead = painted(plain(RED), Quad.ahead(1, MIDDLE, SIZE));
 
     RenderedFrame before = RenderedFrame.of(ahead);
     RenderedFrame after = RenderedFrame.of(Attitude.ofHeading(Math.toRadians(-10)), ahead);
@@ -55,8 +55,8 @@ class SoftwareCameraTest {
 
   @Test
   void theDepthTestKeepsTheNearestInAnyDrawingOrder() {
-    Placed near = painted(plain(RED), Quad.ahead(1, MIDDLE, 0.4));
-    Placed far = painted(plain(GREEN), Quad.ahead(2, MIDDLE, 4));
+    Instance near = painted(plain(RED), Quad.ahead(1, MIDDLE, 0.4));
+    Instance far = painted(plain(GREEN), Quad.ahead(2, MIDDLE, 4));
 
     for (RenderedFrame frame :
         new RenderedFrame[] {RenderedFrame.of(near, far), RenderedFrame.of(far, near)}) {
@@ -68,9 +68,9 @@ class SoftwareCameraTest {
   @Test
   void intersectingQuadsAreDepthTestedPixelByPixel() {
     // From 1.5 m on the left to 0.5 m on the right, through the other one in the middle.
-    Placed slanted =
+    Instance slanted =
         painted(plain(RED), new Quad(new Vec3(1.5, 3, -3), new Vec3(-1, -6, 0), new Vec3(0, 0, 6)));
-    Placed upright = painted(plain(GREEN), Quad.ahead(1, MIDDLE, 6));
+    Instance upright = painted(plain(GREEN), Quad.ahead(1, MIDDLE, 6));
 
     RenderedFrame frame = RenderedFrame.of(slanted, upright);
 
@@ -100,7 +100,7 @@ class SoftwareCameraTest {
   @Test
   void aQuadThroughTheNearPlaneIsClipped() {
     // A floor 1 m below the eye, 10 m ahead and 10 m behind.
-    Placed floor =
+    Instance floor =
         painted(
             TestScenes.checkerboard(2, 64),
             new Quad(new Vec3(-10, 50, -1), new Vec3(0, -100, 0), new Vec3(20, 0, 0), 100, 20));
@@ -134,8 +134,8 @@ class SoftwareCameraTest {
     Part square = painted(plain(RED), Quad.ahead(0, MIDDLE, SIZE)).part();
     Pose ahead = new Pose(new Vec3(1, 0, 0), Attitude.LEVEL);
 
-    assertThat(RenderedFrame.of(new Placed(square, ahead, 1, 1)).count(RED)).isEqualTo(10 * 10);
-    assertThat(RenderedFrame.of(new Placed(square, ahead, 3, 1)).count(RED)).isEqualTo(30 * 30);
+    assertThat(RenderedFrame.of(new Instance(square, ahead, 1, 1)).count(RED)).isEqualTo(10 * 10);
+    assertThat(RenderedFrame.of(new Instance(square, ahead, 3, 1)).count(RED)).isEqualTo(30 * 30);
   }
 
   @Test
@@ -149,7 +149,7 @@ class SoftwareCameraTest {
     RenderedFrame frame =
         RenderedFrame.of(
             new PinholeCamera(new Pose(new Vec3(0, -1, 0), alongY), RenderedFrame.INTRINSICS, 0.1),
-            new Placed(square, turned));
+            new Instance(square, turned));
 
     // 1 m ahead (y), 0.5 m to the right (x), 0.2 m up
     assertThat(frame.column(RED)).isCloseTo(50 + 25, within(0.01));
@@ -161,7 +161,7 @@ class SoftwareCameraTest {
     Quad floor = new Quad(new Vec3(0, 5, -1), new Vec3(0, -10, 0), new Vec3(10, 0, 0));
     Quad spot = new Quad(new Vec3(1, 0.5, -1), new Vec3(0, -1, 0), new Vec3(4, 0, 0));
     Quad post = new Quad(new Vec3(2, 0.25, -1), new Vec3(0, -0.5, 0), new Vec3(0, 0, 0.5));
-    Placed decal = new Placed(decal(RED, spot), TestScenes.ORIGIN);
+    Instance decal = new Instance(decal(RED, spot), TestScenes.ORIGIN);
 
     RenderedFrame frame =
         RenderedFrame.of(painted(plain(GREEN), floor), decal, painted(plain(BLUE), post));
@@ -177,14 +177,14 @@ class SoftwareCameraTest {
   @Test
   void aTranslucentDecalIsBlended() {
     Quad quad = Quad.ahead(1, MIDDLE, 2);
-    Placed below = painted(plain(GREEN), quad);
+    Instance below = painted(plain(GREEN), quad);
 
     RenderedFrame half =
-        RenderedFrame.of(below, new Placed(decal(RED, quad), TestScenes.ORIGIN, 1, 0.5));
+        RenderedFrame.of(below, new Instance(decal(RED, quad), TestScenes.ORIGIN, 1, 0.5));
     RenderedFrame none =
-        RenderedFrame.of(below, new Placed(decal(RED, quad), TestScenes.ORIGIN, 1, 0));
+        RenderedFrame.of(below, new Instance(decal(RED, quad), TestScenes.ORIGIN, 1, 0));
     RenderedFrame quarter =
-        RenderedFrame.of(below, new Placed(decal(0x80ff0000, quad), TestScenes.ORIGIN, 1, 0.5));
+        RenderedFrame.of(below, new Instance(decal(0x80ff0000, quad), TestScenes.ORIGIN, 1, 0.5));
 
     assertThat(channels(half.rgb(50, 50))).containsExactly(new double[] {127, 127, 0}, within(2.0));
     assertThat(none.count(GREEN)).isEqualTo(100 * 100);
@@ -195,9 +195,10 @@ class SoftwareCameraTest {
   @Test
   void sheerSurfacesAreDepthTestedButDoNotWriteDepth() {
     Quad quad = Quad.ahead(1, MIDDLE, 2);
-    Placed sheer =
-        new Placed(
-            new Part(TestScenes.mesh(quad), plain(0x80ff0000), Finish.SHEER), TestScenes.ORIGIN);
+    Instance sheer =
+        new Instance(
+            new Part(TestScenes.mesh(quad), plain(0x80ff0000), Shading.TRANSLUCENT),
+            TestScenes.ORIGIN);
 
     RenderedFrame behind = RenderedFrame.of(sheer, painted(plain(GREEN), Quad.ahead(2, MIDDLE, 4)));
     RenderedFrame inFront =
@@ -219,7 +220,7 @@ class SoftwareCameraTest {
   }
 
   private static Part decal(int argb, Quad quad) {
-    return new Part(TestScenes.mesh(quad), plain(argb), Finish.DECAL);
+    return new Part(TestScenes.mesh(quad), plain(argb), Shading.DECAL);
   }
 
   private static double[] channels(int rgb) {

@@ -6,12 +6,12 @@ import java.util.SplittableRandom;
 import tellosimulator.math.Attitude;
 import tellosimulator.math.Pose;
 import tellosimulator.math.Vec3;
-import tellosimulator.scenery.Finish;
-import tellosimulator.scenery.Mesh;
-import tellosimulator.scenery.Part;
-import tellosimulator.scenery.Placed;
 import tellosimulator.scenery.Scene;
-import tellosimulator.scenery.Texture;
+import tellosimulator.scenery.mesh.Instance;
+import tellosimulator.scenery.mesh.Mesh;
+import tellosimulator.scenery.mesh.Part;
+import tellosimulator.scenery.mesh.Shading;
+import tellosimulator.scenery.mesh.Texture;
 
 /** Simple meshes, textures and scenes. */
 final class TestScenes {
@@ -95,22 +95,22 @@ final class TestScenes {
     return new Texture(size, size, argb);
   }
 
-  static Placed painted(Texture texture, Quad... quads) {
-    return new Placed(new Part(mesh(quads), texture, Finish.PAINTED), ORIGIN);
+  static Instance painted(Texture texture, Quad... quads) {
+    return new Instance(new Part(mesh(quads), texture, Shading.UNLIT), ORIGIN);
   }
 
-  static Scene scene(Placed... parts) {
-    return new Scene(List.of(parts));
+  static Scene scene(Instance... parts) {
+    return Scene.of(List.of(parts));
   }
 
   /** A room of 6 by 5 by 3 metres, its middle on the floor at the origin. */
-  static List<Placed> room() {
+  static List<Instance> room() {
     Vec3 x = new Vec3(6, 0, 0);
     Vec3 y = new Vec3(0, 5, 0);
     Vec3 z = new Vec3(0, 0, 3);
     Vec3 corner = new Vec3(-3, -2.5, 0);
     Texture wall = noise(512, 1);
-    List<Placed> parts = new ArrayList<>();
+    List<Instance> parts = new ArrayList<>();
     parts.add(
         painted(
             checkerboard(2, 512),

@@ -25,7 +25,7 @@ import tellosimulator.math.Attitude;
 import tellosimulator.math.Pose;
 import tellosimulator.math.Vec3;
 import tellosimulator.model.FlightPhase;
-import tellosimulator.scenery.Stage;
+import tellosimulator.scenery.SceneBuilder;
 import tellosimulator.sim.SimConfig;
 import tellosimulator.sim.Swarm;
 import tellosimulator.video.camera.ColorSpace;
@@ -138,7 +138,7 @@ class SameWorldDisplayTest {
     FrameBuffer frameBuffer = FrameBuffer.forScreen(WIDTH, HEIGHT);
     Pose pose = fixture.snapshot().drones().get(0).state().motion().pose();
     camera.draw(
-        new Stage().scene(fixture.snapshot(), 1),
+        new SceneBuilder().scene(fixture.snapshot(), 1),
         DroneOptics.DEFAULT.ahead(pose, WIDTH, HEIGHT),
         frameBuffer);
     int[] pixels = new int[WIDTH * HEIGHT];
@@ -191,6 +191,6 @@ class SameWorldDisplayTest {
 
   /** As only the second drone's cover and its start mark are. */
   private static boolean isOrange(Color color) {
-    return color.getRed() > 0.5 && color.getRed() > 2.2 * color.getBlue();
+    return color.getRed() > 0.5 && color.getRed() > 1.6 * color.getBlue();
   }
 }

@@ -65,14 +65,14 @@ class SceneDisplayTest {
 
   @Test
   void itCastsAShadowOnTheFloorBelow() {
-    fixture.change(() -> fixture.solid("plumb-line-1").getParent().setVisible(false));
+    fixture.change(() -> fixture.solid("overlay").setVisible(false));
     fixture.decorate(decor -> decor.withGrid(2));
     fly(new Vec3(0.7, 0.6, 0.8));
     fixture.change(fixture.scene().camera()::top);
     fixture.settledPicture();
-    fixture.change(() -> fixture.solid("drone-1").setVisible(false));
+    fixture.change(() -> fixture.solid("drones").setVisible(false));
     Image with = fixture.picture();
-    fixture.change(() -> fixture.solid("shadow-1").setVisible(false));
+    fixture.change(() -> fixture.solid("ground").setVisible(false));
     Image without = fixture.picture();
 
     assertThat(brightness(with, WIDTH / 2, HEIGHT / 2, 3))
@@ -96,14 +96,13 @@ class SceneDisplayTest {
 
   @Test
   void theFlownPathIsBlueAndCanBeSwitchedOff() {
-    fixture.change(() -> fixture.solid("plumb-line-1").setScaleX(0));
     for (int i = 0; i <= 20; i++) {
       fly(new Vec3(0, 0.05 * i, 1 + 0.02 * (i % 2)));
       fixture.pass(0.2);
     }
     Spot shown = find(fixture.settledPicture(), SceneDisplayTest::isBlue);
     fixture.change(() -> fixture.scene().trailVisibleProperty().set(false));
-    Spot hidden = find(fixture.picture(), SceneDisplayTest::isBlue);
+    Spot hidden = find(fixture.settledPicture(), SceneDisplayTest::isBlue);
 
     assertThat(shown.count()).isGreaterThan(hidden.count() + 100);
   }

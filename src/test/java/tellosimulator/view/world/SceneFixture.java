@@ -34,11 +34,11 @@ import tellosimulator.sim.SimSnapshot.DroneSnapshot;
 import tellosimulator.sim.Simulation;
 import tellosimulator.time.SimTime;
 import tellosimulator.video.camera.DroneOptics;
-import tellosimulator.view.FxSimulation;
-import tellosimulator.view.Pulse;
-import tellosimulator.view.ViewContext;
+import tellosimulator.view.model.FxSimulation;
+import tellosimulator.view.model.Pulse;
+import tellosimulator.view.model.ViewContext;
 import tellosimulator.view.text.Language;
-import tellosimulator.view.video.Album;
+import tellosimulator.view.video.MediaFolder;
 import tellosimulator.view.video.WindowVideo;
 import tellosimulator.world.Arena;
 import tellosimulator.world.Decor;
@@ -77,7 +77,7 @@ public final class SceneFixture implements BeforeEachCallback, AfterEachCallback
     FxToolkit.registerPrimaryStage();
     snapshot =
         new Simulation(config, drone -> (peer, text) -> {}, report -> {}, List.of()).snapshot();
-    video = new WindowVideo(() -> snapshot, DroneOptics.DEFAULT, Album.ofUser());
+    video = new WindowVideo(() -> snapshot, DroneOptics.DEFAULT, MediaFolder.ofUser());
     onFxThread(
         () -> {
           Application.setUserAgentStylesheet(new PrimerLight().getUserAgentStylesheet());
@@ -197,13 +197,13 @@ public final class SceneFixture implements BeforeEachCallback, AfterEachCallback
   }
 
   /** What the window shows where there is no 3D, with all cameras at rest. */
-  Image drawnPicture() {
+  Image softwarePicture() {
     settledPicture();
     waitUntil(
         () -> {
           nanos += 50_000_000;
           pulse.beat(nanos);
-          return ((DrawnPicture) scene.picture()).settled();
+          return ((SoftwareSceneView) scene.view()).settled();
         });
     return picture();
   }

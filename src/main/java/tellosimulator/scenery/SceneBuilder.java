@@ -1,0 +1,113 @@
+package tellosimulator.scenery;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.OptionalInt;
+import java.util.concurrent.ConcurrentHashMap;
+import tellosimulator.math.Attitude;
+import tellosimulator.math.Pose;
+import tellosimulator.math.Vec3;
+import tellosimulator.model.DroneState;
+import tellosimulator.scenery.drone.DroneParts;
+import tellosimulator.scenery.drone.Livery;
+import tellosimulator.scenery.drone.PropellerSpin;
+import tellosimulator.scenery.drone.StatusLight;
+import tellosimulator.scenery.furniture.Furniture;
+import tellosimulator.scenery.mesh.Instance;
+import tellosimulator.scenery.mesh.Rgb;
+import tellosimulator.scenery.pad.PadDecals;
+import tellosimulator.scenery.room.BlobShadow;
+import tellosimulator.scenery.room.Interior;
+import tellosimulator.scenery.room.StartMark;
+import tellosimulator.sim.SimSnapshot;
+import tellosimulator.sim.SimSnapshot.DroneSnapshot;
+import tellosimulator.world.Arena;
+
+/**
+ * Builds the scene of a snapshot. Equal snapshots give equal scenes. Keeps the meshes and textures
+ * of what does not change, so all cameras share one builder. For any thread.
+ */
+public final class SceneBuilder {
+
+  private final Interior interior = new Interior();
+  private final PadDecals pads = new PadDecals();
+  private final BlobShadow shadows = new BlobShadow();
+  private final Furniture furniture = new Furniture();
+
+  /** By colour; numbers hash without the reflection that records need at first. */
+  private final Map<Integer, StartMark> startMarks = new ConcurrentHashMap<>();
+
+  private final Map<Integer, DroneParts> parts = new ConcurrentHashMap<>();
+
+  /** The scene as people see it, without an overlay. */
+  public Scene scene(SimSnapshot snapshot) {
+    return scene(snapshot, OptionalInt.empty());
+  }
+
+  /**
+   * The scene as the camera on a drone sees it: without this drone, but with its shadow.
+   *
+   * @param drone its number, from 1
+   */
+  public Scene scene(SimSnapshot snapshot, int drone) {
+    return scene(snapshot, OptionalInt.of(drone));
+  }
+
+  private Scene scene(SimSnapshot snapshot, OptionalInt without) {
+    Arena arena = snapshot.arena();
+    List<DroneSnapshot> seen =
+        snapshot.drones().stream()
+            .filter(drone -> without.isEmpty() || without.getAsInt() != drone.state().drone())
+            .toList();
+    List<Instance> drones = new ArrayList<>();
+    seen.forEach(drone -> addBody(drones, drone));
+    seen.forEach(drone -> addPropellers(drones, drone)); // last, because they may be translucent
+    return new Scene(
+        interior.instances(arena.room(), arena.decor()),
+        ground(snapshot),
+        furniture.instances(arena.obstacles()),
+        drones,
+        List.of());
+  }
+
+  private List<Instance> ground(SimSnapshot snapshot) {
+    Arena arena = snapshot.arena();
+    List<Instance> ground = new ArrayList<>(pads.instances(arena.room(), arena.pads()));
+    for (DroneSnapshot drone : snapshot.drones()) {
+      Rgb color = Livery.of(drone).color();
+      StartMark mark = startMarks.computeIfAbsent(color.argb(), argb -> new StartMark(color));
+      ground.add(mark.at(drone.start()));
+      ground.add(shadows.of(arena, drone.state().motion().position()));
+    }
+    return ground;
+  }
+
+  private void addBody(List<Instance> instances, DroneSnapshot drone) {
+    DroneParts own = parts(drone);
+    Pose pose = drone.state().motion().pose();
+    instances.add(new Instance(own.body(), pose));
+    instances.add(new Instance(own.lamp(StatusLight.seen(drone)), pose));
+  }
+
+  private void addPropellers(List<Instance> instances, DroneSnapshot drone) {
+    DroneParts own = parts(drone);
+    DroneState state = drone.state();
+    Pose pose = state.motion().pose();
+    PropellerSpin spin = PropellerSpin.of(state.phase(), state.time().seconds());
+    for (int i = 0; i < own.propellers().size(); i++) {
+      Vec3 hub = pose.attitude().toRoom(own.propellers().get(i));
+      Attitude turned = Attitude.ofHeading(own.heading(i, spin.angle()));
+      instances.add(
+          new Instance(
+              own.propeller(i, spin.blurred()),
+              new Pose(pose.position().plus(hub), pose.attitude().after(turned))));
+    }
+  }
+
+  /** Made when it is first seen, which the camera on the only drone never does. */
+  private DroneParts parts(DroneSnapshot drone) {
+    Rgb cover = Livery.of(drone).cover();
+    return parts.computeIfAbsent(cover.argb(), argb -> new DroneParts(cover));
+  }
+}

@@ -1,0 +1,182 @@
+package tellosimulator.scenery.furniture;
+
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import tellosimulator.math.Vec3;
+import tellosimulator.scenery.furniture.TexturedMeshBuilder.Box;
+import tellosimulator.scenery.mesh.MeshBuilder.Quad;
+import tellosimulator.scenery.mesh.Part;
+import tellosimulator.scenery.mesh.Rgb;
+import tellosimulator.scenery.mesh.Shading;
+import tellosimulator.scenery.mesh.Texture;
+import tellosimulator.scenery.texture.ImageCache;
+import tellosimulator.world.Cover;
+import tellosimulator.world.Cover.Pattern;
+import tellosimulator.world.Cover.Side;
+import tellosimulator.world.Shape;
+
+/**
+ * Builds the parts of obstacles, each in the obstacle's frame. Paint is lit, so that one sees the
+ * sides; images are as bright as their files, as posters are. For one thread at a time.
+ */
+final class FurnitureBuilder {
+
+  /** The stand of a gate. Decided: by eye; it shall not be taken for the gate. */
+  private static final Rgb STAND = Rgb.of(0x44484e);
+
+  /** Around a circle of radius 1. */
+  private static final double TURN = 2 * Math.PI;
+
+  private record Paint(Pattern pattern, int rgb) {
+
+    static Paint of(Cover cover) {
+      return new Paint(cover.pattern(), cover.rgb());
+    }
+  }
+
+  private final Map<Paint, TextureMapping> paints = new HashMap<>();
+  private final TextureMapping stand = TextureMapping.plain(STAND);
+  private final ImageCache images;
+  private final PatternTexture patterns;
+
+  /**
+   * @param images where image files come from
+   * @param patterns the textures of paint
+   */
+  FurnitureBuilder(ImageCache images, PatternTexture patterns) {
+    this.images = images;
+    this.patterns = patterns;
+  }
+
+  PatternTexture patterns() {
+    return patterns;
+  }
+
+  /** Forgets the paint that none of these covers has. */
+  void keep(Collection<Cover> covers) {
+    paints.keySet().retainAll(paints(covers));
+  }
+
+  /** The textures whose size suits these covers. */
+  static PatternTexture patterns(Collection<Cover> covers) {
+    return PatternTexture.forCount(
+        paints(covers).stream().filter(paint -> paint.pattern != Pattern.PLAIN).count());
+  }
+
+  private static Set<Paint> paints(Collection<Cover> covers) {
+    return covers.stream().map(Paint::of).collect(Collectors.toSet());
+  }
+
+  /** The parts of an obstacle. */
+  List<Part> parts(Shape shape, Cover cover) {
+    if (shape instanceof Shape.Box box) {
+      return box(box, cover);
+    }
+    if (shape instanceof Shape.Cylinder cylinder) {
+      return cylinder(cylinder, cover);
+    }
+    if (shape instanceof Shape.Ring ring) {
+      return ring(ring, paint(cover));
+    }
+    return frame((Shape.Frame) shape, paint(cover));
+  }
+
+  private TextureMapping paint(Cover cover) {
+    return paints.computeIfAbsent(
+        Paint.of(cover),
+        paint ->
+            TextureMapping.repeating(paint.pattern, patterns.of(paint.pattern, Rgb.of(paint.rgb))));
+  }
+
+  private List<Part> box(Shape.Box shape, Cover cover) {
+    Box box = new Box(Vec3.ZERO, new Vec3(shape.depth(), shape.width(), shape.height()));
+    TexturedMeshBuilder painted = new TexturedMeshBuilder(paint(cover));
+    painted.box(box, cover.pictures().keySet());
+    List<Part> parts = new ArrayList<>(matte(painted));
+    for (Side side : Side.values()) { // in this order, as that of the map is not always the same
+      if (cover.pictures().containsKey(side)) {
+        Quad quad = box.side(side);
+        TexturedMeshBuilder image = image(cover, side, quad.right().norm(), quad.up().norm());
+        image.quad(quad, 0, 0);
+        parts.add(image.build(Shading.UNLIT));
+      }
+    }
+    return parts;
+  }
+
+  private List<Part> cylinder(Shape.Cylinder shape, Cover cover) {
+    double radius = shape.radius();
+    double height = shape.height();
+    double around = TURN * radius;
+    TexturedMeshBuilder painted = new TexturedMeshBuilder(paint(cover));
+    CurvedSurfaces.disc(painted, radius, 0, false);
+    List<Part> images = new ArrayList<>();
+    if (cover.pictures().containsKey(Side.TOP)) {
+      TexturedMeshBuilder top = image(cover, Side.TOP, 2 * radius, 2 * radius);
+      CurvedSurfaces.disc(top, radius, height, true);
+      images.add(top.build(Shading.UNLIT));
+    } else {
+      CurvedSurfaces.disc(painted, radius, height, true);
+    }
+    if (cover.pictures().containsKey(Side.FRONT)) {
+      TexturedMeshBuilder wrapped = image(cover, Side.FRONT, around, height);
+      CurvedSurfaces.tube(wrapped, radius, height, around);
+      images.add(wrapped.build(Shading.UNLIT));
+    } else {
+      CurvedSurfaces.tube(painted, radius, height, painted.mapping().closed(around));
+    }
+    List<Part> parts = new ArrayList<>(matte(painted));
+    parts.addAll(images);
+    return parts;
+  }
+
+  private List<Part> ring(Shape.Ring shape, TextureMapping paint) {
+    double tube = shape.tube() / 2;
+    TexturedMeshBuilder ring = new TexturedMeshBuilder(paint);
+    CurvedSurfaces.torus(ring, shape.radius() + tube, tube, shape.middle());
+    TexturedMeshBuilder post = new TexturedMeshBuilder(stand);
+    if (shape.post() > 0) {
+      CurvedSurfaces.tube(post, tube, shape.post() + tube, TURN * tube);
+      CurvedSurfaces.disc(post, tube, 0, false);
+    }
+    return matte(post, ring);
+  }
+
+  /** Up to the frame, its sides are posts. */
+  private List<Part> frame(Shape.Frame shape, TextureMapping paint) {
+    double post = shape.post();
+    TexturedMeshBuilder beams = new TexturedMeshBuilder(paint);
+    TexturedMeshBuilder posts = new TexturedMeshBuilder(stand);
+    for (Shape.Beam beam : shape.beams()) {
+      if (beam.base().z() >= post) {
+        box(beams, beam.base(), beam.size());
+      } else {
+        box(beams, beam.base().withZ(post), beam.size().withZ(beam.size().z() - post));
+        box(posts, beam.base(), beam.size().withZ(post));
+      }
+    }
+    return matte(posts, beams);
+  }
+
+  private static void box(TexturedMeshBuilder mesh, Vec3 foot, Vec3 size) {
+    mesh.box(new Box(foot, size), Set.of());
+  }
+
+  private TexturedMeshBuilder image(Cover cover, Side side, double width, double height) {
+    Texture image = images.get(cover.pictures().get(side)).texture();
+    return new TexturedMeshBuilder(TextureMapping.stretched(image, width, height));
+  }
+
+  private static List<Part> matte(TexturedMeshBuilder... meshes) {
+    return Stream.of(meshes)
+        .filter(mesh -> !mesh.isEmpty())
+        .map(mesh -> mesh.build(Shading.MATTE))
+        .toList();
+  }
+}

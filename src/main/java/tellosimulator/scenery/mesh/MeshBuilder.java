@@ -1,0 +1,129 @@
+package tellosimulator.scenery.mesh;
+
+import java.util.ArrayList;
+import java.util.List;
+import tellosimulator.math.Vec3;
+
+/** Collects vertices and triangles and builds one mesh of them. For one thread. */
+public final class MeshBuilder {
+
+  /**
+   * A vertex.
+   *
+   * @param position metres
+   * @param normal unit vector
+   * @param u texture coordinate, 1 is the right edge
+   * @param v texture coordinate, 1 is the lower edge
+   */
+  public record Vertex(Vec3 position, Vec3 normal, double u, double v) {}
+
+  /**
+   * A rectangle, seen from where {@code right} leads to the right and {@code up} upwards.
+   *
+   * @param corner its lower left corner
+   * @param right along the lower edge
+   * @param up along the left edge
+   */
+  public record Quad(Vec3 corner, Vec3 right, Vec3 up) {
+
+    /** A square on the floor, centred at the origin, with x upwards. */
+    public static Quad onFloor(double size) {
+      return new Quad(
+          new Vec3(-size / 2, size / 2, 0), new Vec3(0, -size, 0), new Vec3(size, 0, 0));
+    }
+
+    /** The unit normal, towards those who see it. */
+    public Vec3 normal() {
+      return right.cross(up).normalized();
+    }
+  }
+
+  /**
+   * A rectangle of a texture in texture coordinates; beyond 1 the texture repeats.
+   *
+   * @param left u of the left edge
+   * @param top v of the upper edge
+   */
+  public record TextureRegion(double left, double top, double width, double height) {
+
+    /** The whole texture. */
+    public static final TextureRegion WHOLE = new TextureRegion(0, 0, 1, 1);
+  }
+
+  private final List<Vertex> vertices = new ArrayList<>();
+  private final List<Integer> indices = new ArrayList<>();
+
+  public boolean isEmpty() {
+    return indices.isEmpty();
+  }
+
+  /** Adds a vertex; its index. */
+  public int vertex(Vertex vertex) {
+    vertices.add(vertex);
+    return vertices.size() - 1;
+  }
+
+  /** Adds a triangle; its vertices are counter-clockwise seen from outside. */
+  public void triangle(int a, int b, int c) {
+    indices.add(a);
+    indices.add(b);
+    indices.add(c);
+  }
+
+  /**
+   * Adds a strip of triangles between two rows of vertices.
+   *
+   * @param lower from left to right, seen from outside
+   * @param upper as many above them
+   */
+  public void strip(List<Vertex> lower, List<Vertex> upper) {
+    int first = vertices.size();
+    vertices.addAll(lower);
+    vertices.addAll(upper);
+    int count = lower.size();
+    for (int i = first; i < first + count - 1; i++) {
+      triangle(i, i + 1, i + 1 + count);
+      triangle(i, i + 1 + count, i + count);
+    }
+  }
+
+  /** Adds a rectangle with a region of the texture on it. */
+  public MeshBuilder quad(Quad quad, TextureRegion region) {
+    Vec3 normal = quad.normal();
+    double right = region.left + region.width;
+    double bottom = region.top + region.height;
+    Vec3 end = quad.corner.plus(quad.right);
+    strip(
+        List.of(
+            new Vertex(quad.corner, normal, region.left, bottom),
+            new Vertex(end, normal, right, bottom)),
+        List.of(
+            new Vertex(quad.corner.plus(quad.up), normal, region.left, region.top),
+            new Vertex(end.plus(quad.up), normal, right, region.top)));
+    return this;
+  }
+
+  /** The mesh of all triangles. */
+  public Mesh build() {
+    int count = vertices.size();
+    float[] texCoords = new float[2 * count];
+    for (int i = 0; i < count; i++) {
+      texCoords[2 * i] = (float) vertices.get(i).u;
+      texCoords[2 * i + 1] = (float) vertices.get(i).v;
+    }
+    int[] faces = new int[3 * indices.size()];
+    for (int i = 0; i < faces.length; i++) {
+      faces[i] = indices.get(i / 3);
+    }
+    return new Mesh(
+        Mesh.floats(vertices.stream().map(Vertex::position).toList()),
+        Mesh.floats(vertices.stream().map(Vertex::normal).toList()),
+        texCoords,
+        faces);
+  }
+
+  /** The mesh of one rectangle that shows a whole texture. */
+  public static Mesh of(Quad quad) {
+    return new MeshBuilder().quad(quad, TextureRegion.WHOLE).build();
+  }
+}

@@ -1,0 +1,102 @@
+package tellosimulator.scenery.overlay;
+
+import java.util.ArrayList;
+import java.util.List;
+import tellosimulator.math.Vec3;
+
+/**
+ * A flown path in a bounded number of points: a straight part needs two, and when the path is full,
+ * every second point is left out. For one thread.
+ */
+final class FlightPath {
+
+  /** Shortest distance from point to point [m]. Decided: smaller than one sees. */
+  static final double SPACING = 0.02;
+
+  /** How far a point that is left out may be off the path [m]. Decided: smaller than one sees. */
+  private static final double STRAIGHT = 0.002;
+
+  /** Sides of the tube that shows it. */
+  static final int SIDES = 3;
+
+  /** Half the thickness of that tube [m]. Decided: one or two pixels across a room. */
+  private static final double HALF_WIDTH = 0.0045;
+
+  private final int capacity;
+  private final List<Vec3> points = new ArrayList<>();
+
+  /**
+   * @param capacity most points, at least 4
+   */
+  FlightPath(int capacity) {
+    this.capacity = capacity;
+  }
+
+  /**
+   * The drone is somewhere else.
+   *
+   * @return whether the path has changed
+   */
+  boolean add(Vec3 point) {
+    int size = points.size();
+    if (size > 0 && points.get(size - 1).distanceTo(point) < SPACING) {
+      return false;
+    }
+    if (size >= 2 && isStraight(points.get(size - 2), points.get(size - 1), point)) {
+      points.set(size - 1, point);
+      return true;
+    }
+    if (size == capacity) {
+      thinOut();
+    }
+    points.add(point);
+    return true;
+  }
+
+  void clear() {
+    points.clear();
+  }
+
+  int size() {
+    return points.size();
+  }
+
+  Vec3 point(int index) {
+    return points.get(index);
+  }
+
+  /** The corners of a tube along the path, at one of its points. */
+  List<Vec3> ring(int index) {
+    Vec3 point = points.get(index);
+    Vec3 next = points.get(Math.min(points.size() - 1, index + 1));
+    Vec3 way = next.minus(points.get(Math.max(0, index - 1)));
+    Vec3 reference = Math.abs(way.z()) > 0.9 * way.norm() ? new Vec3(1, 0, 0) : Vec3.UP;
+    Vec3 side = way.cross(reference).normalized().times(HALF_WIDTH);
+    Vec3 up = side.cross(way).normalized().times(HALF_WIDTH);
+    return List.of(
+        point.plus(up),
+        point.plus(side).plusScaled(up, -0.5),
+        point.minus(side).plusScaled(up, -0.5));
+  }
+
+  /** Whether a point lies between two others, and the path goes on in its direction. */
+  private static boolean isStraight(Vec3 from, Vec3 middle, Vec3 to) {
+    Vec3 way = to.minus(from);
+    Vec3 part = middle.minus(from);
+    double length = way.norm();
+    double along = part.dot(way) / length;
+    boolean onward = along > 0 && along < length;
+    return onward && part.cross(way).norm() / length < STRAIGHT / 4 && length < 1;
+  }
+
+  /** Leaves out every second point, but neither the first nor the last. */
+  private void thinOut() {
+    List<Vec3> kept = new ArrayList<>();
+    for (int i = 0; i < points.size() - 1; i += 2) {
+      kept.add(points.get(i));
+    }
+    kept.add(points.get(points.size() - 1));
+    points.clear();
+    points.addAll(kept);
+  }
+}

@@ -1,0 +1,153 @@
+package tellosimulator.scenery.overlay;
+
+import java.util.ArrayList;
+import java.util.List;
+import tellosimulator.math.Pose;
+import tellosimulator.math.Vec3;
+import tellosimulator.model.FlightPhase;
+import tellosimulator.scenery.drone.Livery;
+import tellosimulator.scenery.mesh.Instance;
+import tellosimulator.scenery.mesh.Material;
+import tellosimulator.scenery.mesh.Mesh;
+import tellosimulator.scenery.mesh.Part;
+import tellosimulator.scenery.mesh.Rgb;
+import tellosimulator.scenery.mesh.Shading;
+import tellosimulator.scenery.mesh.Texture;
+import tellosimulator.sim.SimSnapshot.DroneSnapshot;
+
+/**
+ * The path that a drone has flown, as a thin tube in the air; those of earlier flights are fainter.
+ * The last few points are a mesh of their own, which changes some times a second and is small; the
+ * long one behind it changes only when these have become many. Measured: with one mesh a path,
+ * twenty drones that circle took half of a processor for nothing else. For one thread.
+ */
+final class Trail {
+
+  /** Most points. Decided: enough for minutes, cheap enough to draw. */
+  private static final int CAPACITY = 384;
+
+  /** Most points of the part that changes often. Decided. */
+  private static final int RECENT = 24;
+
+  /** Shortest time from update to update [ns]. Decided. */
+  private static final long UPDATE_PERIOD = 120_000_000;
+
+  /** Height above the drone's feet [m]. Documented: half of 41 mm. */
+  private static final double MIDDLE = 0.02;
+
+  private final Rgb color;
+  private final Material material;
+  private final FlightPaths paths = new FlightPaths(CAPACITY);
+  private List<Instance> earlier = List.of();
+  private List<Instance> settled = List.of();
+  private List<Instance> recent = List.of();
+  private Pose last;
+  private boolean changed;
+  private long now;
+  private long lastUpdate;
+
+  /** Index of the last settled point, which is the first recent one; later ones may still move. */
+  private int settledTo;
+
+  private int sizeBefore;
+  private int shownFlights;
+
+  Trail(DroneSnapshot drone) {
+    color = Livery.of(drone).color();
+    material = new Material(texture(1), Shading.UNLIT);
+    last = drone.state().motion().pose();
+  }
+
+  /**
+   * Goes on to where the drone is; begins anew when it was put to its start.
+   *
+   * @param nanos of any steady clock [ns]
+   */
+  void advance(DroneSnapshot drone, long nanos) {
+    Pose pose = drone.state().motion().pose();
+    if (!pose.equals(last) && pose.equals(drone.start())) {
+      paths.clear();
+      changed = true;
+      lastUpdate = 0;
+    }
+    last = pose;
+    boolean takingOff = drone.state().phase() == FlightPhase.TAKING_OFF;
+    changed |= paths.advance(takingOff, pose.position().plusScaled(Vec3.UP, MIDDLE));
+    now = nanos;
+  }
+
+  /**
+   * All paths; the same instances as long as nothing has changed. Only this makes meshes, so that
+   * what nobody sees costs next to nothing.
+   */
+  List<Instance> instances() {
+    if (changed && now - lastUpdate >= UPDATE_PERIOD) {
+      lastUpdate = now;
+      changed = false;
+      update();
+    }
+    List<Instance> all = new ArrayList<>(earlier);
+    all.addAll(settled);
+    all.addAll(recent);
+    return all;
+  }
+
+  private void update() {
+    boolean anotherFlight = paths.changes() != shownFlights;
+    if (anotherFlight) {
+      shownFlights = paths.changes();
+      earlier = earlier();
+    }
+    FlightPath path = paths.present();
+    int end = path.size() - 1;
+    boolean anew = anotherFlight || path.size() < sizeBefore; // cleared, or thinned out
+    if (anew || end - settledTo >= RECENT) {
+      settledTo = Math.max(0, end - 1);
+      settled = tube(path, 0, settledTo, material);
+    }
+    recent = tube(path, settledTo, end, material);
+    sizeBefore = path.size();
+  }
+
+  private List<Instance> earlier() {
+    List<Instance> all = new ArrayList<>();
+    int age = 1;
+    for (FlightPath path : paths.earlier()) {
+      Material faint = new Material(texture(FlightPaths.opacity(age)), Shading.TRANSLUCENT);
+      all.addAll(tube(path, 0, path.size() - 1, faint));
+      age++;
+    }
+    return all;
+  }
+
+  private Texture texture(double opacity) {
+    return new Texture(1, 1, new int[] {color.argb(opacity)});
+  }
+
+  /** Part of a path; empty unless it has two points. */
+  private static List<Instance> tube(FlightPath path, int first, int end, Material material) {
+    if (end <= first) {
+      return List.of();
+    }
+    List<Vec3> positions = new ArrayList<>();
+    for (int i = first; i <= end; i++) {
+      positions.addAll(path.ring(i));
+    }
+    int sides = FlightPath.SIDES;
+    int[] faces = new int[9 * 2 * sides * (end - first)];
+    int next = 0;
+    for (int near = 0; near < sides * (end - first); near += sides) {
+      int far = near + sides;
+      for (int side = 0; side < sides; side++) {
+        int other = (side + 1) % sides;
+        int[] quad = {near + side, near + other, far + other, near + side, far + other, far + side};
+        for (int vertex : quad) {
+          faces[next] = vertex; // with the only normal and texture coordinates
+          next += 3;
+        }
+      }
+    }
+    Mesh mesh = new Mesh(Mesh.floats(positions), new float[] {0, 0, 1}, new float[] {0, 0}, faces);
+    return List.of(Instance.atOrigin(new Part(mesh, material)));
+  }
+}

@@ -1,0 +1,129 @@
+package tellosimulator.scenery.pad;
+
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import tellosimulator.scenery.mesh.Rgb;
+import tellosimulator.scenery.mesh.Texture;
+import tellosimulator.scenery.texture.AlphaMask;
+import tellosimulator.scenery.texture.AlphaMask.Arc;
+import tellosimulator.scenery.texture.AlphaMask.Point;
+import tellosimulator.scenery.texture.Canvas;
+import tellosimulator.scenery.texture.StrokeFont;
+
+/**
+ * The texture of a mission pad: its number on a planet, a rocket that starts upwards, and the stars
+ * of a constellation, another one for each number. Decided: all of it.
+ */
+final class PadTexture {
+
+  /** Edge of the texture [texels]: 0.4 mm each, finer than a camera sees it from 30 cm. */
+  static final int SIZE = 512;
+
+  private static final Rgb PAPER = Rgb.of(0xfbfaf6);
+  private static final Rgb INK = Rgb.of(0x121418);
+
+  private static final Point PLANET = new Point(164, 338);
+  private static final double PLANET_RADIUS = 114;
+  private static final double NUMBER_HEIGHT = 152;
+
+  /** Tip of the rocket. */
+  private static final Point TIP = new Point(380, 64);
+
+  private PadTexture() {}
+
+  /** The texture of a pad, painted when it is first used. */
+  static Texture of(int id) {
+    return Texture.lazy(SIZE, SIZE, () -> painted(id).argb());
+  }
+
+  private static Canvas painted(int id) {
+    Rgb color = Constellation.of(id).color();
+    return new Canvas(SIZE, PAPER)
+        .paint(INK, PadTexture::border)
+        .paint(INK, mask -> Constellation.of(id).draw(mask))
+        .paint(INK, mask -> mask.dot(PLANET, PLANET_RADIUS))
+        .paint(PAPER, mask -> number(mask, id))
+        .paint(color, PadTexture::flame)
+        .paint(INK, PadTexture::hull)
+        .paint(color, PadTexture::trim)
+        .paint(PAPER, PadTexture::window);
+  }
+
+  private static void border(AlphaMask mask) {
+    double near = 22;
+    double far = SIZE - near;
+    mask.stroke(way(near, near, far, near, far, far, near, far, near, near), 20);
+  }
+
+  private static void number(AlphaMask mask, int id) {
+    StrokeFont.draw(mask, Character.forDigit(id, 10), PLANET, NUMBER_HEIGHT);
+    mask.stroke(
+        new Arc(PLANET, new Point(PLANET_RADIUS - 16, PLANET_RADIUS - 16), 0, 2 * Math.PI).points(),
+        4);
+  }
+
+  /** Fins and hull: pointed above, slender below. */
+  private static void hull(AlphaMask mask) {
+    List<Point> outline = new ArrayList<>();
+    outline.addAll(side(1));
+    List<Point> left = new ArrayList<>(side(-1));
+    Collections.reverse(left);
+    outline.addAll(left);
+    mask.fill(outline);
+    for (int side : new int[] {1, -1}) {
+      mask.fill(
+          List.of(at(side * 40, 190), at(side * 78, 288), at(side * 78, 330), at(side * 30, 284)));
+    }
+    mask.fill(List.of(at(-26, 280), at(26, 280), at(34, 304), at(-34, 304)));
+  }
+
+  /** From the tip down. */
+  private static List<Point> side(int sign) {
+    return List.of(
+        at(0, 0),
+        at(sign * 16, 24),
+        at(sign * 30, 54),
+        at(sign * 41, 90),
+        at(sign * 48, 130),
+        at(sign * 50, 170),
+        at(sign * 46, 220),
+        at(sign * 36, 262),
+        at(sign * 28, 284));
+  }
+
+  private static void trim(AlphaMask mask) {
+    mask.dot(at(0, 118), 27);
+    mask.stroke(List.of(at(-30, 210), at(30, 210)), 9);
+    mask.stroke(List.of(at(-26, 232), at(26, 232)), 9);
+  }
+
+  private static void window(AlphaMask mask) {
+    mask.dot(at(0, 118), 17);
+  }
+
+  private static void flame(AlphaMask mask) {
+    mask.fill(
+        List.of(
+            at(-30, 312),
+            at(30, 312),
+            at(34, 340),
+            at(18, 364),
+            at(0, 396),
+            at(-18, 364),
+            at(-34, 340)));
+  }
+
+  /** A place from the rocket's tip. */
+  private static Point at(double right, double down) {
+    return new Point(TIP.x() + right, TIP.y() + down);
+  }
+
+  private static List<Point> way(double... numbers) {
+    List<Point> points = new ArrayList<>();
+    for (int i = 0; i < numbers.length; i += 2) {
+      points.add(new Point(numbers[i], numbers[i + 1]));
+    }
+    return points;
+  }
+}

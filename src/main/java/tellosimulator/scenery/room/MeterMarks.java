@@ -1,0 +1,148 @@
+package tellosimulator.scenery.room;
+
+import java.util.List;
+import tellosimulator.math.Vec3;
+import tellosimulator.scenery.mesh.MeshBuilder;
+import tellosimulator.scenery.mesh.MeshBuilder.Quad;
+import tellosimulator.scenery.mesh.MeshBuilder.TextureRegion;
+import tellosimulator.scenery.mesh.Part;
+import tellosimulator.scenery.mesh.Rgb;
+import tellosimulator.scenery.mesh.Shading;
+import tellosimulator.scenery.mesh.Texture;
+import tellosimulator.scenery.texture.AlphaMask;
+import tellosimulator.scenery.texture.AlphaMask.Point;
+import tellosimulator.scenery.texture.StrokeFont;
+import tellosimulator.world.Room;
+import tellosimulator.world.Walls;
+
+/**
+ * Ticks and numbers along the edges of the floor, in metres of the room frame: y along the front
+ * and the back edge, x along the sides. One mesh with one texture.
+ */
+final class MeterMarks {
+
+  private static final String CHARACTERS = "0123456789-";
+
+  /** Cells of the texture in a row and in a column. */
+  private static final int CELLS = 4;
+
+  private static final int SIZE = 256;
+
+  /** The cell that is filled, for the ticks. */
+  private static final int FULL = 15;
+
+  /** Height of a number, as a part of the distance from mark to mark. Decided: by eye. */
+  private static final double NUMBER_HEIGHT = 0.19;
+
+  /** The same, as a part of the room's shorter edge. Decided: by eye. */
+  private static final double LARGEST_NUMBER = 0.07;
+
+  private static final Rgb INK = Rgb.of(0x6f675b);
+
+  /** On wood. */
+  private static final Rgb DARK_INK = Rgb.of(0x1d1812);
+
+  /** A texture atlas of all characters. */
+  private static final Texture ON_PLAIN = AlphaMask.texture(SIZE, INK, MeterMarks::mask);
+
+  private static final Texture ON_WOOD = AlphaMask.texture(SIZE, DARK_INK, MeterMarks::mask);
+
+  private final double step;
+  private final double size;
+  private final MeshBuilder mesh = new MeshBuilder();
+
+  private MeterMarks(Room room) {
+    double longest = Math.max(room.depth(), room.width());
+    step = step(longest);
+    double shortest = Math.min(room.depth(), room.width());
+    size = Math.min(NUMBER_HEIGHT * step, LARGEST_NUMBER * shortest);
+    for (int side : new int[] {1, -1}) {
+      addEdge(new Vec3(side * room.depth() / 2, 0, 0), room.width() / 2);
+      addEdge(new Vec3(0, side * room.width() / 2, 0), room.depth() / 2);
+    }
+  }
+
+  /** The marks of a room, room frame. */
+  static Part part(Room room, Walls walls) {
+    Texture texture = walls == Walls.PLAIN ? ON_PLAIN : ON_WOOD;
+    return new Part(new MeterMarks(room).mesh.build(), texture, Shading.DECAL);
+  }
+
+  /** Metres from mark to mark in a room of some length [m]. */
+  static double step(double longest) {
+    return longest <= 10 ? 1 : longest <= 25 ? 2 : longest <= 60 ? 5 : 10;
+  }
+
+  /**
+   * Marks along an edge.
+   *
+   * @param middle of the edge; the numbers stand upright for who looks towards it from inside
+   * @param halfLength of the edge [m]
+   */
+  private void addEdge(Vec3 middle, double halfLength) {
+    Vec3 out = middle.normalized();
+    Vec3 right = out.cross(Vec3.UP);
+    boolean alongX = Math.abs(right.x()) > 0.5;
+    int most = (int) Math.floor((halfLength - size) / step);
+    for (int i = -most; i <= most; i++) {
+      Vec3 along = alongX ? new Vec3(1, 0, 0) : new Vec3(0, 1, 0);
+      Vec3 mark = middle.plusScaled(along, i * step);
+      addTick(mark, right, out);
+      addNumber(Math.round(i * step), mark.plusScaled(out, -1.75 * size), right, out);
+    }
+  }
+
+  private void addTick(Vec3 mark, Vec3 right, Vec3 out) {
+    double width = 0.1 * size;
+    Vec3 corner = mark.plusScaled(out, -0.5 * size).plusScaled(right, -width / 2);
+    mesh.quad(new Quad(corner, right.times(width), out.times(0.5 * size)), inside(FULL));
+  }
+
+  private void addNumber(long value, Vec3 foot, Vec3 right, Vec3 up) {
+    String text = Long.toString(value);
+    double advance = 0.62 * size;
+    for (int i = 0; i < text.length(); i++) {
+      double left = (i - text.length() / 2.0) * advance - (size - advance) / 2;
+      Quad quad = new Quad(foot.plusScaled(right, left), right.times(size), up.times(size));
+      mesh.quad(quad, cell(CHARACTERS.indexOf(text.charAt(i))));
+    }
+  }
+
+  private static int column(int index) {
+    return index % CELLS;
+  }
+
+  private static int row(int index) {
+    return index / CELLS;
+  }
+
+  private static TextureRegion cell(int index) {
+    double edge = 1.0 / CELLS;
+    return new TextureRegion(column(index) * edge, row(index) * edge, edge, edge);
+  }
+
+  /** A part of a cell that is far from its neighbours. */
+  private static TextureRegion inside(int index) {
+    TextureRegion cell = cell(index);
+    double edge = cell.width() / 2;
+    return new TextureRegion(cell.left() + edge / 2, cell.top() + edge / 2, edge, edge);
+  }
+
+  private static AlphaMask mask() {
+    double cell = (double) SIZE / CELLS;
+    AlphaMask mask = new AlphaMask(SIZE);
+    for (int i = 0; i < CHARACTERS.length(); i++) {
+      Point middle = new Point((column(i) + 0.5) * cell, (row(i) + 0.5) * cell);
+      StrokeFont.draw(mask, CHARACTERS.charAt(i), middle, 0.64 * cell);
+    }
+    double left = column(FULL) * cell;
+    double top = row(FULL) * cell;
+    mask.fill(
+        List.of(
+            new Point(left, top),
+            new Point(left + cell, top),
+            new Point(left + cell, top + cell),
+            new Point(left, top + cell)));
+    return mask;
+  }
+}

@@ -1,0 +1,49 @@
+package tellosimulator.scenery.texture;
+
+import java.util.function.Supplier;
+import tellosimulator.scenery.mesh.Texture;
+
+/** Makes square textures that are computed texel by texel. */
+public final class ProceduralTexture {
+
+  /** The colour of each texel: alpha, red, green and blue with 8 bits each. */
+  @FunctionalInterface
+  public interface Texels {
+    int argb(int x, int y);
+  }
+
+  private ProceduralTexture() {}
+
+  /**
+   * A texture that is computed when it is first used.
+   *
+   * @param size its edge [texels]
+   * @param texels called once
+   */
+  public static Texture of(int size, Supplier<Texels> texels) {
+    return Texture.lazy(size, size, () -> argb(size, texels.get()));
+  }
+
+  private static int[] argb(int size, Texels texels) {
+    int[] argb = new int[size * size];
+    for (int y = 0; y < size; y++) {
+      for (int x = 0; x < size; x++) {
+        argb[y * size + x] = texels.argb(x, y);
+      }
+    }
+    return argb;
+  }
+
+  /**
+   * Interpolates linearly between two opaque colours.
+   *
+   * @param weight of the second one; clamped to 0 to 1
+   */
+  public static int mix(int from, int to, double weight) {
+    int share = (int) (256 * Math.max(0, Math.min(1, weight)));
+    int rest = 256 - share;
+    int redAndBlue = (((from & 0xff00ff) * rest + (to & 0xff00ff) * share) >>> 8) & 0xff00ff;
+    int green = (((from & 0xff00) * rest + (to & 0xff00) * share) >>> 8) & 0xff00;
+    return (from & 0xff000000) | redAndBlue | green;
+  }
+}

@@ -1,0 +1,123 @@
+package tellosimulator.view.world;
+
+import java.util.List;
+import java.util.function.Predicate;
+import javafx.geometry.Point3D;
+import javafx.scene.AmbientLight;
+import javafx.scene.DepthTest;
+import javafx.scene.DirectionalLight;
+import javafx.scene.Group;
+import javafx.scene.LightBase;
+import javafx.scene.paint.Color;
+import tellosimulator.math.Pose;
+import tellosimulator.math.Vec3;
+import tellosimulator.scenery.Scene;
+import tellosimulator.scenery.mesh.Instance;
+import tellosimulator.scenery.mesh.Lights;
+import tellosimulator.scenery.mesh.MeshBatch;
+import tellosimulator.scenery.mesh.Shading;
+import tellosimulator.view.fx.FxFrames;
+import tellosimulator.view.fx.FxTextures;
+
+/**
+ * A scene as JavaFX nodes, in the room frame. A shown scene changes only the nodes that differ from
+ * those of the scene before. The groups are in drawing order; what they hold has the same lights
+ * and is blended in the same way. For the JavaFX thread.
+ */
+final class SceneNodes extends Group {
+
+  /** So far above an obstacle a decal does not flicker [m]. Decided: from 10 m away. */
+  private static final double DECAL_OFFSET = 0.002;
+
+  /** Drones that are nearer than this are always drawn [m]. Decided: some times their size. */
+  private static final double NEARBY = 1;
+
+  /** Cosine of the widest angle from the middle of a frame. Decided: beyond any window's form. */
+  private static final double WIDEST = Math.cos(Math.toRadians(58));
+
+  private final FxParts parts = new FxParts();
+  private final InstanceGroup room = new InstanceGroup("room", parts, DepthTest.DISABLE);
+  private final InstanceGroup ground = new InstanceGroup("ground", parts, DepthTest.DISABLE);
+  private final InstanceGroup obstacles = new InstanceGroup("obstacles", parts, DepthTest.DISABLE);
+  private final InstanceGroup images = new InstanceGroup("images", parts, DepthTest.DISABLE);
+  private final InstanceGroup raised = new InstanceGroup("raised", parts, DepthTest.INHERIT);
+  private final InstanceGroup drones = new InstanceGroup("drones", parts, DepthTest.DISABLE);
+  private final InstanceGroup lamps = new InstanceGroup("lamps", parts, DepthTest.DISABLE);
+  private final InstanceGroup discs = new InstanceGroup("discs", parts, DepthTest.DISABLE);
+  private final InstanceGroup overlay = new InstanceGroup("overlay", parts, DepthTest.DISABLE);
+  private List<Instance> shownObstacles = List.of();
+
+  SceneNodes() {
+    setId("scene");
+    setMouseTransparent(true);
+    getTransforms().add(FxFrames.ofRoom());
+    raised.setTranslateZ(DECAL_OFFSET);
+    getChildren().addAll(room, ground, obstacles, images, raised, drones, lamps, discs, overlay);
+    AmbientLight unlit = new AmbientLight(Color.WHITE);
+    unlit.getScope().addAll(room, ground, images, raised, lamps, discs, overlay);
+    getChildren().add(unlit);
+    addLights(Lights.ON_FURNITURE, obstacles);
+    addLights(Lights.ON_DRONES, drones);
+  }
+
+  /**
+   * Shows a scene.
+   *
+   * @param camera from where it is seen; drones that it cannot see are left out
+   */
+  void show(Scene scene, Pose camera) {
+    room.show(scene.room());
+    ground.show(only(scene.ground(), decal -> !isRaised(decal)));
+    raised.show(only(scene.ground(), SceneNodes::isRaised));
+    if (scene.obstacles() != shownObstacles) {
+      shownObstacles = scene.obstacles();
+      List<Instance> batches =
+          MeshBatch.of(shownObstacles).stream().map(Instance::atOrigin).toList();
+      obstacles.show(with(batches, Shading.MATTE));
+      images.show(with(batches, Shading.UNLIT));
+    }
+    drones.show(with(scene.drones(), Shading.GLOSSY));
+    drones.cull(instance -> mayBeSeen(instance, camera));
+    lamps.show(with(scene.drones(), Shading.UNLIT));
+    discs.show(with(scene.drones(), Shading.TRANSLUCENT));
+    overlay.show(scene.overlay());
+  }
+
+  private static List<Instance> with(List<Instance> instances, Shading shading) {
+    return only(instances, instance -> instance.part().material().shading() == shading);
+  }
+
+  private static List<Instance> only(List<Instance> instances, Predicate<Instance> wanted) {
+    return instances.stream().filter(wanted).toList();
+  }
+
+  /** Whether a decal is on an obstacle, and so must be drawn after it. */
+  private static boolean isRaised(Instance decal) {
+    return decal.part().material().shading() == Shading.DECAL
+        && decal.pose().attitude().up().z() > 0.5
+        && decal.pose().position().z() > 0;
+  }
+
+  /** Whether something as large as a drone could be in the image of a camera. */
+  private static boolean mayBeSeen(Instance drone, Pose camera) {
+    Vec3 way = drone.pose().position().minus(camera.position());
+    double distance = way.norm();
+    Vec3 ahead = camera.attitude().toRoom(new Vec3(1, 0, 0));
+    return distance < NEARBY || way.dot(ahead) > WIDEST * distance;
+  }
+
+  private void addLights(Lights lights, InstanceGroup lit) {
+    addLight(new AmbientLight(FxTextures.color(lights.ambient())), lit);
+    for (Lights.Directional light : lights.directional()) {
+      DirectionalLight node = new DirectionalLight(FxTextures.color(light.color()));
+      Vec3 direction = light.direction();
+      node.setDirection(new Point3D(direction.x(), direction.y(), direction.z()));
+      addLight(node, lit);
+    }
+  }
+
+  private void addLight(LightBase light, InstanceGroup lit) {
+    light.getScope().add(lit);
+    getChildren().add(light);
+  }
+}

@@ -1,0 +1,109 @@
+package tellosimulator.scenery.overlay;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.List;
+import java.util.stream.IntStream;
+import org.junit.jupiter.api.Test;
+import tellosimulator.command.Peer;
+import tellosimulator.math.Attitude;
+import tellosimulator.math.Pose;
+import tellosimulator.math.Vec3;
+import tellosimulator.scenery.mesh.Instance;
+import tellosimulator.sim.Control;
+import tellosimulator.sim.SimConfig;
+import tellosimulator.sim.SimSnapshot;
+import tellosimulator.sim.Simulation;
+import tellosimulator.sim.Swarm;
+import tellosimulator.testing.SteppedDrone;
+import tellosimulator.world.Room;
+
+/** What people see in the room, and drones do not. */
+class OverlayTest {
+
+  private static final Pose CAMERA = new Pose(new Vec3(-2, 0, 1), Attitude.LEVEL);
+
+  private static final Peer OPERATOR =
+      new Peer(SteppedDrone.address("127.0.0.1", 50_000), SteppedDrone.DRONE);
+
+  private final Simulation simulation = simulation(SimConfig.DEFAULT);
+  private final Overlay overlay = new Overlay(snapshot());
+  private long nanos;
+
+  @Test
+  void nothingIsAddedToADroneOnTheGround() {
+    assertThat(overlay.instances(snapshot(), CAMERA)).isEmpty();
+  }
+
+  @Test
+  void aDroneInTheAirHasAPlumbLineAndATrail() {
+    fly();
+
+    int withTrail = overlay.instances(snapshot(), CAMERA).size();
+    overlay.showTrails(false);
+
+    assertThat(overlay.instances(snapshot(), CAMERA)).as("the plumb line").hasSize(1);
+    assertThat(withTrail).isGreaterThan(1);
+  }
+
+  @Test
+  void whatWasFlownWhileTrailsWereHiddenIsShownAfterwards() {
+    overlay.showTrails(false);
+    fly();
+
+    overlay.showTrails(true);
+
+    List<Instance> instances = overlay.instances(snapshot(), CAMERA);
+    assertThat(instances).hasSizeGreaterThan(1);
+    double highest =
+        instances.stream()
+            .map(instance -> instance.part().mesh())
+            .flatMap(mesh -> IntStream.range(0, mesh.positions()).mapToObj(mesh::position))
+            .mapToDouble(Vec3::z)
+            .max()
+            .orElseThrow();
+    assertThat(highest).isGreaterThan(1.5); // takeoff and 150 cm up; the plumb line is a unit mesh
+  }
+
+  @Test
+  void aTrailThatDidNotChangeIsTheSameMesh() {
+    fly();
+
+    List<Instance> before = overlay.instances(snapshot(), CAMERA);
+    nanos += 1_000_000_000;
+    overlay.advance(snapshot(), nanos);
+
+    assertThat(overlay.instances(snapshot(), CAMERA)).isEqualTo(before);
+  }
+
+  @Test
+  void onlyDronesThatCouldBeTakenForEachOtherHaveNumbers() {
+    SimConfig three =
+        SimConfig.DEFAULT.withRoom(Room.DEFAULT, Swarm.row(3, Vec3.ZERO, Room.DEFAULT));
+    SimSnapshot snapshot = simulation(three).snapshot();
+
+    assertThat(new Overlay(snapshot).instances(snapshot, CAMERA)).hasSize(3);
+  }
+
+  /** Takes off, and moves up by 150 cm. */
+  private void fly() {
+    simulation.control(new Control.Power(1, true));
+    for (String command : List.of("command", "takeoff", "up 150")) {
+      simulation.submit(1, OPERATOR, command);
+      for (int i = 0; i < 2000; i++) { // ten seconds
+        simulation.drain();
+        simulation.step();
+        nanos += 5_000_000;
+        overlay.advance(snapshot(), nanos);
+      }
+    }
+  }
+
+  private SimSnapshot snapshot() {
+    return simulation.snapshot();
+  }
+
+  private static Simulation simulation(SimConfig config) {
+    return new Simulation(config, drone -> (peer, text) -> {}, report -> {}, List.of());
+  }
+}

@@ -1,0 +1,59 @@
+package tellosimulator.video;
+
+import java.util.ArrayList;
+import java.util.List;
+import tellosimulator.math.Pose;
+import tellosimulator.math.Vec3;
+import tellosimulator.model.DroneState;
+import tellosimulator.model.FlightPhase;
+import tellosimulator.model.Motion;
+import tellosimulator.sim.SimConfig;
+import tellosimulator.sim.SimSnapshot;
+import tellosimulator.sim.SimSnapshot.DroneSnapshot;
+import tellosimulator.sim.Simulation;
+import tellosimulator.sim.Swarm;
+import tellosimulator.world.Arena;
+import tellosimulator.world.Decor;
+
+/** Moments of simulations in the default room, with drones in the air wherever one wants them. */
+final class FlyingSnapshots {
+
+  private FlyingSnapshots() {}
+
+  /** Drones that fly, at rest. */
+  static SimSnapshot flying(Pose... poses) {
+    return flying(Decor.DEFAULT, poses);
+  }
+
+  /** The same in a room that looks different. */
+  static SimSnapshot flying(Decor decor, Pose... poses) {
+    return flying(Arena.DEFAULT.withDecor(decor), poses);
+  }
+
+  /** The same in a room with other things in it. */
+  static SimSnapshot flying(Arena arena, Pose... poses) {
+    List<Pose> starts = Swarm.row(poses.length, Vec3.ZERO, arena.room());
+    SimConfig config = SimConfig.DEFAULT.withRoom(arena.room(), starts).withArena(arena);
+    Simulation simulation =
+        new Simulation(config, number -> (peer, text) -> {}, report -> {}, List.of());
+    SimSnapshot snapshot = simulation.snapshot();
+    List<DroneSnapshot> drones = new ArrayList<>();
+    for (int i = 0; i < poses.length; i++) {
+      DroneSnapshot drone = snapshot.drones().get(i);
+      drones.add(drone.withState(flying(drone.state(), poses[i])));
+    }
+    return snapshot.withDrones(drones);
+  }
+
+  private static DroneState flying(DroneState state, Pose pose) {
+    return new DroneState(
+        state.drone(),
+        state.time(),
+        Motion.restingAt(pose),
+        FlightPhase.FLYING,
+        state.energy(),
+        state.reference(),
+        state.perception(),
+        state.video());
+  }
+}
