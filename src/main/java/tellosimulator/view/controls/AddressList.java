@@ -1,6 +1,9 @@
 package tellosimulator.view.controls;
 
+import java.net.InetAddress;
 import java.net.InetSocketAddress;
+import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.List;
 import javafx.animation.PauseTransition;
 import javafx.scene.control.Button;
@@ -14,6 +17,7 @@ import javafx.scene.layout.VBox;
 import javafx.util.Duration;
 import org.kordamp.ikonli.feather.Feather;
 import org.kordamp.ikonli.javafx.FontIcon;
+import tellosimulator.view.fx.Tooltips;
 import tellosimulator.view.text.Messages;
 
 /**
@@ -57,7 +61,7 @@ final class AddressList extends VBox {
 
   /** Shows addresses, if they are not shown already. */
   void show(List<InetSocketAddress> addresses) {
-    List<InetSocketAddress> ordered = AddressOrder.mostUsefulFirst(addresses);
+    List<InetSocketAddress> ordered = mostUsefulFirst(addresses);
     if (ordered.equals(shown)) {
       return;
     }
@@ -82,8 +86,7 @@ final class AddressList extends VBox {
   }
 
   private HBox row(int index, InetSocketAddress address) {
-    String host = address.getAddress().getHostAddress();
-    String text = address.getPort() == 0 ? host : host + ":" + address.getPort();
+    String text = text(address);
     Label label = new Label(text);
     label.setId("address-" + index);
     label.getStyleClass().add("address");
@@ -91,16 +94,14 @@ final class AddressList extends VBox {
     label.setMinWidth(USE_PREF_SIZE);
     HBox.setHgrow(label, Priority.ALWAYS);
     String key = address.getAddress().isLoopbackAddress() ? "address.loopback" : "address.network";
-    Label reach = new Label();
-    reach.textProperty().bind(messages.text(key));
-    reach.getStyleClass().add("caption");
-    Hint.on(reach, messages.text(key + ".hint"));
+    Label reach = messages.label(key, "caption");
+    Tooltips.install(reach, messages.text(key + ".hint"));
     Button copy = new Button();
     copy.setId("copy-address-" + index);
     copy.setGraphic(new FontIcon(Feather.COPY));
     copy.getStyleClass().add("icon-button");
     copy.accessibleTextProperty().bind(messages.text("address.copy", text));
-    Hint.on(copy, messages.text("address.copy", text));
+    Tooltips.install(copy, messages.text("address.copy", text));
     copy.setOnAction(pressed -> copy(text, copy));
     HBox row = new HBox(label, reach, copy);
     row.getStyleClass().add("row");
@@ -115,5 +116,46 @@ final class AddressList extends VBox {
     PauseTransition thanks = new PauseTransition(Duration.seconds(THANKS));
     thanks.setOnFinished(over -> button.setGraphic(new FontIcon(Feather.COPY)));
     thanks.play();
+  }
+
+  /**
+   * The address that other machines of the local network probably reach, then loopback for programs
+   * on this machine, then all others.
+   */
+  static List<InetSocketAddress> mostUsefulFirst(List<InetSocketAddress> addresses) {
+    List<InetSocketAddress> ordered = new ArrayList<>(addresses);
+    ordered.sort(Comparator.comparingInt(address -> rank(address.getAddress())));
+    int loopback = 0;
+    while (loopback < ordered.size() && !ordered.get(loopback).getAddress().isLoopbackAddress()) {
+      loopback++;
+    }
+    if (loopback > 1 && loopback < ordered.size()) {
+      ordered.add(1, ordered.remove(loopback));
+    }
+    return List.copyOf(ordered);
+  }
+
+  /**
+   * Low for addresses that local networks have. Assumed: homes and schools use 192.168 and 10;
+   * 172.16 to 172.31 is mostly the inner network of containers.
+   */
+  private static int rank(InetAddress address) {
+    byte[] bytes = address.getAddress();
+    if (address.isLoopbackAddress()) {
+      return 4;
+    }
+    if (address.isLinkLocalAddress()) {
+      return 3;
+    }
+    if (address.isSiteLocalAddress()) {
+      return (bytes[0] & 0xff) == 172 ? 2 : 0;
+    }
+    return 1;
+  }
+
+  /** An address as people type it; without a port that is not chosen yet. */
+  static String text(InetSocketAddress address) {
+    String host = address.getAddress().getHostAddress();
+    return address.getPort() == 0 ? host : host + ":" + address.getPort();
   }
 }

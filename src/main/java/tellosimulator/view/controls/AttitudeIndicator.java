@@ -4,9 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import javafx.beans.property.DoubleProperty;
 import javafx.beans.property.SimpleDoubleProperty;
-import javafx.scene.AccessibleAttribute;
 import javafx.scene.Group;
-import javafx.scene.layout.Region;
 import javafx.scene.shape.Arc;
 import javafx.scene.shape.ArcType;
 import javafx.scene.shape.Circle;
@@ -21,7 +19,7 @@ import tellosimulator.view.text.Messages;
  * An artificial horizon: sky and ground as the drone sees them, a pitch ladder with a rung each 10
  * degrees, and a roll scale. For the JavaFX thread.
  */
-final class AttitudeIndicator extends Region {
+final class AttitudeIndicator extends Instrument {
 
   /** Changes below this cannot be seen [deg]. */
   private static final double VISIBLE = 0.25;
@@ -49,23 +47,15 @@ final class AttitudeIndicator extends Region {
    * @param size its width and height [px]
    */
   AttitudeIndicator(Messages messages, double size) {
+    super("attitude", "attitude-indicator", size, size);
     this.messages = messages;
     this.middle = size / 2;
     this.radius = size / 2 - 2;
     this.horizon = line(radius, "horizon");
-    initializeSelf(size);
     initializeParts();
     layoutParts();
     setupBindings();
     drawPitch();
-  }
-
-  private void initializeSelf(double size) {
-    setId("attitude");
-    getStyleClass().addAll("instrument", "attitude-indicator");
-    setMinSize(size, size);
-    setPrefSize(size, size);
-    setMaxSize(size, size);
   }
 
   private void initializeParts() {
@@ -88,7 +78,7 @@ final class AttitudeIndicator extends Region {
   private void layoutParts() {
     Circle sky = new Circle(middle, middle, radius);
     sky.getStyleClass().add("sky");
-    Path marks = new DialMarks(middle, radius).marks(0.86, ROLL_MARKS);
+    Path marks = new DialScale(middle, radius).marks(0.86, ROLL_MARKS);
     Group world = new Group(sky, ground, horizon, marks);
     rungs.forEach(rung -> world.getChildren().add(rung.line()));
     world.getTransforms().add(bank);
@@ -159,11 +149,8 @@ final class AttitudeIndicator extends Region {
   }
 
   @Override
-  public Object queryAccessibleAttribute(AccessibleAttribute attribute, Object... parameters) {
-    if (attribute == AccessibleAttribute.TEXT) {
-      return messages.now(
-          "attitude.accessible", NumberText.whole(pitchDeg.get()), NumberText.whole(rollDeg.get()));
-    }
-    return super.queryAccessibleAttribute(attribute, parameters);
+  String description() {
+    return messages.now(
+        "attitude.accessible", NumberText.whole(pitchDeg.get()), NumberText.whole(rollDeg.get()));
   }
 }

@@ -3,15 +3,13 @@ package tellosimulator.view.controls;
 import javafx.beans.property.DoubleProperty;
 import javafx.beans.property.SimpleDoubleProperty;
 import javafx.css.PseudoClass;
-import javafx.scene.AccessibleAttribute;
-import javafx.scene.layout.Region;
 import javafx.scene.shape.Rectangle;
 import javafx.scene.text.Text;
 import tellosimulator.model.Battery;
 import tellosimulator.view.text.Messages;
 
 /** The battery's charge as a filled battery and a number. For the JavaFX thread. */
-final class BatteryGauge extends Region {
+final class BatteryGauge extends Instrument {
 
   /** What the charge means for flying, by the drone's own limits. */
   enum Charge {
@@ -60,19 +58,11 @@ final class BatteryGauge extends Region {
   private double drawn = Double.NaN;
 
   BatteryGauge(Messages messages) {
+    super("battery", "battery-gauge", WIDTH, HEIGHT);
     this.messages = messages;
-    initializeSelf();
     initializeParts();
     layoutParts();
     setupBindings();
-  }
-
-  private void initializeSelf() {
-    setId("battery");
-    getStyleClass().addAll("instrument", "battery-gauge");
-    setMinSize(WIDTH, HEIGHT);
-    setPrefSize(WIDTH, HEIGHT);
-    setMaxSize(WIDTH, HEIGHT);
   }
 
   private void initializeParts() {
@@ -97,7 +87,7 @@ final class BatteryGauge extends Region {
     body.setManaged(false);
     pole.setManaged(false);
     getChildren()
-        .addAll(body, pole, filling, CentredText.rightAligned(number, WIDTH - 1, HEIGHT / 2));
+        .addAll(body, pole, filling, CenteredText.rightAligned(number, WIDTH - 1, HEIGHT / 2));
   }
 
   private void setupBindings() {
@@ -124,10 +114,7 @@ final class BatteryGauge extends Region {
   }
 
   @Override
-  public Object queryAccessibleAttribute(AccessibleAttribute attribute, Object... parameters) {
-    if (attribute == AccessibleAttribute.TEXT) {
-      return messages.now("battery.accessible", NumberText.whole(percent.get()));
-    }
-    return super.queryAccessibleAttribute(attribute, parameters);
+  String description() {
+    return messages.now("battery.accessible", NumberText.whole(percent.get()));
   }
 }

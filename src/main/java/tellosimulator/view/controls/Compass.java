@@ -4,9 +4,7 @@ import java.util.Map;
 import java.util.stream.IntStream;
 import javafx.beans.property.DoubleProperty;
 import javafx.beans.property.SimpleDoubleProperty;
-import javafx.scene.AccessibleAttribute;
 import javafx.scene.Group;
-import javafx.scene.layout.Region;
 import javafx.scene.shape.Arc;
 import javafx.scene.shape.ArcType;
 import javafx.scene.shape.Circle;
@@ -21,7 +19,7 @@ import tellosimulator.view.text.Messages;
  * The heading, seen from above: the drone's picture turns clockwise with a growing yaw, above is
  * where a drone looks at its start. An arc shows how far it has turned. For the JavaFX thread.
  */
-final class Compass extends Region {
+final class Compass extends Instrument {
 
   /** Changes below this cannot be seen [deg]. */
   private static final double VISIBLE = 0.5;
@@ -42,22 +40,14 @@ final class Compass extends Region {
    * @param size its width and height [px]
    */
   Compass(Messages messages, double size) {
+    super("compass", "compass", size, size);
     this.messages = messages;
     this.middle = size / 2;
     this.radius = size / 2 - 2;
     this.drone = picture(radius * 0.38);
-    initializeSelf(size);
     initializeParts();
     layoutParts();
     setupBindings();
-  }
-
-  private void initializeSelf(double size) {
-    setId("compass");
-    getStyleClass().addAll("instrument", "compass");
-    setMinSize(size, size);
-    setPrefSize(size, size);
-    setMaxSize(size, size);
   }
 
   private void initializeParts() {
@@ -76,7 +66,7 @@ final class Compass extends Region {
   }
 
   private void layoutParts() {
-    DialMarks dial = new DialMarks(middle, radius);
+    DialScale dial = new DialScale(middle, radius);
     Circle card = new Circle(middle, middle, radius);
     card.getStyleClass().addAll("card", "bezel");
     card.setManaged(false);
@@ -92,7 +82,7 @@ final class Compass extends Region {
           text.getStyleClass().add("scale-number");
           boolean aside = Math.abs(angle) == 90;
           getChildren()
-              .add(new CentredText(text, dial.x(angle, aside ? 0.66 : 0.7), dial.y(angle, 0.7)));
+              .add(new CenteredText(text, dial.x(angle, aside ? 0.66 : 0.7), dial.y(angle, 0.7)));
         });
     getChildren().add(drone);
   }
@@ -138,10 +128,7 @@ final class Compass extends Region {
   }
 
   @Override
-  public Object queryAccessibleAttribute(AccessibleAttribute attribute, Object... parameters) {
-    if (attribute == AccessibleAttribute.TEXT) {
-      return messages.now("compass.accessible", NumberText.whole(yawDeg.get()));
-    }
-    return super.queryAccessibleAttribute(attribute, parameters);
+  String description() {
+    return messages.now("compass.accessible", NumberText.whole(yawDeg.get()));
   }
 }

@@ -1,5 +1,6 @@
 package tellosimulator.view.controls;
 
+import atlantafx.base.controls.Spacer;
 import java.util.List;
 import java.util.function.Predicate;
 import javafx.beans.property.IntegerProperty;
@@ -8,14 +9,13 @@ import javafx.scene.control.Button;
 import javafx.scene.control.Label;
 import javafx.scene.control.ListView;
 import javafx.scene.layout.HBox;
-import javafx.scene.layout.Priority;
-import javafx.scene.layout.Region;
 import javafx.scene.layout.VBox;
 import tellosimulator.sim.Control;
-import tellosimulator.view.FxDroneModel;
-import tellosimulator.view.FxSimulation;
-import tellosimulator.view.SimulatorActions;
-import tellosimulator.view.ViewContext;
+import tellosimulator.view.fx.Tooltips;
+import tellosimulator.view.model.FxDroneModel;
+import tellosimulator.view.model.FxSimulation;
+import tellosimulator.view.model.SimulatorActions;
+import tellosimulator.view.model.ViewContext;
 import tellosimulator.view.text.Messages;
 
 /**
@@ -39,7 +39,7 @@ public final class DroneList extends VBox {
   private final FxSimulation simulation;
   private final SimulatorActions actions;
   private final Messages messages;
-  private final DroneRow.Rows rows;
+  private final DroneCell.Rows rows;
   private final Label heading = new Label();
   private final Button allOn = new Button();
   private final Button allOff = new Button();
@@ -52,7 +52,7 @@ public final class DroneList extends VBox {
     simulation = context.simulation();
     actions = context.actions();
     messages = context.language().messages(DroneList.class);
-    rows = new DroneRow.Rows(context, messages);
+    rows = new DroneCell.Rows(context, messages);
     initializeSelf();
     initializeParts();
     layoutParts();
@@ -91,9 +91,7 @@ public final class DroneList extends VBox {
   }
 
   private void layoutParts() {
-    Region space = new Region();
-    HBox.setHgrow(space, Priority.ALWAYS);
-    HBox head = new HBox(heading, space, allOn, allOff, allBack);
+    HBox head = new HBox(heading, new Spacer(), allOn, allOff, allBack);
     head.getStyleClass().add("head");
     getChildren().addAll(head, list);
   }
@@ -113,7 +111,7 @@ public final class DroneList extends VBox {
             button -> {
               String key = button.getId().replace('-', '.');
               button.textProperty().bind(messages.text(key));
-              Hint.on(button, messages.text(key + ".hint"));
+              Tooltips.install(button, messages.text(key + ".hint"));
             });
     simulation.selectedProperty().subscribe(this::show);
     list.getSelectionModel()

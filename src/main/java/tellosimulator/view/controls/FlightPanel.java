@@ -1,27 +1,25 @@
 package tellosimulator.view.controls;
 
+import atlantafx.base.controls.Spacer;
 import java.util.List;
 import java.util.Locale;
 import java.util.function.Function;
 import javafx.beans.value.ObservableValue;
-import javafx.css.PseudoClass;
 import javafx.geometry.Pos;
 import javafx.scene.control.Button;
-import javafx.scene.control.Label;
 import javafx.scene.layout.ColumnConstraints;
 import javafx.scene.layout.GridPane;
 import javafx.scene.layout.HBox;
-import javafx.scene.layout.Priority;
-import javafx.scene.layout.Region;
 import javafx.scene.layout.VBox;
 import org.kordamp.ikonli.feather.Feather;
 import org.kordamp.ikonli.javafx.FontIcon;
 import tellosimulator.model.FlightPhase;
 import tellosimulator.sim.Control;
-import tellosimulator.view.FxDroneModel;
-import tellosimulator.view.FxSimulation;
-import tellosimulator.view.SimulatorActions;
-import tellosimulator.view.ViewContext;
+import tellosimulator.view.fx.Tooltips;
+import tellosimulator.view.model.FxDroneModel;
+import tellosimulator.view.model.FxSimulation;
+import tellosimulator.view.model.SimulatorActions;
+import tellosimulator.view.model.ViewContext;
 import tellosimulator.view.text.Messages;
 
 /**
@@ -38,14 +36,10 @@ final class FlightPanel extends VBox {
   /** Width of a column of numbers [%]; the last one has a longer name and gets the rest. */
   private static final double NARROW = 23;
 
-  private static final PseudoClass IN_THE_AIR = PseudoClass.getPseudoClass("in-the-air");
-  private static final PseudoClass IN_TROUBLE = PseudoClass.getPseudoClass("in-trouble");
-  private static final PseudoClass OFF = PseudoClass.getPseudoClass("off");
-
   private final FxSimulation simulation;
   private final SimulatorActions actions;
   private final Messages messages;
-  private final Label phase = new Label();
+  private final PhaseLabel phase = new PhaseLabel();
   private final BatteryGauge battery;
   private final Button charge = new Button();
   private final AttitudeIndicator attitude;
@@ -84,19 +78,16 @@ final class FlightPanel extends VBox {
 
   private void initializeParts() {
     phase.setId("phase");
-    phase.getStyleClass().add("phase");
     phase.setMinWidth(USE_PREF_SIZE);
     charge.setId("battery-charge");
     charge.setGraphic(new FontIcon(Feather.BATTERY_CHARGING));
     charge.getStyleClass().addAll("icon-button");
-    Hint.on(charge, messages.text("battery.charge"));
+    Tooltips.install(charge, messages.text("battery.charge"));
     charge.accessibleTextProperty().bind(messages.text("battery.charge"));
   }
 
   private void layoutParts() {
-    Region space = new Region();
-    HBox.setHgrow(space, Priority.ALWAYS);
-    HBox head = new HBox(4, phase, space, battery, charge);
+    HBox head = new HBox(4, phase, new Spacer(), battery, charge);
     head.setAlignment(Pos.CENTER_LEFT);
     HBox dials = new HBox(attitude, compass, height);
     dials.getStyleClass().add("dials");
@@ -133,10 +124,7 @@ final class FlightPanel extends VBox {
 
   private void show(FlightPhase now) {
     phase.textProperty().bind(messages.text(keyOf(now)));
-    phase.pseudoClassStateChanged(OFF, now == FlightPhase.OFF);
-    phase.pseudoClassStateChanged(IN_THE_AIR, now.motorsOn());
-    phase.pseudoClassStateChanged(
-        IN_TROUBLE, now == FlightPhase.FALLING || now == FlightPhase.CRASHED);
+    phase.show(now);
   }
 
   /** The key of a phase's words. */

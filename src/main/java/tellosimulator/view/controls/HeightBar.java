@@ -4,9 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import javafx.beans.property.DoubleProperty;
 import javafx.beans.property.SimpleDoubleProperty;
-import javafx.scene.AccessibleAttribute;
 import javafx.scene.Node;
-import javafx.scene.layout.Region;
 import javafx.scene.shape.Line;
 import javafx.scene.shape.Polygon;
 import javafx.scene.shape.Rectangle;
@@ -14,7 +12,7 @@ import javafx.scene.text.Text;
 import tellosimulator.view.text.Messages;
 
 /** The height above the floor as a bar from floor to ceiling. For the JavaFX thread. */
-final class HeightBar extends Region {
+final class HeightBar extends Instrument {
 
   /** Room for the floor's and the ceiling's number [px]. */
   private static final double MARGIN = 6;
@@ -44,21 +42,13 @@ final class HeightBar extends Region {
    * @param size its height [px]
    */
   HeightBar(Messages messages, double size) {
+    super("height-bar", "height-bar", WIDTH, size);
     this.messages = messages;
     this.bottom = size - MARGIN;
-    initializeSelf(size);
     initializeParts();
     layoutParts();
     setupBindings();
     drawScale();
-  }
-
-  private void initializeSelf(double size) {
-    setId("height-bar");
-    getStyleClass().addAll("instrument", "height-bar");
-    setMinSize(WIDTH, size);
-    setPrefSize(WIDTH, size);
-    setMaxSize(WIDTH, size);
   }
 
   private void initializeParts() {
@@ -105,7 +95,7 @@ final class HeightBar extends Region {
     getChildren().removeAll(scale);
     scale.clear();
     double ceiling = ceilingCm.get();
-    double step = RoundNumber.atLeast(ceiling / 4);
+    double step = NiceNumber.atLeast(ceiling / 4);
     for (double mark = 0; mark < ceiling; mark += step) {
       if (y(mark) - top >= LEAST_GAP) {
         addMark(mark, mark == 0 ? "surface" : "mark");
@@ -124,7 +114,7 @@ final class HeightBar extends Region {
     Text number = new Text(NumberText.whole(cm));
     number.getStyleClass().add("scale-number");
     scale.add(line);
-    scale.add(CentredText.rightAligned(number, BAR_X - 6, y));
+    scale.add(CenteredText.rightAligned(number, BAR_X - 6, y));
   }
 
   private double y(double cm) {
@@ -133,11 +123,8 @@ final class HeightBar extends Region {
   }
 
   @Override
-  public Object queryAccessibleAttribute(AccessibleAttribute attribute, Object... parameters) {
-    if (attribute == AccessibleAttribute.TEXT) {
-      return messages.now(
-          "height.accessible", NumberText.whole(heightCm.get()), NumberText.whole(ceilingCm.get()));
-    }
-    return super.queryAccessibleAttribute(attribute, parameters);
+  String description() {
+    return messages.now(
+        "height.accessible", NumberText.whole(heightCm.get()), NumberText.whole(ceilingCm.get()));
   }
 }

@@ -1,23 +1,27 @@
 package tellosimulator.view.controls;
 
+import atlantafx.base.controls.Spacer;
 import javafx.beans.property.ReadOnlyStringWrapper;
 import javafx.beans.value.ObservableValue;
+import javafx.css.PseudoClass;
 import javafx.scene.control.Button;
 import javafx.scene.control.Label;
 import javafx.scene.layout.HBox;
 import javafx.scene.layout.Priority;
-import javafx.scene.layout.Region;
 import javafx.scene.layout.VBox;
+import javafx.scene.shape.Circle;
 import org.kordamp.ikonli.feather.Feather;
 import org.kordamp.ikonli.javafx.FontIcon;
 import tellosimulator.model.FlightPhase;
 import tellosimulator.network.Traffic;
 import tellosimulator.sim.Control;
 import tellosimulator.sim.SimSnapshot.DroneSnapshot;
-import tellosimulator.view.FxDroneModel;
-import tellosimulator.view.FxSimulation;
-import tellosimulator.view.SimulatorActions;
-import tellosimulator.view.ViewContext;
+import tellosimulator.view.fx.Tooltips;
+import tellosimulator.view.model.FxDroneModel;
+import tellosimulator.view.model.FxSimulation;
+import tellosimulator.view.model.SimulatorActions;
+import tellosimulator.view.model.ViewContext;
+import tellosimulator.view.text.Message;
 import tellosimulator.view.text.Messages;
 
 /**
@@ -65,6 +69,8 @@ final class LinkPanel extends VBox {
     operator.setGraphic(new FontIcon(Feather.LINK));
     operator.getStyleClass().add("operator");
     operator.setMaxWidth(Double.MAX_VALUE);
+    operator.setWrapText(true);
+    operator.setMinHeight(USE_PREF_SIZE);
     HBox.setHgrow(operator, Priority.ALWAYS);
     release.setId("release");
     release.setGraphic(new FontIcon(Feather.USER_X));
@@ -73,23 +79,23 @@ final class LinkPanel extends VBox {
         pressed -> actions.carryOut(new Control.Release(simulation.selected().number())));
     release.managedProperty().bind(release.visibleProperty());
     release.accessibleTextProperty().bind(messages.text("release.hint"));
-    Hint.on(release, messages.text("release.hint"));
+    Tooltips.install(release, messages.text("release.hint"));
   }
 
   private void layoutParts() {
-    HBox lamps = new HBox(state, space(), video);
+    HBox lamps = new HBox(state, new Spacer(), video);
     HBox packets =
         new HBox(
             packets("packets-in", Feather.ARROW_DOWN, received),
-            space(),
+            new Spacer(),
             packets("packets-out", Feather.ARROW_UP, sent));
     HBox who = new HBox(operator, release);
     who.getStyleClass().add("row");
     getChildren().addAll(who, lamps, packets);
   }
 
-  private void setupBindings(ObservableValue<Complaint> who) {
-    operator.textProperty().bind(who.flatMap(now -> now.sentence(messages)));
+  private void setupBindings(ObservableValue<Message> who) {
+    operator.textProperty().bind(who.flatMap(now -> now.text(messages)));
   }
 
   /** Counts anew. */
@@ -104,15 +110,15 @@ final class LinkPanel extends VBox {
   }
 
   /** Equal as long as the same is said, so that nothing is written anew. */
-  private static Complaint describe(DroneSnapshot drone) {
+  private static Message describe(DroneSnapshot drone) {
     if (drone.state().phase() == FlightPhase.OFF) {
-      return new Complaint("operator.off");
+      return Message.of("operator.off");
     }
     return drone
         .link()
         .operator()
-        .map(peer -> new Complaint("operator.known", peer.toString()))
-        .orElse(new Complaint("operator.waits"));
+        .map(peer -> Message.of("operator.known", peer.toString()))
+        .orElse(Message.of("operator.waits"));
   }
 
   private Label packets(String id, Feather icon, ObservableValue<String> count) {
@@ -124,9 +130,23 @@ final class LinkPanel extends VBox {
     return label;
   }
 
-  private static Region space() {
-    Region space = new Region();
-    HBox.setHgrow(space, Priority.ALWAYS);
-    return space;
+  /** A lamp with words that say whether something runs. For the JavaFX thread. */
+  private static final class Lamp extends Label {
+
+    private static final PseudoClass LIT = PseudoClass.getPseudoClass("lit");
+
+    /**
+     * @param key of its words, with {@code .on} or {@code .off} behind
+     */
+    Lamp(String id, Messages messages, String key, ObservableValue<Boolean> runs) {
+      setId(id);
+      getStyleClass().add("lamp");
+      Circle light = new Circle(4);
+      light.getStyleClass().add("light");
+      setGraphic(light);
+      textProperty().bind(runs.flatMap(lit -> messages.text(key + (lit ? ".on" : ".off"))));
+      runs.addListener((property, before, now) -> pseudoClassStateChanged(LIT, now));
+      pseudoClassStateChanged(LIT, runs.getValue());
+    }
   }
 }

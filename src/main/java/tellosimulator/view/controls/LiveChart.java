@@ -14,7 +14,7 @@ import javafx.scene.shape.Rectangle;
 /**
  * A small chart of the last minute of simulated time. For the JavaFX thread.
  *
- * <p>Its owner shows a {@link ChartRing} as often as it likes, but few times a second are enough.
+ * <p>Its owner shows a {@link TimeSeries} as often as it likes, but few times a second are enough.
  */
 final class LiveChart extends Region {
 
@@ -31,7 +31,7 @@ final class LiveChart extends Region {
   private final Polyline curve = new Polyline();
   private final double leastTop;
   private double top;
-  private ChartRing samples = new ChartRing();
+  private TimeSeries samples = new TimeSeries();
   private double nowSeconds;
 
   /**
@@ -56,7 +56,7 @@ final class LiveChart extends Region {
   private void initializeParts() {
     title.getStyleClass().add("caption");
     List.of(highest, oldest, newest).forEach(label -> label.getStyleClass().add("axis-text"));
-    oldest.setText("\u2212" + NumberText.whole(ChartRing.SPAN) + " s");
+    oldest.setText("\u2212" + NumberText.whole(TimeSeries.SPAN) + " s");
     newest.setText("0");
     highest.setText(NumberText.whole(top));
     plot.getStyleClass().add("plot");
@@ -80,11 +80,11 @@ final class LiveChart extends Region {
    *
    * @param seconds the moment at the right edge, in simulated time [s]
    */
-  void show(ChartRing ring, double seconds) {
+  void show(TimeSeries ring, double seconds) {
     samples = ring;
     nowSeconds = seconds;
     double needed = ring.largest(seconds);
-    double newTop = needed > leastTop ? RoundNumber.atLeast(needed) : leastTop;
+    double newTop = needed > leastTop ? NiceNumber.atLeast(needed) : leastTop;
     if (newTop != top) {
       top = newTop;
       highest.setText(NumberText.whole(top));
@@ -97,8 +97,8 @@ final class LiveChart extends Region {
     List<Double> points = new ArrayList<>(2 * samples.size() + 4);
     for (int i = 0; i < samples.size(); i++) {
       double age = nowSeconds - samples.time(i);
-      if (age <= ChartRing.SPAN) {
-        points.add(plot.getX() + width * (1 - Math.max(0, age) / ChartRing.SPAN));
+      if (age <= TimeSeries.SPAN) {
+        points.add(plot.getX() + width * (1 - Math.max(0, age) / TimeSeries.SPAN));
         points.add(y(samples.value(i)));
       }
     }

@@ -2,11 +2,15 @@ package tellosimulator.view.controls;
 
 import javafx.scene.control.ScrollPane;
 import javafx.scene.layout.VBox;
-import tellosimulator.view.FxDroneModel;
-import tellosimulator.view.FxSimulation;
-import tellosimulator.view.ViewContext;
+import tellosimulator.view.model.FxDroneModel;
+import tellosimulator.view.model.FxSimulation;
+import tellosimulator.view.model.SimulatorActions;
+import tellosimulator.view.model.ViewContext;
 
-/** The panel at the right: power switch, network, product, time and wind. For the JavaFX thread. */
+/**
+ * The panel at the right: power switch, network, product, time, wind and faults. For the JavaFX
+ * thread.
+ */
 public final class NetworkControls extends ScrollPane {
 
   /** Width of the panel [px]. Decided: the longest address and a button. */
@@ -21,18 +25,22 @@ public final class NetworkControls extends ScrollPane {
   private final ProductPanel product;
   private final TimePanel time;
   private final WindPanel wind;
+  private final FaultPanel faults;
   private final VBox parts = new VBox();
   private final FxSimulation simulation;
+  private final SimulatorActions actions;
   private long lookedNanos = Long.MIN_VALUE;
 
   public NetworkControls(ViewContext context) {
     simulation = context.simulation();
+    actions = context.actions();
     power = new PowerPanel(context);
     link = new LinkPanel(context);
     ports = new PortsPanel(context, power::forgetError);
     product = new ProductPanel(context);
     time = new TimePanel(context);
     wind = new WindPanel(context);
+    faults = new FaultPanel(context);
     initializeSelf();
     layoutParts();
     setupBindings();
@@ -52,7 +60,7 @@ public final class NetworkControls extends ScrollPane {
 
   private void layoutParts() {
     parts.getStyleClass().add("parts");
-    parts.getChildren().addAll(power, link, ports, product, time, wind);
+    parts.getChildren().addAll(power, link, ports, product, time, wind, faults);
     setContent(parts);
   }
 
@@ -65,7 +73,8 @@ public final class NetworkControls extends ScrollPane {
 
   private void beat(long nanos) {
     long period = simulation.period(PERIOD_NANOS);
-    if (nanos / period != lookedNanos / period) { // with others in the same frame
+    boolean due = nanos / period != lookedNanos / period; // with others in the same frame
+    if (due && !actions.pending()) {
       lookedNanos = nanos;
       refresh();
     }

@@ -9,6 +9,7 @@ import javafx.scene.control.TextField;
 import javafx.scene.input.KeyCode;
 import javafx.scene.input.KeyEvent;
 import tellosimulator.view.text.Language;
+import tellosimulator.view.text.Message;
 import tellosimulator.view.text.Messages;
 
 /**
@@ -19,9 +20,9 @@ import tellosimulator.view.text.Messages;
 final class NumberField extends TextField {
 
   private final Language language;
-  private final Sentence error;
+  private final MessageLabel error;
   private NumberRange range;
-  private DoubleFunction<Optional<Complaint>> rule = number -> Optional.empty();
+  private DoubleFunction<Optional<Message>> rule = number -> Optional.empty();
   private DoubleConsumer taker = number -> {};
   private double shown = Double.NaN;
 
@@ -35,7 +36,7 @@ final class NumberField extends TextField {
     this.language = language;
     this.range = range;
     Messages messages = language.messages(NumberField.class);
-    this.error = new Sentence(messages, id + "-error", Styles.DANGER);
+    this.error = new MessageLabel(messages, id + "-error", Styles.DANGER);
     setId(id);
     initializeSelf();
     setupEventHandlers();
@@ -84,7 +85,7 @@ final class NumberField extends TextField {
   }
 
   /** Takes what else makes a number wrong. */
-  void setRule(DoubleFunction<Optional<Complaint>> newRule) {
+  void setRule(DoubleFunction<Optional<Message>> newRule) {
     rule = newRule;
   }
 
@@ -96,7 +97,7 @@ final class NumberField extends TextField {
   }
 
   /** The sentence about what is wrong, to be laid out below. */
-  Sentence error() {
+  MessageLabel error() {
     return error;
   }
 
@@ -145,9 +146,9 @@ final class NumberField extends TextField {
     if (!edited) {
       return;
     }
-    Optional<Complaint> complaint = complaint();
-    mark(complaint);
-    if (complaint.isEmpty()) {
+    Optional<Message> problem = problem();
+    mark(problem);
+    if (problem.isEmpty()) {
       handOver(NumberText.parse(getText()).orElse(shown));
     }
   }
@@ -166,27 +167,27 @@ final class NumberField extends TextField {
   /** Something marked loses its mark as soon as it is right, but is handed over later. */
   private void recheck() {
     if (error.isVisible()) {
-      mark(complaint());
+      mark(problem());
     }
   }
 
-  private Optional<Complaint> complaint() {
+  private Optional<Message> problem() {
     OptionalDouble number = NumberText.parse(getText());
     if (getText().isBlank()) {
-      return Optional.of(new Complaint("number.missing"));
+      return Optional.of(Message.of("number.missing"));
     }
     if (number.isEmpty()) {
-      return Optional.of(new Complaint("number.none"));
+      return Optional.of(Message.of("number.none"));
     }
     if (!range.contains(number.getAsDouble())) {
-      return Optional.of(new Complaint("number.range", text(range.least()), text(range.most())));
+      return Optional.of(Message.of("number.range", text(range.least()), text(range.most())));
     }
     return rule.apply(number.getAsDouble());
   }
 
-  private void mark(Optional<Complaint> complaint) {
-    error.say(complaint);
-    pseudoClassStateChanged(Styles.STATE_DANGER, complaint.isPresent());
+  private void mark(Optional<Message> problem) {
+    error.say(problem);
+    pseudoClassStateChanged(Styles.STATE_DANGER, problem.isPresent());
   }
 
   private void write() {

@@ -6,6 +6,7 @@ import java.util.Optional;
 import java.util.Set;
 import tellosimulator.network.AddressPlan;
 import tellosimulator.sim.SimConfig.Outlets;
+import tellosimulator.view.text.Message;
 
 /** Which ports of a drone and of an operator go together. */
 final class PortRules {
@@ -22,12 +23,12 @@ final class PortRules {
   private PortRules() {}
 
   /** State and video go to the same host, so they need different ports. */
-  static Optional<Complaint> outlet(double port, int otherOutlet) {
+  static Optional<Message> outlet(double port, int otherOutlet) {
     if (port != Math.rint(port)) {
-      return Optional.of(new Complaint("port.whole"));
+      return Optional.of(Message.of("port.whole"));
     }
     return port == otherOutlet
-        ? Optional.of(new Complaint("port.same", Integer.toString(otherOutlet)))
+        ? Optional.of(Message.of("port.same", Integer.toString(otherOutlet)))
         : Optional.empty();
   }
 
@@ -37,15 +38,15 @@ final class PortRules {
    * @param own where this drone listens, on its old port
    * @param others where each drone listens, in the order of their numbers, this one's empty
    */
-  static Optional<Complaint> command(
+  static Optional<Message> command(
       double port, List<InetSocketAddress> own, List<List<InetSocketAddress>> others) {
     if (port != Math.rint(port)) {
-      return Optional.of(new Complaint("port.whole"));
+      return Optional.of(Message.of("port.whole"));
     }
     for (int i = 0; i < others.size(); i++) {
       for (InetSocketAddress address : own) {
         if (others.get(i).contains(new InetSocketAddress(address.getAddress(), (int) port))) {
-          return Optional.of(new Complaint("port.other-drone", Integer.toString(i + 1)));
+          return Optional.of(Message.of("port.other-drone", Integer.toString(i + 1)));
         }
       }
     }
@@ -53,16 +54,16 @@ final class PortRules {
   }
 
   /** What is possible, but works only if the operator program runs on another machine. */
-  static Optional<Complaint> warning(int command, Outlets outlets) {
+  static Optional<Message> warning(int command, Outlets outlets) {
     if (command == OPERATORS_PORT) {
-      return Optional.of(new Complaint("port.operators", Integer.toString(command)));
+      return Optional.of(Message.of("port.operators", Integer.toString(command)));
     }
     boolean listening =
         LISTENING_PORTS.contains(command)
             || command == outlets.statePort()
             || command == outlets.videoPort();
     return listening
-        ? Optional.of(new Complaint("port.listening", Integer.toString(command)))
+        ? Optional.of(Message.of("port.listening", Integer.toString(command)))
         : Optional.empty();
   }
 }

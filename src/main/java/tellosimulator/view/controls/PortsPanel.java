@@ -11,10 +11,11 @@ import javafx.scene.layout.VBox;
 import tellosimulator.sim.Control;
 import tellosimulator.sim.SimConfig.Outlets;
 import tellosimulator.sim.SimSnapshot.DroneSnapshot;
-import tellosimulator.view.FxDroneModel;
-import tellosimulator.view.FxSimulation;
-import tellosimulator.view.SimulatorActions;
-import tellosimulator.view.ViewContext;
+import tellosimulator.view.fx.Tooltips;
+import tellosimulator.view.model.FxDroneModel;
+import tellosimulator.view.model.FxSimulation;
+import tellosimulator.view.model.SimulatorActions;
+import tellosimulator.view.model.ViewContext;
 import tellosimulator.view.text.Language;
 import tellosimulator.view.text.Messages;
 
@@ -33,7 +34,7 @@ final class PortsPanel extends VBox {
   private final NumberField command;
   private final NumberField state;
   private final NumberField video;
-  private final Sentence warning;
+  private final MessageLabel warning;
 
   /**
    * @param changed is called when a person has chosen another port
@@ -49,7 +50,7 @@ final class PortsPanel extends VBox {
     command = new NumberField("command-port", PortRules.PORTS, language);
     state = new NumberField("state-port", PortRules.PORTS, language);
     video = new NumberField("video-port", PortRules.PORTS, language);
-    warning = new Sentence(messages, "port-warning", Styles.WARNING);
+    warning = new MessageLabel(messages, "port-warning", Styles.WARNING);
     initializeSelf();
     initializeParts();
     layoutParts();
@@ -87,8 +88,7 @@ final class PortsPanel extends VBox {
   private void setupEventHandlers() {
     command.onNumber(
         port -> {
-          actions.setCommandPort(drone().number(), (int) port);
-          afterChange();
+          actions.setCommandPort(drone().number(), (int) port, this::afterChange);
         });
     state.onNumber(port -> configure());
     video.onNumber(port -> configure());
@@ -157,23 +157,18 @@ final class PortsPanel extends VBox {
   }
 
   private Label heading(String key) {
-    Label heading = new Label();
-    heading.textProperty().bind(messages.text("heading." + key));
-    heading.getStyleClass().add("heading");
-    return heading;
+    return messages.label("heading." + key, "heading");
   }
 
   private HBox row(String key, NumberField field) {
-    Label name = new Label();
-    name.textProperty().bind(messages.text(key));
-    name.getStyleClass().add("caption");
+    Label name = messages.label(key, "caption");
     name.setMaxWidth(Double.MAX_VALUE);
     name.setLabelFor(field);
     HBox.setHgrow(name, Priority.ALWAYS);
     field.accessibleTextProperty().bind(name.textProperty());
     HBox row = new HBox(name, field);
     row.getStyleClass().add("row");
-    Hint.on(row, messages.text(key + ".hint"));
+    Tooltips.install(row, messages.text(key + ".hint"));
     return row;
   }
 }

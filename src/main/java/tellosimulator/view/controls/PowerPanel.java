@@ -9,10 +9,12 @@ import javafx.scene.layout.VBox;
 import org.kordamp.ikonli.feather.Feather;
 import org.kordamp.ikonli.javafx.FontIcon;
 import tellosimulator.network.PortTakenException;
-import tellosimulator.view.FxDroneModel;
-import tellosimulator.view.FxSimulation;
-import tellosimulator.view.SimulatorActions;
-import tellosimulator.view.ViewContext;
+import tellosimulator.view.fx.Tooltips;
+import tellosimulator.view.model.FxDroneModel;
+import tellosimulator.view.model.FxSimulation;
+import tellosimulator.view.model.SimulatorActions;
+import tellosimulator.view.model.ViewContext;
+import tellosimulator.view.text.Message;
 import tellosimulator.view.text.Messages;
 
 /**
@@ -25,14 +27,14 @@ final class PowerPanel extends VBox {
   private final SimulatorActions actions;
   private final Messages messages;
   private final ToggleButton power = new ToggleButton();
-  private final Sentence error;
+  private final MessageLabel error;
   private final ObservableValue<Boolean> on;
 
   PowerPanel(ViewContext context) {
     simulation = context.simulation();
     actions = context.actions();
     messages = context.language().messages(PowerPanel.class);
-    error = new Sentence(messages, "power-error", Styles.DANGER);
+    error = new MessageLabel(messages, "power-error", Styles.DANGER);
     on = simulation.selectedProperty().flatMap(FxDroneModel::onProperty);
     initializeSelf();
     initializeParts();
@@ -51,7 +53,7 @@ final class PowerPanel extends VBox {
     power.setGraphic(new FontIcon(Feather.POWER));
     power.setMaxWidth(Double.MAX_VALUE);
     power.setMinHeight(USE_PREF_SIZE);
-    Hint.on(power, messages.text("power.hint"));
+    Tooltips.install(power, messages.text("power.hint"));
   }
 
   private void layoutParts() {
@@ -72,10 +74,16 @@ final class PowerPanel extends VBox {
   }
 
   private void use(boolean wanted) {
-    Optional<PortTakenException> obstacle =
-        actions.switchPower(simulation.selected().number(), wanted);
-    error.say(obstacle.map(PowerPanel::explain));
-    power.setSelected(wanted && obstacle.isEmpty());
+    int drone = simulation.selected().number();
+    actions.switchPower(
+        drone,
+        wanted,
+        refusal -> {
+          if (simulation.selected().number() == drone) {
+            error.say(refusal.map(PowerPanel::explain));
+            power.setSelected(wanted && refusal.isEmpty());
+          }
+        });
   }
 
   /** Whatever was wrong with the ports, they are others now. */
@@ -83,19 +91,19 @@ final class PowerPanel extends VBox {
     error.say(Optional.empty());
   }
 
-  private static Complaint explain(PortTakenException obstacle) {
+  private static Message explain(PortTakenException obstacle) {
     InetSocketAddress address = obstacle.address();
     String host = address.getAddress().getHostAddress();
     String port = Integer.toString(address.getPort());
     return switch (obstacle.obstacle()) {
-      case TAKEN -> new Complaint("power.taken", port, host);
-      case TAKEN_BY_OPERATOR -> new Complaint("power.taken-by-operator", port, host);
-      case FORBIDDEN -> new Complaint("power.forbidden", port, host);
-      case OFF_LIMITS -> new Complaint("power.off-limits", host);
+      case TAKEN -> Message.of("power.taken", port, host);
+      case TAKEN_BY_OPERATOR -> Message.of("power.taken-by-operator", port, host);
+      case FORBIDDEN -> Message.of("power.forbidden", port, host);
+      case OFF_LIMITS -> Message.of("power.off-limits", host);
       case NO_SUCH_ADDRESS ->
           address.getAddress().isLoopbackAddress()
-              ? new Complaint("power.no-loopback", host)
-              : new Complaint("power.no-address", host);
+              ? Message.of("power.no-loopback", host)
+              : Message.of("power.no-address", host);
     };
   }
 }

@@ -4,7 +4,6 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.function.UnaryOperator;
 import javafx.beans.value.ObservableValue;
-import javafx.scene.control.Label;
 import javafx.scene.layout.VBox;
 import tellosimulator.command.Link;
 import tellosimulator.profile.Behaviour;
@@ -13,10 +12,10 @@ import tellosimulator.sim.Control;
 import tellosimulator.sim.SimConfig.Outlets;
 import tellosimulator.sim.SimConfig.Product;
 import tellosimulator.sim.SimSnapshot.DroneSnapshot;
-import tellosimulator.view.FxDroneModel;
-import tellosimulator.view.FxSimulation;
-import tellosimulator.view.SimulatorActions;
-import tellosimulator.view.ViewContext;
+import tellosimulator.view.model.FxDroneModel;
+import tellosimulator.view.model.FxSimulation;
+import tellosimulator.view.model.SimulatorActions;
+import tellosimulator.view.model.ViewContext;
 import tellosimulator.view.text.Messages;
 
 /**
@@ -28,21 +27,20 @@ final class ProductPanel extends VBox {
   private final FxSimulation simulation;
   private final SimulatorActions actions;
   private final Messages messages;
-  private final Label heading = new Label();
-  private final Segments<Profile> profile;
-  private final Segments<Behaviour> behaviour;
+  private final SegmentedButton<Profile> profile;
+  private final SegmentedButton<Behaviour> behaviour;
 
   ProductPanel(ViewContext context) {
     simulation = context.simulation();
     actions = context.actions();
     messages = context.language().messages(ProductPanel.class);
     profile =
-        new Segments<>(
+        new SegmentedButton<>(
             "profile",
             Arrays.stream(Profile.values()).map(this::option).toList(),
             chosen -> configure(old -> new Product(chosen, old.behaviour())));
     behaviour =
-        new Segments<>(
+        new SegmentedButton<>(
             "behaviour",
             Arrays.stream(Behaviour.values()).map(this::option).toList(),
             chosen -> configure(old -> new Product(old.profile(), chosen)));
@@ -53,12 +51,10 @@ final class ProductPanel extends VBox {
 
   private void initializeSelf() {
     getStyleClass().addAll("panel-section", "product-panel");
-    heading.getStyleClass().add("heading");
-    heading.textProperty().bind(messages.text("heading.product"));
   }
 
   private void layoutParts() {
-    getChildren().addAll(heading, profile, behaviour);
+    getChildren().addAll(messages.label("heading.product", "heading"), profile, behaviour);
   }
 
   private void setupBindings() {
@@ -68,7 +64,7 @@ final class ProductPanel extends VBox {
     product.addListener((property, before, now) -> show(now));
     show(product.getValue());
     ObservableValue<Boolean> on = simulation.selectedProperty().flatMap(FxDroneModel::onProperty);
-    for (Segments<?> choice : List.of(profile, behaviour)) {
+    for (SegmentedButton<?> choice : List.of(profile, behaviour)) {
       choice.disableProperty().bind(on);
     }
   }
@@ -89,16 +85,16 @@ final class ProductPanel extends VBox {
             new Outlets(link.statePort(), link.videoPort())));
   }
 
-  private Segments.Option<Profile> option(Profile value) {
+  private SegmentedButton.Option<Profile> option(Profile value) {
     return option(value, "profile.", value.option());
   }
 
-  private Segments.Option<Behaviour> option(Behaviour value) {
+  private SegmentedButton.Option<Behaviour> option(Behaviour value) {
     return option(value, "behaviour.", value.option());
   }
 
-  private <T> Segments.Option<T> option(T value, String key, String word) {
-    return new Segments.Option<>(
+  private <T> SegmentedButton.Option<T> option(T value, String key, String word) {
+    return new SegmentedButton.Option<>(
         value, word, messages.text(key + word), messages.text(key + word + ".hint"));
   }
 }

@@ -3,8 +3,9 @@ package tellosimulator.view.controls;
 import javafx.scene.control.CheckBox;
 import javafx.scene.control.Label;
 import javafx.scene.layout.VBox;
-import tellosimulator.view.SimulatorActions;
-import tellosimulator.view.ViewContext;
+import tellosimulator.view.fx.Tooltips;
+import tellosimulator.view.model.SimulatorActions;
+import tellosimulator.view.model.ViewContext;
 import tellosimulator.view.text.Messages;
 
 /**
@@ -37,7 +38,7 @@ final class ReachPanel extends VBox {
             reachable
                 .selectedProperty()
                 .flatMap(on -> messages.text(on ? "reach.open" : "reach.closed")));
-    Hint.on(this, messages.text("reach.hint"));
+    Tooltips.install(this, messages.text("reach.hint"));
     reachable.accessibleHelpProperty().bind(messages.text("reach.hint"));
     getChildren().addAll(reachable, sentence);
     reachable.setOnAction(pressed -> use());
@@ -45,8 +46,7 @@ final class ReachPanel extends VBox {
   }
 
   private void use() {
-    actions.setReachableFromNetwork(reachable.isSelected());
-    changed.run();
+    actions.setReachableFromNetwork(reachable.isSelected(), changed);
   }
 
   /** Shows what holds now. */

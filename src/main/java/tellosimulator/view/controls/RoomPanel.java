@@ -7,9 +7,9 @@ import tellosimulator.math.Frames;
 import tellosimulator.math.Vec3;
 import tellosimulator.model.DroneSpec;
 import tellosimulator.sim.Control;
-import tellosimulator.view.FxSimulation;
-import tellosimulator.view.SimulatorActions;
-import tellosimulator.view.ViewContext;
+import tellosimulator.view.model.FxSimulation;
+import tellosimulator.view.model.SimulatorActions;
+import tellosimulator.view.model.ViewContext;
 import tellosimulator.view.text.Messages;
 import tellosimulator.world.Decor;
 import tellosimulator.world.Room;
@@ -45,13 +45,13 @@ final class RoomPanel extends VBox {
   private final NumberSlider grid;
   private final NumberSlider startX;
   private final NumberSlider startY;
-  private final Label heading = new Label();
+  private final Label heading;
 
   RoomPanel(ViewContext context) {
     simulation = context.simulation();
     actions = context.actions();
     Messages messages = context.language().messages(RoomPanel.class);
-    heading.textProperty().bind(messages.text("room.heading"));
+    heading = messages.label("room.heading", "heading");
     width = slider(context, "room-width", SLIDER);
     depth = slider(context, "room-depth", SLIDER);
     height = slider(context, "room-height", SLIDER);
@@ -76,7 +76,6 @@ final class RoomPanel extends VBox {
 
   private void initializeParts() {
     List.of(width, depth, height).forEach(edge -> edge.setFieldRange(FIELD));
-    heading.getStyleClass().add("heading");
     showRoom();
     showGrid();
     showStart();
@@ -97,21 +96,22 @@ final class RoomPanel extends VBox {
     showStart();
   }
 
+  /** What the simulation does not have yet is not shown as it was before. */
   private void beat() {
     if (changed(width, depth, height)) {
       actions.carryOut(new Control.SetRoom(wantedRoom()));
-    } else {
+    } else if (!actions.pending()) {
       showRoom();
     }
     if (changed(grid)) {
       actions.carryOut(new Control.Decorate(wantedDecor()));
-    } else {
+    } else if (!actions.pending()) {
       showGrid();
     }
     if (changed(startX, startY)) {
       actions.carryOut(
           new Control.SetStart(simulation.selected().number(), wantedStart(), startHeading()));
-    } else {
+    } else if (!actions.pending()) {
       showStart();
     }
   }
@@ -166,7 +166,7 @@ final class RoomPanel extends VBox {
 
   /** Where a drone can stand between two walls; rounded inwards to what a field shows. */
   private static NumberRange startRange(double edge) {
-    double reach = Frames.centimetres(edge / 2 - DroneSpec.HULL.radius());
+    double reach = Frames.centimetres(edge / 2 - DroneSpec.COLLIDER.radius());
     double shown = Math.floor(reach * 10 + 1e-6) / 10;
     return new NumberRange(-shown, shown, START_STEP);
   }

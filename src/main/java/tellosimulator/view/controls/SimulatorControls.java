@@ -11,9 +11,10 @@ import javafx.scene.layout.VBox;
 import org.kordamp.ikonli.feather.Feather;
 import org.kordamp.ikonli.javafx.FontIcon;
 import tellosimulator.sim.Control;
-import tellosimulator.view.FxSimulation;
-import tellosimulator.view.SimulatorActions;
-import tellosimulator.view.ViewContext;
+import tellosimulator.view.fx.Tooltips;
+import tellosimulator.view.model.FxSimulation;
+import tellosimulator.view.model.SimulatorActions;
+import tellosimulator.view.model.ViewContext;
 import tellosimulator.view.text.Messages;
 
 /**
@@ -29,9 +30,9 @@ public final class SimulatorControls extends ScrollPane {
   private final SimulatorActions actions;
   private final Messages messages;
   private final BooleanProperty droneCamera = new SimpleBooleanProperty(this, "droneCamera");
-  private final DroneChoice choice;
+  private final DroneComboBox choice;
   private final FlightPanel flight;
-  private final ChartDeck charts;
+  private final ChartPanel charts;
   private final RoomPanel room;
   private final Button reset = new Button();
   private final ToggleButton cameraSwitch = new ToggleButton();
@@ -41,9 +42,9 @@ public final class SimulatorControls extends ScrollPane {
     simulation = context.simulation();
     actions = context.actions();
     messages = context.language().messages(SimulatorControls.class);
-    choice = new DroneChoice(context);
+    choice = new DroneComboBox(context);
     flight = new FlightPanel(context);
-    charts = new ChartDeck(context);
+    charts = new ChartPanel(context);
     room = new RoomPanel(context);
     initializeSelf();
     initializeParts();
@@ -69,8 +70,8 @@ public final class SimulatorControls extends ScrollPane {
     reset.setGraphic(new FontIcon(Feather.ROTATE_CCW));
     cameraSwitch.setId("camera-switch");
     cameraSwitch.setGraphic(new FontIcon(Feather.VIDEO));
-    Hint.on(reset, messages.text("reset.hint"));
-    Hint.on(cameraSwitch, messages.text("camera.hint"));
+    Tooltips.install(reset, messages.text("reset.hint"));
+    Tooltips.install(cameraSwitch, messages.text("camera.hint"));
     parts.getStyleClass().add("parts");
   }
 

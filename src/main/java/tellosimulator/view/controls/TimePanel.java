@@ -17,9 +17,10 @@ import org.kordamp.ikonli.feather.Feather;
 import org.kordamp.ikonli.javafx.FontIcon;
 import tellosimulator.sim.Control;
 import tellosimulator.time.TimeFactor;
-import tellosimulator.view.FxSimulation;
-import tellosimulator.view.SimulatorActions;
-import tellosimulator.view.ViewContext;
+import tellosimulator.view.fx.Tooltips;
+import tellosimulator.view.model.FxSimulation;
+import tellosimulator.view.model.SimulatorActions;
+import tellosimulator.view.model.ViewContext;
 import tellosimulator.view.text.Language;
 import tellosimulator.view.text.Messages;
 
@@ -106,8 +107,8 @@ final class TimePanel extends VBox {
     lost.visibleProperty().bind(someLost);
     lost.managedProperty().bind(someLost);
     lost.textProperty().bind(messages.text("time.lost", simulation.lostSecondsProperty()));
-    Hint.on(lost, messages.text("time.lost.hint"));
-    Hint.on(factor, messages.text("time.factor.hint"));
+    Tooltips.install(lost, messages.text("time.lost.hint"));
+    Tooltips.install(factor, messages.text("time.factor.hint"));
     factor.accessibleTextProperty().bind(messages.text("time.factor.hint"));
     pause
         .textProperty()

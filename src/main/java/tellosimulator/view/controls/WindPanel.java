@@ -1,14 +1,14 @@
 package tellosimulator.view.controls;
 
 import java.util.List;
-import javafx.scene.control.Label;
 import javafx.scene.layout.VBox;
 import tellosimulator.math.Frames;
 import tellosimulator.math.Vec3;
 import tellosimulator.sim.Control;
-import tellosimulator.view.FxSimulation;
-import tellosimulator.view.SimulatorActions;
-import tellosimulator.view.ViewContext;
+import tellosimulator.view.fx.Tooltips;
+import tellosimulator.view.model.FxSimulation;
+import tellosimulator.view.model.SimulatorActions;
+import tellosimulator.view.model.ViewContext;
 import tellosimulator.view.text.Messages;
 import tellosimulator.world.Wind;
 
@@ -38,24 +38,21 @@ final class WindPanel extends VBox {
   private final NumberSlider towards;
   private final NumberSlider speed;
   private final NumberSlider gusts;
-  private final Label heading = new Label();
 
   WindPanel(ViewContext context) {
     simulation = context.simulation();
     actions = context.actions();
     Messages messages = context.language().messages(WindPanel.class);
-    heading.textProperty().bind(messages.text("wind.heading"));
     towards =
         new NumberSlider(
             "wind-towards", messages.text("wind-towards"), TOWARDS, context.language());
     speed = new NumberSlider("wind-speed", messages.text("wind-speed"), SPEED, context.language());
     gusts = new NumberSlider("wind-gusts", messages.text("wind-gusts"), GUSTS, context.language());
     List.of(speed, gusts).forEach(slider -> slider.setFieldRange(FIELD));
-    Hint.on(towards, messages.text("wind-towards.hint"));
-    Hint.on(gusts, messages.text("wind-gusts.hint"));
-    heading.getStyleClass().add("heading");
+    Tooltips.install(towards, messages.text("wind-towards.hint"));
+    Tooltips.install(gusts, messages.text("wind-gusts.hint"));
     getStyleClass().addAll("panel-section", "wind-panel");
-    getChildren().addAll(heading, towards, speed, gusts);
+    getChildren().addAll(messages.label("wind.heading", "heading"), towards, speed, gusts);
     towards.show(0);
     show(wind());
     context.pulse().onBeat(nanos -> beat());
@@ -66,8 +63,8 @@ final class WindPanel extends VBox {
     changed |= speed.takeChange();
     changed |= gusts.takeChange();
     if (changed) {
-      actions.carryOut(new Control.Furnish(simulation.arenaProperty().get().withWind(wanted())));
-    } else {
+      actions.carryOut(new Control.SetWind(wanted()));
+    } else if (!actions.pending()) {
       show(wind());
     }
   }

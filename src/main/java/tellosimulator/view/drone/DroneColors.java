@@ -1,8 +1,8 @@
 package tellosimulator.view.drone;
 
 import javafx.scene.paint.Color;
-import tellosimulator.view.FxDroneModel;
-import tellosimulator.view.FxTextures;
+import tellosimulator.view.fx.FxTextures;
+import tellosimulator.view.model.FxDroneModel;
 
 /** The colours that tell drones apart, as JavaFX has them. */
 public final class DroneColors {

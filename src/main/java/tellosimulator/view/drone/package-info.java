@@ -1,9 +1,5 @@
 /**
- * A drone in the window.
- *
- * <p>{@link tellosimulator.view.drone.DroneView} is a drone of the simulation in the 3D scene; its
- * parts come from {@code scenery.drone}, and a pulse only turns and moves them. {@link
- * tellosimulator.view.drone.DroneColors} tells drones apart, here and in all panels. Everything is
- * for the JavaFX thread. Room, cameras and shadows are the job of {@code view.world}.
+ * {@link tellosimulator.view.drone.DroneColors} tells drones apart in all panels, by the colours
+ * that they have in the scene ({@code scenery.drone}). For any thread; drawing is not its job.
  */
 package tellosimulator.view.drone;

@@ -1,13 +1,14 @@
 package tellosimulator.view.goal;
 
+import atlantafx.base.controls.Spacer;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.OptionalDouble;
 import javafx.beans.value.ObservableValue;
 import javafx.css.PseudoClass;
 import javafx.scene.control.Button;
 import javafx.scene.control.Label;
 import javafx.scene.control.ScrollPane;
-import javafx.scene.control.Tooltip;
 import javafx.scene.layout.HBox;
 import javafx.scene.layout.Priority;
 import javafx.scene.layout.Region;
@@ -15,13 +16,15 @@ import javafx.scene.layout.VBox;
 import org.kordamp.ikonli.feather.Feather;
 import org.kordamp.ikonli.javafx.FontIcon;
 import tellosimulator.goal.Challenge;
+import tellosimulator.goal.Goal;
 import tellosimulator.goal.Progress;
 import tellosimulator.goal.Progress.Status;
 import tellosimulator.scenario.Scenario;
 import tellosimulator.sim.Control;
-import tellosimulator.view.FxSimulation;
-import tellosimulator.view.SimulatorActions;
-import tellosimulator.view.ViewContext;
+import tellosimulator.view.fx.Tooltips;
+import tellosimulator.view.model.FxSimulation;
+import tellosimulator.view.model.SimulatorActions;
+import tellosimulator.view.model.ViewContext;
 import tellosimulator.view.text.Language;
 import tellosimulator.view.text.Messages;
 
@@ -129,10 +132,8 @@ public final class GoalPanel extends VBox {
     scroll.setFitToWidth(true);
     scroll.setHbarPolicy(ScrollPane.ScrollBarPolicy.NEVER);
     scroll.setFocusTraversable(false);
-    Region space = new Region();
-    HBox.setHgrow(space, Priority.ALWAYS);
     HBox.setHgrow(rules, Priority.ALWAYS);
-    HBox foot = new HBox(rules, space, again);
+    HBox foot = new HBox(rules, new Spacer(), again);
     foot.getStyleClass().add("foot");
     boolean asked = !rows.isEmpty();
     for (Region part : List.of(scroll, foot, time)) {
@@ -157,9 +158,7 @@ public final class GoalPanel extends VBox {
 
   private void setupBindings() {
     again.textProperty().bind(messages.text("again"));
-    Tooltip hint = new Tooltip();
-    hint.textProperty().bind(messages.text("again.hint"));
-    again.setTooltip(hint);
+    Tooltips.install(again, messages.text("again.hint"));
     fold.accessibleTextProperty().bind(messages.text("fold"));
     rules.textProperty().bind(language.localeProperty().map(locale -> rules()));
     progress.addListener((property, before, now) -> show());
@@ -218,5 +217,49 @@ public final class GoalPanel extends VBox {
   private static void onlyWithText(Label label) {
     label.managedProperty().bind(label.textProperty().isNotEmpty());
     label.setMinHeight(USE_PREF_SIZE);
+  }
+
+  /** A goal with its tick, and when it was reached. For the JavaFX thread. */
+  private static final class GoalRow extends HBox {
+
+    private static final PseudoClass REACHED = PseudoClass.getPseudoClass("reached");
+    private static final PseudoClass NEXT = PseudoClass.getPseudoClass("next");
+
+    private final Language language;
+    private final FontIcon tick = new FontIcon(Feather.CIRCLE);
+    private final Label task = new Label();
+    private final Label time = new Label();
+
+    /**
+     * @param index of the goal, from 0
+     */
+    GoalRow(int index, Goal goal, Language language) {
+      this.language = language;
+      setId("goal-" + (index + 1));
+      getStyleClass().add("goal");
+      task.textProperty()
+          .bind(language.localeProperty().map(locale -> language.say(goal.phrase())));
+      task.setWrapText(true);
+      task.setMaxWidth(Double.MAX_VALUE);
+      task.setMinHeight(USE_PREF_SIZE);
+      time.setMinWidth(USE_PREF_SIZE);
+      time.getStyleClass().add("time");
+      HBox.setHgrow(task, Priority.ALWAYS);
+      getChildren().addAll(tick, task, time);
+    }
+
+    /**
+     * Shows how it stands.
+     *
+     * @param reached after how many seconds it was reached; empty if it was not
+     * @param next whether it can be reached now
+     */
+    void show(OptionalDouble reached, boolean next) {
+      boolean done = reached.isPresent();
+      tick.setIconCode(done ? Feather.CHECK_CIRCLE : Feather.CIRCLE);
+      time.setText(done ? String.format(language.locale(), "%.1f s", reached.getAsDouble()) : "");
+      pseudoClassStateChanged(REACHED, done);
+      pseudoClassStateChanged(NEXT, next);
+    }
   }
 }

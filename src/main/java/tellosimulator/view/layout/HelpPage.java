@@ -11,19 +11,18 @@ import javafx.beans.property.StringProperty;
 import javafx.beans.value.ObservableValue;
 import javafx.geometry.VPos;
 import javafx.scene.Node;
-import javafx.scene.control.Button;
 import javafx.scene.control.Label;
 import javafx.scene.layout.GridPane;
 import javafx.scene.layout.HBox;
 import javafx.scene.layout.Region;
 import javafx.scene.layout.VBox;
-import tellosimulator.view.ViewContext;
 import tellosimulator.view.controls.NetworkControls;
+import tellosimulator.view.model.ViewContext;
 import tellosimulator.view.pilot.SteeringKey;
 import tellosimulator.view.text.Messages;
 
 /** First steps, and everything that mouse and keys do. For the JavaFX thread. */
-public final class HelpPage extends VBox {
+final class HelpPage extends Page {
 
   private static final List<String> STEPS = List.of("step-1", "step-2", "step-3", "step-4");
 
@@ -38,19 +37,18 @@ public final class HelpPage extends VBox {
   private final Messages steering;
   private final Messages panels;
   private final StringProperty address = new SimpleStringProperty("");
-  private final Label title = new Label();
-  private final Button close = new Button();
   private final HBox columns = new HBox();
 
   HelpPage(ViewContext context) {
+    super("help-page", "help-page", context.language().messages(HelpPage.class).text("help"));
     this.context = context;
     messages = context.language().messages(HelpPage.class);
     steering = context.language().messages(SteeringKey.class);
     panels = context.language().messages(NetworkControls.class);
-    initializeSelf();
-    initializeParts();
+    setMaxHeight(USE_PREF_SIZE);
+    columns.getStyleClass().add("columns");
+    addButton("help-close", messages.text("close"));
     layoutParts();
-    setupBindings();
   }
 
   /** Takes over where the selected drone is to be reached. */
@@ -59,24 +57,6 @@ public final class HelpPage extends VBox {
     InetSocketAddress first = context.actions().addresses(drone).get(0);
     String host = first.getAddress().getHostAddress();
     address.set(first.getPort() == 0 ? host : host + ":" + first.getPort());
-  }
-
-  Button closeButton() {
-    return close;
-  }
-
-  private void initializeSelf() {
-    setId("help-page");
-    setMaxHeight(USE_PREF_SIZE);
-    getStyleClass().addAll("page", "help-page");
-    getStylesheets().add(HelpPage.class.getResource("pages.css").toExternalForm());
-  }
-
-  private void initializeParts() {
-    title.getStyleClass().add(Styles.TITLE_3);
-    close.setId("help-close");
-    close.setDefaultButton(true);
-    columns.getStyleClass().add("columns");
   }
 
   private void layoutParts() {
@@ -91,14 +71,7 @@ public final class HelpPage extends VBox {
     first.getChildren().add(table("plan", PLAN.stream().map(this::mouseRow)));
     third.getChildren().add(wrapped("steering-note"));
     third.getChildren().add(table("view-keys", keys(WindowKey::looks)));
-    HBox buttons = new HBox(close);
-    buttons.getStyleClass().add("page-buttons");
-    getChildren().addAll(title, columns, buttons);
-  }
-
-  private void setupBindings() {
-    title.textProperty().bind(messages.text("help"));
-    close.textProperty().bind(messages.text("close"));
+    layoutPage(columns);
   }
 
   private Node steps() {
@@ -154,15 +127,13 @@ public final class HelpPage extends VBox {
     Label meaning = new Label();
     meaning.textProperty().bind(row.meaning());
     meaning.setWrapText(true);
+    meaning.setMinHeight(Region.USE_PREF_SIZE);
     GridPane.setValignment(key, VPos.TOP);
     table.addRow(table.getRowCount(), key, meaning);
   }
 
   private Label heading(String key) {
-    Label heading = new Label();
-    heading.textProperty().bind(messages.text(key));
-    heading.getStyleClass().addAll(Styles.TEXT_BOLD, "heading");
-    return heading;
+    return messages.label(key, Styles.TEXT_BOLD, "heading");
   }
 
   /** A text that names the address and buttons, as they are called on the buttons. */

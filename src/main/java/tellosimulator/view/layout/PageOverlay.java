@@ -5,9 +5,8 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.Function;
 import javafx.scene.Node;
-import javafx.scene.control.Button;
 import javafx.scene.layout.StackPane;
-import tellosimulator.view.ViewContext;
+import tellosimulator.view.model.ViewContext;
 import tellosimulator.view.text.Language;
 
 /**
@@ -37,25 +36,22 @@ public final class PageOverlay extends StackPane {
     } else {
       HelpPage help = new HelpPage(context); // made only now, because the window shall open fast
       help.refresh();
-      show(help, help.closeButton());
+      show(help);
     }
   }
 
   public void showAbout() {
-    AboutPage about = new AboutPage(context);
-    show(about, about.closeButton());
+    show(new AboutPage(context));
   }
 
   /** Says what is wrong with a scenario. */
   public void show(List<Function<Language, String>> mistakes) {
-    MistakesPage page = new MistakesPage(context, mistakes);
-    show(page, page.closeButton());
+    show(new MistakesPage(context, mistakes));
   }
 
   /** Asks something. */
-  public void ask(Question question) {
-    QuestionPage page = new QuestionPage(context, question, () -> pane.hide(true));
-    open(page, page.usualButton());
+  public void ask(QuestionPage.Question question) {
+    open(new QuestionPage(context, question, () -> pane.hide(true)));
   }
 
   /** Whether a question waits for an answer. */
@@ -63,17 +59,17 @@ public final class PageOverlay extends StackPane {
     return pane.isDisplay() && pane.getContent() instanceof QuestionPage;
   }
 
-  private void show(Node page, Button close) {
-    close.setOnAction(pressed -> pane.hide(true));
-    open(page, close);
+  private void show(Page page) {
+    page.defaultButton().setOnAction(pressed -> pane.hide(true));
+    open(page);
   }
 
-  private void open(Node page, Button first) {
+  private void open(Page page) {
     if (!pane.isDisplay()) {
       focusedBefore = Optional.ofNullable(getScene().getFocusOwner());
     }
     pane.show(page);
-    first.requestFocus();
+    page.defaultButton().requestFocus();
   }
 
   private void initializeSelf() {

@@ -10,7 +10,6 @@ import javafx.scene.control.Label;
 import javafx.scene.control.MenuButton;
 import javafx.scene.control.MenuItem;
 import javafx.scene.control.SeparatorMenuItem;
-import javafx.scene.control.Tooltip;
 import javafx.scene.input.KeyCode;
 import javafx.scene.input.KeyCodeCombination;
 import javafx.scene.input.KeyCombination;
@@ -21,9 +20,10 @@ import org.kordamp.ikonli.feather.Feather;
 import org.kordamp.ikonli.javafx.FontIcon;
 import tellosimulator.scenario.Gallery;
 import tellosimulator.scenario.Scenario;
-import tellosimulator.view.FxScenario;
-import tellosimulator.view.ScenarioDesk;
-import tellosimulator.view.ViewContext;
+import tellosimulator.view.fx.Tooltips;
+import tellosimulator.view.model.FxScenario;
+import tellosimulator.view.model.ScenarioActions;
+import tellosimulator.view.model.ViewContext;
 import tellosimulator.view.text.Messages;
 
 /**
@@ -34,22 +34,20 @@ public final class ScenarioMenu extends MenuButton {
 
   private final Messages messages;
   private final FxScenario scenario;
-  private final ScenarioDesk desk;
+  private final ScenarioActions actions;
   private boolean listed;
 
   public ScenarioMenu(ViewContext context) {
     super("", new FontIcon(Feather.FOLDER));
     messages = context.language().messages(ScenarioMenu.class);
     scenario = context.scenario();
-    desk = scenario.desk();
+    actions = scenario.actions();
     setId("scenarios");
     setFocusTraversable(false);
     getStyleClass().addAll(Styles.BUTTON_ICON, Styles.FLAT, Styles.SMALL, Tweaks.NO_ARROW);
-    Tooltip tooltip = new Tooltip();
-    tooltip.textProperty().bind(messages.text("scenarios-tip"));
-    setTooltip(tooltip);
+    Tooltips.install(this, messages.text("scenarios-tip"));
     accessibleTextProperty().bind(messages.text("scenarios"));
-    MenuItem reload = item("scenario-reload", KeyCode.R, desk::reload);
+    MenuItem reload = item("scenario-reload", KeyCode.R, actions::reload);
     reload.setDisable(scenario.plain());
     MenuItem saveAs = item("scenario-save-as", KeyCode.S, this::chooseToSave);
     saveAs.setAccelerator(
@@ -68,12 +66,12 @@ public final class ScenarioMenu extends MenuButton {
   public void chooseToOpen() {
     Optional<File> chosen =
         Optional.ofNullable(chooser("scenario-open").showOpenDialog(getScene().getWindow()));
-    chosen.map(File::toPath).ifPresent(desk::open);
+    chosen.map(File::toPath).ifPresent(actions::open);
   }
 
   /** Writes what is there now to the file from which it came, or lets somebody choose one. */
   public void save() {
-    scenario.file().ifPresentOrElse(desk::save, this::chooseToSave);
+    scenario.file().ifPresentOrElse(actions::save, this::chooseToSave);
   }
 
   /** Lets somebody choose a file, and writes what is there now to it. */
@@ -84,7 +82,7 @@ public final class ScenarioMenu extends MenuButton {
     chooser.setInitialFileName(name);
     Optional.ofNullable(chooser.showSaveDialog(getScene().getWindow()))
         .map(File::toPath)
-        .ifPresent(desk::save);
+        .ifPresent(actions::save);
   }
 
   private String suggestedName() {
@@ -134,7 +132,7 @@ public final class ScenarioMenu extends MenuButton {
     teaches.getStyleClass().addAll(Styles.TEXT_SMALL, Styles.TEXT_MUTED);
     MenuItem item = new CustomMenuItem(new VBox(title, teaches));
     item.setId("scenario-" + name);
-    item.setOnAction(event -> desk.openKnown(name));
+    item.setOnAction(event -> actions.openKnown(name));
     return item;
   }
 }

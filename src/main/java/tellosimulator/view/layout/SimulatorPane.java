@@ -1,5 +1,6 @@
 package tellosimulator.view.layout;
 
+import javafx.beans.binding.Bindings;
 import javafx.beans.property.BooleanProperty;
 import javafx.geometry.Insets;
 import javafx.geometry.Pos;
@@ -42,6 +43,10 @@ public final class SimulatorPane extends BorderPane {
   private final WindowState state;
   private final StackPane middle = new StackPane();
   private final BorderPane overlay = new BorderPane();
+
+  /** Where nothing lies over the scene but what floats there. */
+  private final StackPane free = new StackPane();
+
   private final Region logHandle = new Region();
   private final VBox bottom = new VBox();
 
@@ -74,31 +79,31 @@ public final class SimulatorPane extends BorderPane {
       side.getStyleClass().add("panel");
       BorderPane.setAlignment(side, Pos.TOP_CENTER);
     }
-    overlay.setCenter(free());
+    layoutFree();
+    overlay.setCenter(free);
     middle.getChildren().setAll(parts.middle().scene(), overlay);
     setCenter(middle);
     arrange(state.fullScreenProperty().get());
   }
 
   /** What lies over the scene and moves aside for nothing. */
-  private StackPane free() {
+  private void layoutFree() {
     Region aside = parts.middle().aside();
     Region pilot = parts.middle().pilot();
-    StackPane free = new StackPane(aside, pilot);
-    free.setPickOnBounds(false);
-    free.setMinSize(0, 0);
-    free.setPadding(new Insets(FLOATING_GAP));
+    StackPane floating = new StackPane(aside, pilot);
+    floating.setPickOnBounds(false);
+    floating.setMinSize(0, 0);
+    floating.setPadding(new Insets(FLOATING_GAP));
     StackPane.setAlignment(aside, Pos.TOP_LEFT);
     StackPane.setAlignment(pilot, Pos.BOTTOM_CENTER);
     aside.setMaxWidth(USE_PREF_SIZE);
     aside.setPickOnBounds(false);
     pilot.setMaxSize(USE_PREF_SIZE, USE_PREF_SIZE);
     pilot.getStyleClass().add("floating");
-    StackPane all = new StackPane(free, parts.middle().plan());
-    all.setPickOnBounds(false);
-    all.setMinSize(0, 0);
-    free.visibleProperty().bind(parts.middle().plan().visibleProperty().not());
-    return all;
+    free.getChildren().setAll(floating, parts.middle().plan());
+    free.setPickOnBounds(false);
+    free.setMinSize(0, 0);
+    floating.visibleProperty().bind(parts.middle().plan().visibleProperty().not());
   }
 
   private void setupEventHandlers() {
@@ -117,6 +122,30 @@ public final class SimulatorPane extends BorderPane {
     show(parts.networkControls(), state.networkControlsShownProperty());
     show(bottom, state.logShownProperty());
     bottom.prefHeightProperty().bind(state.logHeightProperty());
+    parts
+        .middle()
+        .scene()
+        .paddingProperty()
+        .bind(
+            Bindings.createObjectBinding(
+                this::covered,
+                free.layoutXProperty(),
+                free.layoutYProperty(),
+                free.widthProperty(),
+                free.heightProperty(),
+                overlay.widthProperty(),
+                overlay.heightProperty()));
+  }
+
+  /** What the other parts cover of the scene at each side, which fills everything below them. */
+  private Insets covered() {
+    double right = overlay.getWidth() - free.getLayoutX() - free.getWidth();
+    double bottom = overlay.getHeight() - free.getLayoutY() - free.getHeight();
+    return new Insets(
+        Math.max(0, free.getLayoutY()),
+        Math.max(0, right),
+        Math.max(0, bottom),
+        Math.max(0, free.getLayoutX()));
   }
 
   private static void show(Node part, BooleanProperty shown) {

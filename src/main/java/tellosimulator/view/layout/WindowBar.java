@@ -1,5 +1,6 @@
 package tellosimulator.view.layout;
 
+import atlantafx.base.controls.Spacer;
 import atlantafx.base.theme.Styles;
 import javafx.beans.property.Property;
 import javafx.geometry.Orientation;
@@ -11,24 +12,18 @@ import javafx.scene.control.ContentDisplay;
 import javafx.scene.control.Separator;
 import javafx.scene.control.ToggleButton;
 import javafx.scene.control.ToolBar;
-import javafx.scene.control.Tooltip;
 import javafx.scene.layout.HBox;
-import javafx.scene.layout.Priority;
-import javafx.scene.layout.Region;
-import javafx.util.Duration;
 import org.kordamp.ikonli.Ikon;
 import org.kordamp.ikonli.feather.Feather;
 import org.kordamp.ikonli.javafx.FontIcon;
-import tellosimulator.view.ViewContext;
+import tellosimulator.view.fx.Tooltips;
+import tellosimulator.view.model.ViewContext;
 import tellosimulator.view.text.Messages;
 import tellosimulator.view.world.Simulator3DScene;
 import tellosimulator.view.world.ViewCamera;
 
 /** The bar at the top: from where one looks, how one flies, and how the window looks. */
 public final class WindowBar extends ToolBar {
-
-  /** How long the mouse rests on a button before its meaning is shown. Decided. */
-  private static final Duration TOOLTIP_DELAY = Duration.millis(400);
 
   private final Messages messages;
   private final WindowState state;
@@ -53,7 +48,7 @@ public final class WindowBar extends ToolBar {
             toggle("show-trail", Feather.ACTIVITY, scene.trailVisibleProperty()),
             drones(context),
             toggle("show-plan", Feather.MAP, state.planShownProperty()),
-            space(),
+            new Spacer(),
             theme(),
             new SettingsMenu(context.language(), state, scene.antialiasingProperty(), pages),
             button("help", Feather.HELP_CIRCLE, pages::toggleHelp),
@@ -151,24 +146,15 @@ public final class WindowBar extends ToolBar {
   }
 
   private <B extends ButtonBase> B prepared(B button, String id, Runnable action) {
-    Tooltip tooltip = new Tooltip();
-    tooltip.textProperty().bind(messages.text(id + "-tip"));
-    tooltip.setShowDelay(TOOLTIP_DELAY);
     button.setId(id);
     button.getStyleClass().add(Styles.SMALL);
-    button.setTooltip(tooltip);
-    button.accessibleTextProperty().bind(tooltip.textProperty());
+    Tooltips.install(button, messages.text(id + "-tip"));
+    button.accessibleTextProperty().bind(messages.text(id + "-tip"));
     button.setFocusTraversable(false); // the keys belong to the 3D scene
     if (button.getGraphic() != null) {
       button.setContentDisplay(ContentDisplay.GRAPHIC_ONLY);
     }
     button.setOnAction(event -> action.run());
     return button;
-  }
-
-  private static Region space() {
-    Region space = new Region();
-    HBox.setHgrow(space, Priority.ALWAYS);
-    return space;
   }
 }

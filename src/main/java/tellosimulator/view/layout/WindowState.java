@@ -6,7 +6,7 @@ import javafx.beans.property.ObjectProperty;
 import javafx.beans.property.SimpleBooleanProperty;
 import javafx.beans.property.SimpleDoubleProperty;
 import javafx.beans.property.SimpleObjectProperty;
-import tellosimulator.view.settings.Codec;
+import tellosimulator.view.settings.SettingCodec;
 import tellosimulator.view.settings.Settings;
 
 /**
@@ -36,13 +36,14 @@ public final class WindowState {
   /** Is at first as it was left, and remembers how it is left. */
   public static WindowState remembered(Settings settings) {
     WindowState state = new WindowState();
-    settings.bind("show.simulator-controls", state.simulatorControlsShown, Codec.flag());
-    settings.bind("show.network-controls", state.networkControlsShown, Codec.flag());
-    settings.bind("show.log", state.logShown, Codec.flag());
-    settings.bind("show.drones", state.dronesShown, Codec.flag());
-    settings.bind("log.height", state.logHeight, Codec.decimal(LEAST_LOG_HEIGHT, MOST_LOG_HEIGHT));
-    settings.bind("theme", state.theme, Codec.constant(Theme.class));
-    settings.bind("ui-scale", state.uiScale, Codec.constant(UiScale.class));
+    settings.bind("show.simulator-controls", state.simulatorControlsShown, SettingCodec.flag());
+    settings.bind("show.network-controls", state.networkControlsShown, SettingCodec.flag());
+    settings.bind("show.log", state.logShown, SettingCodec.flag());
+    settings.bind("show.drones", state.dronesShown, SettingCodec.flag());
+    settings.bind(
+        "log.height", state.logHeight, SettingCodec.decimal(LEAST_LOG_HEIGHT, MOST_LOG_HEIGHT));
+    settings.bind("theme", state.theme, SettingCodec.constant(Theme.class));
+    settings.bind("ui-scale", state.uiScale, SettingCodec.constant(UiScale.class));
     return state;
   }
 

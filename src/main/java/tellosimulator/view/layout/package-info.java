@@ -3,9 +3,9 @@
  *
  * <p>{@link tellosimulator.view.layout.SimulatorPane} gives each part its place. {@link
  * tellosimulator.view.layout.WindowKey} is the table of the window's keys, with which {@link
- * tellosimulator.view.layout.WindowKeys} acts and which {@link tellosimulator.view.layout.HelpPage}
- * shows; that and {@link tellosimulator.view.layout.AboutPage} lie over the window in {@link
- * tellosimulator.view.layout.PageOverlay}. Everything is for the JavaFX thread. What the parts show
- * is not its job.
+ * tellosimulator.view.layout.KeyBindings} acts and which {@link
+ * tellosimulator.view.layout.HelpPage} shows; that and {@link tellosimulator.view.layout.AboutPage}
+ * lie over the window in {@link tellosimulator.view.layout.PageOverlay}. Everything is for the
+ * JavaFX thread. What the parts show is not its job.
  */
 package tellosimulator.view.layout;

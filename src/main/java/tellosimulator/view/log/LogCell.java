@@ -13,7 +13,7 @@ final class LogCell extends ListCell<LogLine> {
 
   private static final double TOOLTIP_WIDTH = 800;
 
-  private final LogText text;
+  private final LogFormat text;
   private final ObservableBooleanValue timeStamps;
   private final FontIcon icon = new FontIcon();
   private final Label time = new Label();
@@ -22,7 +22,7 @@ final class LogCell extends ListCell<LogLine> {
   private final HBox parts = new HBox(icon, time, drone, words);
   private final Tooltip whole = new Tooltip();
 
-  LogCell(LogText text, ObservableBooleanValue timeStamps) {
+  LogCell(LogFormat text, ObservableBooleanValue timeStamps) {
     this.text = text;
     this.timeStamps = timeStamps;
     initializeSelf();

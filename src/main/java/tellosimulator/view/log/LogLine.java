@@ -1,5 +1,6 @@
 package tellosimulator.view.log;
 
+import java.util.OptionalInt;
 import tellosimulator.sim.SimEvent;
 import tellosimulator.time.SimTime;
 import tellosimulator.view.text.Language;
@@ -16,17 +17,21 @@ record LogLine(SimTime time, LogLevel level, About about, Saying saying) {
   /**
    * What a line is about.
    *
-   * @param drone its number, from 1; 0 for what concerns all of them, or the window
+   * @param drone its number, from 1; empty for what concerns all of them, or the window
    * @param subject whether the drone is the subject that the words lack
    */
-  record About(int drone, boolean subject) {
+  record About(OptionalInt drone, boolean subject) {
 
     /** All drones, or the window. */
-    static final About ALL = new About(0, false);
+    static final About ALL = new About(OptionalInt.empty(), false);
 
-    /** A drone of which the words say something. */
-    static About subject(int drone) {
-      return new About(drone, drone > 0);
+    /**
+     * A drone.
+     *
+     * @param drone its number, from 1
+     */
+    static About drone(int drone, boolean subject) {
+      return new About(OptionalInt.of(drone), subject);
     }
   }
 
@@ -41,12 +46,14 @@ record LogLine(SimTime time, LogLevel level, About about, Saying saying) {
     return new LogLine(
         event.time(),
         LogLevel.of(event.severity()),
-        new About(event.drone(), event.ofDrone()),
+        event instanceof SimEvent.ForDrone one
+            ? About.drone(one.drone(), one.lacksSubject())
+            : About.ALL,
         language -> language.say(event.phrase()));
   }
 
   /** See {@link About}. */
-  int drone() {
+  OptionalInt drone() {
     return about.drone();
   }
 

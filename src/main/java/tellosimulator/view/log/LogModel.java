@@ -7,6 +7,7 @@ import java.util.regex.Pattern;
 import java.util.stream.IntStream;
 import javafx.collections.FXCollections;
 import javafx.collections.ObservableList;
+import javafx.collections.ObservableListBase;
 
 /**
  * The newest lines of the log, and those of them that pass a filter of level and text. A line that
@@ -19,10 +20,10 @@ final class LogModel {
 
   private final int capacity;
   private final Function<LogLine, String> words;
-  private final Ring<LogLine> lines = new Ring<>();
+  private final RingBuffer<LogLine> lines = new RingBuffer<>();
 
   /** The words of all lines while a text is searched, so that each key typed finds them made. */
-  private final Ring<String> searched = new Ring<>();
+  private final RingBuffer<String> searched = new RingBuffer<>();
 
   private final ShownLines shown = new ShownLines();
   private final ObservableList<LogLine> readOnly = FXCollections.unmodifiableObservableList(shown);
@@ -85,7 +86,7 @@ final class LogModel {
   void clear() {
     lines.clear();
     searched.clear();
-    shown.replace(new Ring<>());
+    shown.replace(new RingBuffer<>());
   }
 
   /** Shows lines of this level and of those that matter more. */
@@ -128,7 +129,7 @@ final class LogModel {
 
   private void filter() {
     prepareSearch();
-    Ring<LogLine> passing = new Ring<>();
+    RingBuffer<LogLine> passing = new RingBuffer<>();
     for (int i = 0; i < lines.size(); i++) {
       if (passes(i)) {
         passing.addLast(lines.get(i));
@@ -150,5 +151,51 @@ final class LogModel {
   private boolean passes(int index) {
     return lines.get(index).level().reaches(level)
         && (text.isEmpty() || pattern.matcher(searched.get(index)).find());
+  }
+
+  /**
+   * The lines that pass the filter. Lists that show them are told only what changed: new lines at
+   * the end, old ones that fall out at the beginning.
+   */
+  private static final class ShownLines extends ObservableListBase<LogLine> {
+
+    private RingBuffer<LogLine> lines = new RingBuffer<>();
+
+    @Override
+    public LogLine get(int index) {
+      return lines.get(index);
+    }
+
+    @Override
+    public int size() {
+      return lines.size();
+    }
+
+    /** Drops those at the beginning and adds others at the end, as one change. */
+    void roll(int dropped, List<LogLine> added) {
+      beginChange();
+      if (dropped > 0) {
+        List<LogLine> removed = new ArrayList<>(dropped);
+        for (int i = 0; i < dropped; i++) {
+          removed.add(lines.removeFirst());
+        }
+        nextRemove(0, removed);
+      }
+      if (!added.isEmpty()) {
+        int before = size();
+        added.forEach(lines::addLast);
+        nextAdd(before, size());
+      }
+      endChange();
+    }
+
+    /** Shows other lines. */
+    void replace(RingBuffer<LogLine> others) {
+      List<LogLine> before = List.copyOf(this);
+      beginChange();
+      lines = others;
+      nextReplace(0, size(), before);
+      endChange();
+    }
   }
 }

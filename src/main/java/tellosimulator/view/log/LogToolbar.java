@@ -1,6 +1,7 @@
 package tellosimulator.view.log;
 
 import atlantafx.base.controls.CustomTextField;
+import atlantafx.base.controls.Spacer;
 import atlantafx.base.theme.Styles;
 import javafx.beans.property.BooleanProperty;
 import javafx.beans.property.ObjectProperty;
@@ -14,16 +15,15 @@ import javafx.scene.control.ButtonBase;
 import javafx.scene.control.ChoiceBox;
 import javafx.scene.control.Label;
 import javafx.scene.control.ToggleButton;
-import javafx.scene.control.Tooltip;
 import javafx.scene.input.KeyCode;
 import javafx.scene.input.KeyEvent;
 import javafx.scene.layout.HBox;
-import javafx.scene.layout.Priority;
 import javafx.scene.layout.Region;
 import javafx.scene.text.Font;
 import javafx.util.StringConverter;
 import org.kordamp.ikonli.feather.Feather;
 import org.kordamp.ikonli.javafx.FontIcon;
+import tellosimulator.view.fx.Tooltips;
 import tellosimulator.view.text.Language;
 import tellosimulator.view.text.Messages;
 
@@ -126,19 +126,16 @@ final class LogToolbar extends HBox {
     button.setId("log-" + name);
     button.getStyleClass().addAll(Styles.SMALL);
     button.textProperty().bind(messages.text(name));
-    Tooltip tooltip = new Tooltip();
-    tooltip.textProperty().bind(messages.text(name + ".tooltip"));
-    button.setTooltip(tooltip);
+    Tooltips.install(button, messages.text(name + ".tooltip"));
   }
 
   private void layoutParts() {
-    Region gap = new Region();
-    setHgrow(gap, Priority.ALWAYS);
     for (Node fixed : new Node[] {level, timeStamps, autoscroll, copy, save, clear}) {
       ((Region) fixed).setMinWidth(USE_PREF_SIZE);
     }
     getChildren()
-        .addAll(title, level, search, matches, gap, timeStamps, autoscroll, copy, save, clear);
+        .addAll(
+            title, level, search, matches, new Spacer(), timeStamps, autoscroll, copy, save, clear);
   }
 
   private void setupEventHandlers() {
@@ -157,15 +154,19 @@ final class LogToolbar extends HBox {
     language.localeProperty().subscribe(locale -> level.setConverter(new LevelNames()));
   }
 
+  private static String matchesKey(int count) {
+    return count == 0 ? "matches-none" : count == 1 ? "matches-one" : "matches";
+  }
+
   private void setupBindings() {
     title.textProperty().bind(messages.text("title"));
     search.promptTextProperty().bind(messages.text("search"));
     clearSearch.visibleProperty().bind(search.textProperty().isNotEmpty());
-    matches.textProperty().bind(messages.text("matches", found));
+    matches
+        .textProperty()
+        .bind(found.flatMap(count -> messages.text(matchesKey(count.intValue()), count)));
     matches.visibleProperty().bind(search.textProperty().isNotEmpty());
-    Tooltip levels = new Tooltip();
-    levels.textProperty().bind(messages.text("level.tooltip"));
-    level.setTooltip(levels);
+    Tooltips.install(level, messages.text("level.tooltip"));
   }
 
   /** The names of the levels in the present language. */

@@ -13,13 +13,14 @@ import javafx.beans.property.ReadOnlyStringProperty;
 import javafx.beans.property.ReadOnlyStringWrapper;
 import tellosimulator.model.FlightPhase;
 import tellosimulator.sim.SimSnapshot.DroneSnapshot;
-import tellosimulator.view.FxDroneModel;
-import tellosimulator.view.ViewContext;
+import tellosimulator.view.model.FxDroneModel;
+import tellosimulator.view.model.ViewContext;
+import tellosimulator.view.text.Message;
 import tellosimulator.world.Room;
 
 /**
- * A flight that needs no operator program: a {@link Tour}, command by command through the drone's
- * real port. For the JavaFX thread; it moves on with the pulse.
+ * A flight that needs no operator program: a {@link DemoTour}, command by command through the
+ * drone's real port. For the JavaFX thread; it moves on with the pulse.
  */
 public final class DemoFlight implements AutoCloseable {
 
@@ -40,20 +41,22 @@ public final class DemoFlight implements AutoCloseable {
   private final ReadOnlyStringWrapper command = new ReadOnlyStringWrapper("");
   private final ReadOnlyIntegerWrapper step = new ReadOnlyIntegerWrapper();
   private final ReadOnlyIntegerWrapper steps = new ReadOnlyIntegerWrapper();
-  private final ReadOnlyObjectWrapper<Sentence> problem =
-      new ReadOnlyObjectWrapper<>(Sentence.NONE);
+  private final ReadOnlyObjectWrapper<Message> problem = new ReadOnlyObjectWrapper<>(Message.NONE);
   private List<String> tour = List.of();
   private Optional<Flown> flown = Optional.empty();
+
+  /** Counts starts and stops, so that a start that waits for power gives way to what is next. */
+  private int starts;
 
   /** The drone that is flown, and by whom. */
   private static final class Flown {
     private final FxDroneModel drone;
-    private final Pilot pilot;
+    private final OperatorClient pilot;
     private final Descent descent;
     private boolean tookOff;
     private Optional<Long> downSince = Optional.empty();
 
-    Flown(FxDroneModel drone, Pilot pilot) {
+    Flown(FxDroneModel drone, OperatorClient pilot) {
       this.drone = drone;
       this.pilot = pilot;
       this.descent = new Descent(drone, pilot);
@@ -77,10 +80,21 @@ public final class DemoFlight implements AutoCloseable {
       start();
       return;
     }
+    starts++;
+    int mine = starts;
     context
         .actions()
-        .switchPower(drone.number(), true)
-        .ifPresentOrElse(e -> problem.set(Sentence.portTaken(e)), () -> fly(drone));
+        .switchPower(
+            drone.number(),
+            true,
+            refusal ->
+                refusal.ifPresentOrElse(
+                    e -> problem.set(OperatorClient.portTaken(e)),
+                    () -> {
+                      if (mine == starts) {
+                        fly(drone);
+                      }
+                    }));
   }
 
   /** Flies the selected drone, which must be on and stand on the floor. */
@@ -88,14 +102,15 @@ public final class DemoFlight implements AutoCloseable {
     FxDroneModel drone = drone();
     switch (drone.phaseProperty().get()) {
       case GROUNDED, IDLING -> fly(drone);
-      case OFF -> problem.set(Sentence.of("off", Integer.toString(drone.number())));
-      case CRASHED -> problem.set(Sentence.of("crashed"));
-      case FALLING, TAKING_OFF, FLYING, LANDING -> problem.set(Sentence.of("not-on-the-floor"));
+      case OFF -> problem.set(Message.of("off", Integer.toString(drone.number())));
+      case CRASHED -> problem.set(Message.of("crashed"));
+      case FALLING, TAKING_OFF, FLYING, LANDING -> problem.set(Message.of("not-on-the-floor"));
     }
   }
 
   /** Breaks the flight off and lands. */
   public void stop() {
+    starts++;
     if (stage.get() == Stage.FLYING) {
       comeDown();
     }
@@ -104,12 +119,13 @@ public final class DemoFlight implements AutoCloseable {
   /** Ends at once; a drone in the air is left there. */
   @Override
   public void close() {
+    starts++;
     end();
   }
 
   /** Something else is being done; what happened to the last tour is old news. */
   void forgetProblem() {
-    problem.set(Sentence.NONE);
+    problem.set(Message.NONE);
   }
 
   public ReadOnlyObjectProperty<Stage> stageProperty() {
@@ -136,8 +152,8 @@ public final class DemoFlight implements AutoCloseable {
     return steps.getReadOnlyProperty();
   }
 
-  /** Why it did not come to its end; {@link Sentence#NONE} if there is nothing to say. */
-  public ReadOnlyObjectProperty<Sentence> problemProperty() {
+  /** Why it did not come to its end; {@link Message#NONE} if there is nothing to say. */
+  public ReadOnlyObjectProperty<Message> problemProperty() {
     return problem.getReadOnlyProperty();
   }
 
@@ -147,23 +163,23 @@ public final class DemoFlight implements AutoCloseable {
 
   private void fly(FxDroneModel drone) {
     end();
-    problem.set(Sentence.NONE);
+    problem.set(Message.NONE);
     try {
-      flown = Optional.of(new Flown(drone, new Pilot(context, drone)));
+      flown = Optional.of(new Flown(drone, new OperatorClient(context, drone)));
     } catch (IOException e) {
-      problem.set(Sentence.of("no-socket", e.getMessage()));
+      problem.set(Message.of("no-socket", e.getMessage()));
       return;
     }
     DroneSnapshot now = drone.snapshotProperty().get();
     Room room = context.simulation().roomProperty().get();
-    tour = new Tour(room, now.product().behaviour(), now.state()).commands();
+    tour = new DemoTour(room, now.product().behaviour(), now.state()).commands();
     steps.set(tour.size());
     stage.set(Stage.FLYING);
     command(1);
   }
 
   private void command(int number) {
-    Pilot pilot = flown.orElseThrow().pilot;
+    OperatorClient pilot = flown.orElseThrow().pilot;
     step.set(number);
     command.set(tour.get(number - 1));
     pilot.ask(command.get());
@@ -179,7 +195,7 @@ public final class DemoFlight implements AutoCloseable {
 
   private void advance(long nanos) {
     Flown flight = flown.orElseThrow();
-    Optional<Pilot.Answer> answer = flight.pilot.answer(nanos);
+    Optional<OperatorClient.Answer> answer = flight.pilot.answer(nanos);
     if (answer.isPresent()) {
       take(answer.get());
       return;
@@ -188,13 +204,13 @@ public final class DemoFlight implements AutoCloseable {
     flight.tookOff |= flies;
     if (flight.tookOff && !flies && isDown(flight, nanos)) {
       if (!lands()) {
-        problem.set(Sentence.of("flies-no-more", command.get()));
+        problem.set(Message.of("flies-no-more", command.get()));
       }
       end();
     }
   }
 
-  private void take(Pilot.Answer answer) {
+  private void take(OperatorClient.Answer answer) {
     if (!answer.ok()) {
       problem.set(answer.problem());
       comeDown();

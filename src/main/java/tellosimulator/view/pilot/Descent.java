@@ -3,7 +3,7 @@ package tellosimulator.view.pilot;
 import java.util.Optional;
 import tellosimulator.model.FlightPhase;
 import tellosimulator.profile.Sdk;
-import tellosimulator.view.FxDroneModel;
+import tellosimulator.view.model.FxDroneModel;
 
 /**
  * Brings a drone down, whatever it is doing: {@code stop} ends what runs, and {@code land} is
@@ -20,11 +20,11 @@ final class Descent {
   private static final long DOWN_NANOS = 200_000_000;
 
   private final FxDroneModel drone;
-  private final Pilot pilot;
+  private final OperatorClient pilot;
   private Optional<Long> lastTry = Optional.empty();
   private Optional<Long> downSince = Optional.empty();
 
-  Descent(FxDroneModel drone, Pilot pilot) {
+  Descent(FxDroneModel drone, OperatorClient pilot) {
     this.drone = drone;
     this.pilot = pilot;
   }

@@ -14,8 +14,8 @@ import javafx.scene.control.TextInputControl;
 import javafx.scene.input.KeyEvent;
 import javafx.stage.Window;
 import javafx.util.Subscription;
-import tellosimulator.view.FxDroneModel;
-import tellosimulator.view.ViewContext;
+import tellosimulator.view.model.FxDroneModel;
+import tellosimulator.view.model.ViewContext;
 import tellosimulator.view.pilot.SteeringKey.Push;
 
 /**

@@ -21,9 +21,10 @@ import javafx.util.Subscription;
 import org.kordamp.ikonli.feather.Feather;
 import org.kordamp.ikonli.javafx.FontIcon;
 import tellosimulator.model.FlightPhase;
-import tellosimulator.view.FxDroneModel;
-import tellosimulator.view.ViewContext;
+import tellosimulator.view.model.FxDroneModel;
+import tellosimulator.view.model.ViewContext;
 import tellosimulator.view.pilot.DemoFlight.Stage;
+import tellosimulator.view.text.Message;
 import tellosimulator.view.text.Messages;
 
 /**
@@ -47,7 +48,7 @@ public final class PilotControls extends VBox implements AutoCloseable {
   private final Label command = new Label();
   private final ProgressBar progress = new ProgressBar();
   private final Label problem = new Label();
-  private final KeyHint keyHint;
+  private final KeyLegend keyHint;
 
   public PilotControls(ViewContext context) {
     this.context = context;
@@ -55,7 +56,7 @@ public final class PilotControls extends VBox implements AutoCloseable {
     demo = new DemoFlight(context);
     remote = new RemoteControl(context);
     keyboard = new KeyboardSteering(context, remote);
-    keyHint = new KeyHint(messages, keyboard.pressed());
+    keyHint = new KeyLegend(messages, keyboard.pressed());
     initializeSelf();
     initializeParts();
     layoutParts();
@@ -208,7 +209,7 @@ public final class PilotControls extends VBox implements AutoCloseable {
   }
 
   private String sentence() {
-    Sentence ofTour = demo.problemProperty().get();
-    return (ofTour.isNone() ? remote.problemProperty().get() : ofTour).text(messages);
+    Message ofTour = demo.problemProperty().get();
+    return (ofTour.isNone() ? remote.problemProperty().get() : ofTour).now(messages);
   }
 }

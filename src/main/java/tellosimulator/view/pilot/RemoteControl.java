@@ -6,8 +6,9 @@ import java.util.Optional;
 import javafx.beans.property.ReadOnlyObjectProperty;
 import javafx.beans.property.ReadOnlyObjectWrapper;
 import tellosimulator.model.FlightPhase;
-import tellosimulator.view.FxDroneModel;
-import tellosimulator.view.ViewContext;
+import tellosimulator.view.model.FxDroneModel;
+import tellosimulator.view.model.ViewContext;
+import tellosimulator.view.text.Message;
 
 /**
  * Sends single commands to the selected drone through its real port, without waiting for replies; a
@@ -16,10 +17,14 @@ import tellosimulator.view.ViewContext;
 public final class RemoteControl implements AutoCloseable {
 
   private final ViewContext context;
-  private final ReadOnlyObjectWrapper<Sentence> problem =
-      new ReadOnlyObjectWrapper<>(Sentence.NONE);
+  private final ReadOnlyObjectWrapper<Message> problem = new ReadOnlyObjectWrapper<>(Message.NONE);
   private Optional<OperatorSocket> socket = Optional.empty();
   private String asked = "";
+
+  /**
+   * Counts what was asked for, so that a takeoff that waits for power gives way to what is next.
+   */
+  private int asks;
 
   public RemoteControl(ViewContext context) {
     this.context = context;
@@ -28,12 +33,24 @@ public final class RemoteControl implements AutoCloseable {
 
   /** Takes off; switches the drone on first, if it is off. */
   public void takeOff() {
-    problem.set(Sentence.NONE);
+    problem.set(Message.NONE);
     if (!drone().onProperty().get()) {
+      FxDroneModel drone = drone();
+      asks++;
+      int mine = asks;
       context
           .actions()
-          .switchPower(drone().number(), true)
-          .ifPresentOrElse(e -> problem.set(Sentence.portTaken(e)), () -> ask("takeoff"));
+          .switchPower(
+              drone.number(),
+              true,
+              refusal ->
+                  refusal.ifPresentOrElse(
+                      e -> problem.set(OperatorClient.portTaken(e)),
+                      () -> {
+                        if (mine == asks) {
+                          ask(drone, "takeoff");
+                        }
+                      }));
     } else {
       ask("takeoff");
     }
@@ -50,9 +67,14 @@ public final class RemoteControl implements AutoCloseable {
 
   /** Sends a command that is answered. */
   public void ask(String command) {
+    ask(drone(), command);
+  }
+
+  private void ask(FxDroneModel drone, String command) {
+    asks++;
     asked = command;
-    problem.set(Sentence.NONE);
-    send(drone(), command);
+    problem.set(Message.NONE);
+    send(drone, command);
   }
 
   /** Sends a command that has no answer, such as {@code rc}. */
@@ -70,8 +92,8 @@ public final class RemoteControl implements AutoCloseable {
     return drone().phaseProperty().get();
   }
 
-  /** What was refused last; {@link Sentence#NONE} after a command that succeeded. */
-  public ReadOnlyObjectProperty<Sentence> problemProperty() {
+  /** What was refused last; {@link Message#NONE} after a command that succeeded. */
+  public ReadOnlyObjectProperty<Message> problemProperty() {
     return problem.getReadOnlyProperty();
   }
 
@@ -122,7 +144,7 @@ public final class RemoteControl implements AutoCloseable {
 
   private void judge(String reply) {
     if (reply.startsWith("error") || reply.startsWith("unknown command")) {
-      problem.set(Sentence.refused(asked, reply));
+      problem.set(OperatorClient.refused(asked, reply));
     }
   }
 
@@ -131,7 +153,7 @@ public final class RemoteControl implements AutoCloseable {
     if (drone().onProperty().get()) {
       int port = context.actions().addresses(drone().number()).get(0).getPort();
       problem.set(
-          Sentence.of("unreachable", Integer.toString(drone().number()), Integer.toString(port)));
+          Message.of("unreachable", Integer.toString(drone().number()), Integer.toString(port)));
     }
   }
 }

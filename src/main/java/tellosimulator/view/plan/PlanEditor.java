@@ -13,11 +13,11 @@ import tellosimulator.goal.Goal;
 import tellosimulator.math.Pose;
 import tellosimulator.math.Vec3;
 import tellosimulator.sim.Control;
-import tellosimulator.view.FxSimulation;
-import tellosimulator.view.SimulatorActions;
-import tellosimulator.view.plan.Piece.Pad;
-import tellosimulator.view.plan.Piece.Start;
-import tellosimulator.view.plan.Piece.Thing;
+import tellosimulator.view.model.FxSimulation;
+import tellosimulator.view.model.SimulatorActions;
+import tellosimulator.view.plan.PlanItem.ObstacleItem;
+import tellosimulator.view.plan.PlanItem.Pad;
+import tellosimulator.view.plan.PlanItem.Start;
 import tellosimulator.world.MissionPad;
 import tellosimulator.world.Obstacle;
 import tellosimulator.world.Room;
@@ -37,17 +37,17 @@ final class PlanEditor {
   private final SimulatorActions actions;
   private final FxSimulation simulation;
   private final List<Goal> goals;
-  private final ReadOnlyObjectWrapper<Layout> layout;
-  private final ObjectProperty<Optional<Piece>> selected =
+  private final ReadOnlyObjectWrapper<FloorPlan> plan;
+  private final ObjectProperty<Optional<PlanItem>> selected =
       new SimpleObjectProperty<>(this, "selected", Optional.empty());
-  private final ReadOnlyObjectWrapper<Optional<Fit>> problem =
+  private final ReadOnlyObjectWrapper<Optional<PlacementProblem>> problem =
       new ReadOnlyObjectWrapper<>(this, "problem", Optional.empty());
   private final ReadOnlyBooleanWrapper undoable = new ReadOnlyBooleanWrapper(this, "undoable");
   private final ReadOnlyBooleanWrapper redoable = new ReadOnlyBooleanWrapper(this, "redoable");
-  private final History history = new History();
+  private final UndoStack history = new UndoStack();
 
   /** How it was when the hand took hold of something. */
-  private Optional<Layout> held = Optional.empty();
+  private Optional<FloorPlan> held = Optional.empty();
 
   /**
    * @param goals of the scenario, which name what must stay
@@ -56,13 +56,16 @@ final class PlanEditor {
     this.simulation = simulation;
     this.goals = List.copyOf(goals);
     this.actions = actions;
-    this.layout = new ReadOnlyObjectWrapper<>(Layout.of(simulation.snapshot()));
+    this.plan = new ReadOnlyObjectWrapper<>(FloorPlan.of(simulation.snapshot()));
   }
 
   /** Takes over what the newest snapshot says; once a pulse while somebody looks. */
   void advance() {
-    Layout newest = Layout.of(simulation.snapshot());
-    Layout before = layout.get();
+    if (actions.pending()) {
+      return; // the snapshot does not show it yet
+    }
+    FloorPlan newest = FloorPlan.of(simulation.snapshot());
+    FloorPlan before = plan.get();
     if (newest.equals(before)) {
       return;
     }
@@ -73,25 +76,25 @@ final class PlanEditor {
   }
 
   /** What is where. */
-  ReadOnlyObjectProperty<Layout> layoutProperty() {
-    return layout.getReadOnlyProperty();
+  ReadOnlyObjectProperty<FloorPlan> planProperty() {
+    return plan.getReadOnlyProperty();
   }
 
-  Layout layout() {
-    return layout.get();
+  FloorPlan plan() {
+    return plan.get();
   }
 
-  /** The piece that keys and wheel move; empty if there is none. */
-  ObjectProperty<Optional<Piece>> selectedProperty() {
+  /** The item that keys and wheel move; empty if there is none. */
+  ObjectProperty<Optional<PlanItem>> selectedProperty() {
     return selected;
   }
 
-  Optional<Piece> selected() {
+  Optional<PlanItem> selected() {
     return selected.get();
   }
 
-  /** Why the last thing that was wanted was not done; empty if it was. */
-  ReadOnlyObjectProperty<Optional<Fit>> problemProperty() {
+  /** Why the last item that was wanted was not done; empty if it was. */
+  ReadOnlyObjectProperty<Optional<PlacementProblem>> problemProperty() {
     return problem.getReadOnlyProperty();
   }
 
@@ -105,81 +108,82 @@ final class PlanEditor {
 
   /** Begins a change that takes several moves and is undone as one. */
   void hold() {
-    held = Optional.of(layout());
+    held = Optional.of(plan());
   }
 
   /** Ends a change that began with {@link #hold}. */
   void release() {
-    Optional<Layout> was = held;
+    Optional<FloorPlan> was = held;
     held = Optional.empty();
-    was.filter(before -> !before.equals(layout())).ifPresent(this::remember);
+    was.filter(before -> !before.equals(plan())).ifPresent(this::remember);
     problem.set(Optional.empty());
   }
 
-  /** Puts the selected piece elsewhere, if it fits there. */
-  void place(Spot spot) {
+  /** Puts the selected item elsewhere, if it fits there. */
+  void place(Placement placement) {
     selected()
         .ifPresent(
-            piece -> {
-              Layout wanted = layout().with(piece, spot);
-              tryOut(wanted, piece);
+            item -> {
+              FloorPlan wanted = plan().with(item, placement);
+              tryOut(wanted, item);
             });
   }
 
   /** Makes another obstacle of the selected one, if that fits. */
   void replace(Obstacle obstacle) {
-    if (selected().orElse(null) instanceof Thing thing) {
-      tryOut(layout().with(thing, obstacle), thing);
+    if (selected().orElse(null) instanceof ObstacleItem body) {
+      tryOut(plan().with(body, obstacle), body);
     }
   }
 
   /** Adds an obstacle near a place, and selects it. */
-  void add(Stock kind, Vec3 near) {
-    Room room = layout().arena().room();
-    String name = layout().freeName(kind.word());
-    int index = layout().arena().obstacles().size();
+  void add(PaletteItem kind, Vec3 near) {
+    Room room = plan().arena().room();
+    String name = plan().freeName(kind.word());
+    int index = plan().arena().obstacles().size();
     addNear(
         near,
-        new Thing(index),
-        place -> layout().with(new Obstacle(name, kind.shape(room), place, 0, kind.cover())));
+        new ObstacleItem(index),
+        place -> plan().with(new Obstacle(name, kind.shape(room), place, 0, kind.cover())));
   }
 
   /** Adds the mission pad of the next free id near a place, if there is one left. */
   void addPad(Vec3 near) {
-    layout()
+    plan()
         .freePadId()
         .ifPresent(
             id ->
-                addNear(
-                    near, new Pad(id), place -> layout().with(MissionPad.onFloor(id, place, 0))));
+                addNear(near, new Pad(id), place -> plan().with(MissionPad.onFloor(id, place, 0))));
   }
 
   private interface Adding {
-    Layout at(Vec3 place);
+    FloorPlan at(Vec3 place);
   }
 
   /** Beside what is there if there is room for it, otherwise where it fits. */
-  private void addNear(Vec3 near, Piece piece, Adding adding) {
+  private void addNear(Vec3 near, PlanItem item, Adding adding) {
     boolean added =
-        tryAround(near, piece, adding, PlanEditor::apart)
-            || tryAround(near, piece, adding, (wanted, other) -> true);
+        tryAround(near, item, adding, PlanEditor::apart)
+            || tryAround(near, item, adding, (wanted, other) -> true);
     if (!added) {
-      problem.set(Fit.problem(adding.at(near), piece).or(() -> Optional.of(Fit.OUTSIDE)));
+      problem.set(
+          PlacementProblem.problem(adding.at(near), item)
+              .or(() -> Optional.of(PlacementProblem.OUTSIDE)));
     }
   }
 
   /** Tries places around one, from the nearest ring to the farthest. */
   private boolean tryAround(
-      Vec3 near, Piece piece, Adding adding, BiPredicate<Layout, Piece> wish) {
+      Vec3 near, PlanItem item, Adding adding, BiPredicate<FloorPlan, PlanItem> wish) {
     for (int ring = 0; ring <= MOST_RINGS; ring++) {
       for (int x = -ring; x <= ring; x++) {
         for (int y = -ring; y <= ring; y++) {
           Vec3 place = near.plus(new Vec3(x * RASTER, y * RASTER, 0)).withZ(0);
           if (Math.max(Math.abs(x), Math.abs(y)) == ring) {
-            Layout wanted = adding.at(place);
-            if (Fit.problem(wanted, piece).isEmpty() && wish.test(wanted, piece)) {
+            FloorPlan wanted = adding.at(place);
+            if (PlacementProblem.problem(wanted, item).isEmpty() && wish.test(wanted, item)) {
               carryOut(wanted);
-              selected.set(Optional.of(piece));
+              selected.set(Optional.of(item));
               return true;
             }
           }
@@ -189,54 +193,54 @@ final class PlanEditor {
     return false;
   }
 
-  /** Whether a new piece is clear of all others, however they are turned. */
-  private static boolean apart(Layout wanted, Piece piece) {
-    Vec3 place = wanted.spot(piece).place();
-    double reach = wanted.outline(piece).reach();
-    return wanted.pieces().stream()
-        .filter(other -> !other.equals(piece))
-        .noneMatch(other -> wanted.outline(other).covers(place, wanted.spot(other), reach));
+  /** Whether a new item is clear of all others, however they are turned. */
+  private static boolean apart(FloorPlan wanted, PlanItem item) {
+    Vec3 place = wanted.placement(item).place();
+    double reach = wanted.outline(item).reach();
+    return wanted.items().stream()
+        .filter(other -> !other.equals(item))
+        .noneMatch(other -> wanted.outline(other).covers(place, wanted.placement(other), reach));
   }
 
-  /** Takes the selected piece away, unless it is a drone's start or a goal names it. */
+  /** Takes the selected item away, unless it is a drone's start or a goal names it. */
   void remove() {
-    selected().filter(piece -> !(piece instanceof Start)).ifPresent(this::remove);
+    selected().filter(item -> !(item instanceof Start)).ifPresent(this::remove);
   }
 
-  private void remove(Piece piece) {
-    problem.set(Fit.problemWithout(layout(), piece, goals));
+  private void remove(PlanItem item) {
+    problem.set(PlacementProblem.problemWithout(plan(), item, goals));
     if (problem.get().isEmpty()) {
       selected.set(Optional.empty());
-      carryOut(layout().without(piece));
+      carryOut(plan().without(item));
     }
   }
 
   /** Makes the last change undone. */
   void undo() {
-    history.undone(layout()).ifPresent(this::restore);
+    history.undone(plan()).ifPresent(this::restore);
   }
 
   /** Does again what was undone last. */
   void redo() {
-    history.redone(layout()).ifPresent(this::restore);
+    history.redone(plan()).ifPresent(this::restore);
   }
 
-  private void restore(Layout wanted) {
+  private void restore(FloorPlan wanted) {
     held = Optional.empty();
     problem.set(Optional.empty());
-    send(wanted.in(layout().arena()));
+    send(wanted.in(plan().arena()));
     showHistory();
   }
 
-  private void tryOut(Layout wanted, Piece piece) {
-    problem.set(Fit.problem(wanted, piece));
+  private void tryOut(FloorPlan wanted, PlanItem item) {
+    problem.set(PlacementProblem.problem(wanted, item));
     if (problem.get().isEmpty()) {
       carryOut(wanted);
     }
   }
 
-  private void carryOut(Layout wanted) {
-    Layout before = layout();
+  private void carryOut(FloorPlan wanted) {
+    FloorPlan before = plan();
     if (wanted.equals(before)) {
       return;
     }
@@ -247,10 +251,10 @@ final class PlanEditor {
     }
   }
 
-  private void send(Layout wanted) {
-    Layout before = layout();
+  private void send(FloorPlan wanted) {
+    FloorPlan before = plan();
     if (!wanted.arena().equals(before.arena())) {
-      actions.carryOut(new Control.Furnish(wanted.arena()));
+      actions.carryOut(new Control.Furnish(wanted.arena().obstacles(), wanted.arena().pads()));
     }
     for (int i = 0; i < wanted.starts().size(); i++) {
       Pose start = wanted.starts().get(i);
@@ -261,7 +265,7 @@ final class PlanEditor {
     show(wanted);
   }
 
-  private void remember(Layout before) {
+  private void remember(FloorPlan before) {
     history.changed(before);
     showHistory();
   }
@@ -276,10 +280,10 @@ final class PlanEditor {
     redoable.set(history.redoable());
   }
 
-  private void show(Layout newest) {
-    if (selected().filter(piece -> !newest.has(piece)).isPresent()) {
+  private void show(FloorPlan newest) {
+    if (selected().filter(item -> !newest.has(item)).isPresent()) {
       selected.set(Optional.empty());
     }
-    layout.set(newest);
+    plan.set(newest);
   }
 }

@@ -11,7 +11,7 @@ import tellosimulator.math.Frames;
 import tellosimulator.math.Vec3;
 
 /**
- * What mouse and keys do in the plan: drag, turn, nudge, delete, undo; beside all pieces the mouse
+ * What mouse and keys do in the plan: drag, turn, nudge, delete, undo; beside all items the mouse
  * moves the plan. For the JavaFX thread.
  */
 final class PlanGestures {
@@ -31,7 +31,7 @@ final class PlanGestures {
   private final PlanView view;
   private final Runnable leave;
 
-  /** From the piece's place to where the mouse took hold of it [m]. */
+  /** From the item's place to where the mouse took hold of it [m]. */
   private Vec3 grip = Vec3.ZERO;
 
   private boolean dragging;
@@ -63,12 +63,12 @@ final class PlanGestures {
     view.requestFocus();
     lastX = event.getX();
     lastY = event.getY();
-    editor.selectedProperty().set(view.piece(event.getX(), event.getY()));
+    editor.selectedProperty().set(view.item(event.getX(), event.getY()));
     editor
         .selected()
         .ifPresent(
-            piece -> {
-              grip = under(event).minus(editor.layout().spot(piece).place()).withZ(0);
+            item -> {
+              grip = under(event).minus(editor.plan().placement(item).place()).withZ(0);
               dragging = true;
               editor.hold();
             });
@@ -77,8 +77,9 @@ final class PlanGestures {
 
   private void drag(MouseEvent event) {
     if (dragging && editor.selected().isPresent()) {
-      Spot spot = editor.layout().spot(editor.selected().get());
-      editor.place(spot.at(snapped(under(event).minus(grip), free(event) ? FINE_RASTER : RASTER)));
+      Placement placement = editor.plan().placement(editor.selected().get());
+      editor.place(
+          placement.at(snapped(under(event).minus(grip), free(event) ? FINE_RASTER : RASTER)));
     } else {
       view.show(view.scale().dragged(event.getX() - lastX, event.getY() - lastY));
     }
@@ -95,7 +96,7 @@ final class PlanGestures {
   }
 
   private void hover(MouseEvent event) {
-    boolean over = view.piece(event.getX(), event.getY()).isPresent();
+    boolean over = view.item(event.getX(), event.getY()).isPresent();
     view.setCursor(over ? Cursor.HAND : Cursor.DEFAULT);
   }
 
@@ -156,9 +157,9 @@ final class PlanGestures {
     editor
         .selected()
         .ifPresent(
-            piece -> {
-              Spot spot = editor.layout().spot(piece);
-              editor.place(spot.at(spot.place().plus(step)));
+            item -> {
+              Placement placement = editor.plan().placement(item);
+              editor.place(placement.at(placement.place().plus(step)));
             });
   }
 
@@ -167,10 +168,10 @@ final class PlanGestures {
     editor
         .selected()
         .ifPresent(
-            piece -> {
-              Spot spot = editor.layout().spot(piece);
-              double next = Math.rint(spot.heading() / angle + 1) * angle;
-              editor.place(new Spot(spot.place(), Frames.wrapped(next)));
+            item -> {
+              Placement placement = editor.plan().placement(item);
+              double next = Math.rint(placement.heading() / angle + 1) * angle;
+              editor.place(new Placement(placement.place(), Frames.wrapped(next)));
             });
   }
 

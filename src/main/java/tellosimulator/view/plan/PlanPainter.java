@@ -10,9 +10,9 @@ import javafx.scene.text.TextAlignment;
 import tellosimulator.math.Vec3;
 import tellosimulator.model.DroneSpec;
 import tellosimulator.view.drone.DroneColors;
-import tellosimulator.view.plan.Piece.Pad;
-import tellosimulator.view.plan.Piece.Start;
-import tellosimulator.view.plan.Piece.Thing;
+import tellosimulator.view.plan.PlanItem.ObstacleItem;
+import tellosimulator.view.plan.PlanItem.Pad;
+import tellosimulator.view.plan.PlanItem.Start;
 import tellosimulator.world.MissionPad;
 import tellosimulator.world.Obstacle;
 import tellosimulator.world.Room;
@@ -42,7 +42,7 @@ final class PlanPainter {
 
   private final GraphicsContext pen;
   private final IntFunction<Color> colors;
-  private PlanScale scale;
+  private PlanViewport scale;
 
   /**
    * @param colors gives that of the drone of a number
@@ -57,16 +57,16 @@ final class PlanPainter {
    *
    * @param front what is written at the front wall
    */
-  void paint(Layout layout, PlanScale newScale, String front) {
+  void paint(FloorPlan plan, PlanViewport newScale, String front) {
     scale = newScale;
     pen.clearRect(0, 0, scale.width(), scale.height());
-    paintRoom(layout.arena().room(), layout.arena().decor().grid());
+    paintRoom(plan.arena().room(), plan.arena().decor().grid());
     pen.setFill(WALL);
-    Vec3 middleOfFront = new Vec3(layout.arena().room().depth() / 2, 0, 0);
+    Vec3 middleOfFront = new Vec3(plan.arena().room().depth() / 2, 0, 0);
     write(front, scale.screenX(middleOfFront), scale.screenY(middleOfFront) - 14, 11);
-    paintWind(layout.arena().wind());
-    for (Piece piece : layout.pieces()) {
-      paint(layout, piece);
+    paintWind(plan.arena().wind());
+    for (PlanItem item : plan.items()) {
+      paint(plan, item);
     }
   }
 
@@ -123,29 +123,29 @@ final class PlanPainter {
     pen.restore();
   }
 
-  private void paint(Layout layout, Piece piece) {
-    Spot spot = layout.spot(piece);
-    Outline outline = layout.outline(piece);
+  private void paint(FloorPlan plan, PlanItem item) {
+    Placement placement = plan.placement(item);
+    PlanOutline outline = plan.outline(item);
     pen.save();
-    pen.translate(scale.screenX(spot.place()), scale.screenY(spot.place()));
-    pen.rotate(-Math.toDegrees(spot.heading()));
-    if (piece instanceof Thing thing) {
-      paint(layout.obstacle(thing), outline);
-    } else if (piece instanceof Pad pad) {
-      paint(layout.pad(pad), outline);
+    pen.translate(scale.screenX(placement.place()), scale.screenY(placement.place()));
+    pen.rotate(-Math.toDegrees(placement.heading()));
+    if (item instanceof ObstacleItem body) {
+      paint(plan.obstacle(body), outline);
+    } else if (item instanceof Pad pad) {
+      paint(plan.pad(pad), outline);
     } else {
-      paintStart(((Start) piece).drone());
+      paintStart(((Start) item).drone());
     }
     pen.restore();
-    if (piece instanceof Thing thing) {
-      name(layout.obstacle(thing), outline, spot);
-    } else if (piece instanceof Start start) {
-      number(start.drone(), spot);
+    if (item instanceof ObstacleItem body) {
+      name(plan.obstacle(body), outline, placement);
+    } else if (item instanceof Start start) {
+      number(start.drone(), placement);
     }
   }
 
   /** In the obstacle's frame: its x axis points up. */
-  private void paint(Obstacle obstacle, Outline outline) {
+  private void paint(Obstacle obstacle, PlanOutline outline) {
     int rgb = obstacle.cover().rgb();
     Color fill = Color.rgb(rgb >> 16 & 0xff, rgb >> 8 & 0xff, rgb & 0xff);
     pen.setFill(fill.deriveColor(0, 1, 1, obstacle.foot().z() > 0.01 ? 0.55 : 0.9));
@@ -162,7 +162,7 @@ final class PlanPainter {
     }
   }
 
-  private void paint(MissionPad pad, Outline outline) {
+  private void paint(MissionPad pad, PlanOutline outline) {
     double width = size(outline.width());
     double depth = size(outline.depth());
     pen.setFill(Color.WHITE);
@@ -185,7 +185,7 @@ final class PlanPainter {
 
   private void paintStart(int drone) {
     Color own = colors.apply(drone);
-    double radius = Math.max(SMALLEST + 2, DroneSpec.HULL.radius() * scale.pixels());
+    double radius = Math.max(SMALLEST + 2, DroneSpec.COLLIDER.radius() * scale.pixels());
     pen.setFill(own);
     pen.fillPolygon(
         new double[] {0, radius * 0.62, -radius * 0.62},
@@ -197,26 +197,27 @@ final class PlanPainter {
     pen.strokeOval(-radius, -radius, 2 * radius, 2 * radius);
   }
 
-  private void number(int drone, Spot spot) {
-    double radius = Math.max(SMALLEST + 2, DroneSpec.HULL.radius() * scale.pixels());
+  private void number(int drone, Placement placement) {
+    double radius = Math.max(SMALLEST + 2, DroneSpec.COLLIDER.radius() * scale.pixels());
     pen.setFill(DroneColors.inkOn(colors.apply(drone)));
     write(
         Integer.toString(drone),
-        scale.screenX(spot.place()),
-        scale.screenY(spot.place()),
+        scale.screenX(placement.place()),
+        scale.screenY(placement.place()),
         Math.max(9, radius * 0.95));
   }
 
-  private void name(Obstacle obstacle, Outline outline, Spot spot) {
+  private void name(Obstacle obstacle, PlanOutline outline, Placement placement) {
     double largest = size(Math.max(outline.width(), outline.depth()));
     if (largest < SMALLEST_NAMED) {
       return;
     }
     pen.setFill(INK);
     boolean below = size(Math.min(outline.width(), outline.depth())) < 22;
-    double lowest = outline.corners(spot).stream().mapToDouble(scale::screenY).max().orElseThrow();
-    double y = below ? lowest + 10 : scale.screenY(spot.place());
-    write(obstacle.name(), scale.screenX(spot.place()), y, 11);
+    double lowest =
+        outline.corners(placement).stream().mapToDouble(scale::screenY).max().orElseThrow();
+    double y = below ? lowest + 10 : scale.screenY(placement.place());
+    write(obstacle.name(), scale.screenX(placement.place()), y, 11);
   }
 
   private void write(String text, double x, double y, double size) {
@@ -226,7 +227,7 @@ final class PlanPainter {
     pen.fillText(text, x, y);
   }
 
-  private void shape(Outline outline) {
+  private void shape(PlanOutline outline) {
     double width = size(outline.width());
     double depth = size(outline.depth());
     if (outline.round()) {
@@ -239,19 +240,19 @@ final class PlanPainter {
   }
 
   /**
-   * Marks a piece.
+   * Marks an item.
    *
    * @param wrong whether it cannot go where it is wanted
    */
-  void mark(Layout layout, Piece piece, boolean wrong) {
-    Spot spot = layout.spot(piece);
-    Outline outline = layout.outline(piece);
+  void mark(FloorPlan plan, PlanItem item, boolean wrong) {
+    Placement placement = plan.placement(item);
+    PlanOutline outline = plan.outline(item);
     double gap = 5;
     double width = size(outline.width()) + 2 * gap;
     double depth = size(outline.depth()) + 2 * gap;
     pen.save();
-    pen.translate(scale.screenX(spot.place()), scale.screenY(spot.place()));
-    pen.rotate(-Math.toDegrees(spot.heading()));
+    pen.translate(scale.screenX(placement.place()), scale.screenY(placement.place()));
+    pen.rotate(-Math.toDegrees(placement.heading()));
     pen.setStroke(wrong ? WRONG : CHOSEN);
     pen.setLineWidth(2);
     if (outline.round()) {

@@ -1,5 +1,6 @@
 package tellosimulator.view.plan;
 
+import atlantafx.base.controls.Spacer;
 import atlantafx.base.theme.Styles;
 import java.util.Locale;
 import javafx.beans.binding.Bindings;
@@ -13,18 +14,14 @@ import javafx.scene.control.Button;
 import javafx.scene.control.Label;
 import javafx.scene.control.Separator;
 import javafx.scene.control.ToolBar;
-import javafx.scene.control.Tooltip;
 import javafx.scene.layout.BorderPane;
-import javafx.scene.layout.HBox;
-import javafx.scene.layout.Priority;
-import javafx.scene.layout.Region;
-import javafx.util.Duration;
 import org.kordamp.ikonli.Ikon;
 import org.kordamp.ikonli.feather.Feather;
 import org.kordamp.ikonli.javafx.FontIcon;
 import tellosimulator.math.Vec3;
-import tellosimulator.view.ViewContext;
 import tellosimulator.view.drone.DroneColors;
+import tellosimulator.view.fx.Tooltips;
+import tellosimulator.view.model.ViewContext;
 import tellosimulator.view.text.Language;
 import tellosimulator.view.text.Messages;
 
@@ -34,7 +31,6 @@ import tellosimulator.view.text.Messages;
  */
 public final class PlanPane extends BorderPane {
 
-  private static final Duration TOOLTIP_DELAY = Duration.millis(400);
   private static final PseudoClass WRONG = PseudoClass.getPseudoClass("wrong");
 
   private final ObservableValue<Boolean> never = new SimpleBooleanProperty();
@@ -43,7 +39,7 @@ public final class PlanPane extends BorderPane {
   private final Messages messages;
   private final PlanEditor editor;
   private final PlanView view;
-  private final PieceText text;
+  private final PlanItemText text;
   private final ToolBar bar = new ToolBar();
   private final Label status = new Label();
 
@@ -60,7 +56,7 @@ public final class PlanPane extends BorderPane {
             editor,
             drone -> DroneColors.of(context.simulation().drones().get(drone - 1)),
             messages.text("front"));
-    text = new PieceText(language, messages);
+    text = new PlanItemText(language, messages);
     initializeSelf();
     initializeParts();
     layoutParts();
@@ -86,13 +82,11 @@ public final class PlanPane extends BorderPane {
     status.setId("plan-status");
     status.getStyleClass().add("plan-status");
     status.setMaxWidth(Double.MAX_VALUE);
-    for (Stock kind : Stock.values()) {
+    for (PaletteItem kind : PaletteItem.values()) {
       bar.getItems().add(palette("add-" + kind.word(), () -> editor.add(kind, middle())));
     }
     Button pad = palette("add-pad", () -> editor.addPad(middle()));
-    pad.disableProperty().bind(editor.layoutProperty().map(now -> now.freePadId().isEmpty()));
-    Region space = new Region();
-    HBox.setHgrow(space, Priority.ALWAYS);
+    pad.disableProperty().bind(editor.planProperty().map(now -> now.freePadId().isEmpty()));
     bar.getItems()
         .addAll(
             pad,
@@ -101,7 +95,7 @@ public final class PlanPane extends BorderPane {
             tool("redo", Feather.CORNER_UP_RIGHT, editor::redo, editor.redoableProperty().not()),
             tool("remove", Feather.TRASH_2, editor::remove, nothingToRemove()),
             tool("whole", Feather.MAXIMIZE_2, view::showWhole, never),
-            space,
+            new Spacer(),
             tool("leave", Feather.X, () -> shown.set(false), never));
   }
 
@@ -125,7 +119,7 @@ public final class PlanPane extends BorderPane {
         .bind(
             Bindings.createStringBinding(
                 this::sentence,
-                editor.layoutProperty(),
+                editor.planProperty(),
                 editor.selectedProperty(),
                 editor.problemProperty(),
                 language.localeProperty()));
@@ -148,14 +142,14 @@ public final class PlanPane extends BorderPane {
     }
     return editor
         .selected()
-        .filter(editor.layout()::has)
-        .map(piece -> text.of(editor.layout(), piece))
+        .filter(editor.plan()::has)
+        .map(item -> text.of(editor.plan(), item))
         .orElseGet(() -> messages.now("how-to"));
   }
 
   private BooleanBinding nothingToRemove() {
     return Bindings.createBooleanBinding(
-        () -> editor.selected().filter(piece -> !(piece instanceof Piece.Start)).isEmpty(),
+        () -> editor.selected().filter(item -> !(item instanceof PlanItem.Start)).isEmpty(),
         editor.selectedProperty());
   }
 
@@ -179,12 +173,9 @@ public final class PlanPane extends BorderPane {
   }
 
   private Button prepared(Button button, String id, Runnable action) {
-    Tooltip tooltip = new Tooltip();
-    tooltip.textProperty().bind(messages.text(id + "-tip"));
-    tooltip.setShowDelay(TOOLTIP_DELAY);
     button.setId("plan-" + id);
-    button.setTooltip(tooltip);
-    button.accessibleTextProperty().bind(tooltip.textProperty());
+    Tooltips.install(button, messages.text(id + "-tip"));
+    button.accessibleTextProperty().bind(messages.text(id + "-tip"));
     button.setFocusTraversable(false); // the keys belong to the plan
     button.setOnAction(
         pressed -> {

@@ -12,14 +12,14 @@ import tellosimulator.math.Vec3;
 /** The plan itself: all that is in the room, seen from above. For the JavaFX thread. */
 final class PlanView extends Region {
 
-  /** How far beside a piece the mouse still catches it [px]. */
+  /** How far beside an item the mouse still catches it [px]. */
   private static final double CATCH = 4;
 
   private final PlanEditor editor;
   private final ObservableValue<String> front;
   private final Canvas canvas = new Canvas();
   private final PlanPainter painter;
-  private PlanScale scale;
+  private PlanViewport scale;
 
   /** Whether all of the room is to be seen, whatever becomes of it. */
   private boolean whole = true;
@@ -34,13 +34,13 @@ final class PlanView extends Region {
     this.editor = editor;
     this.painter = new PlanPainter(canvas.getGraphicsContext2D(), colors);
     this.front = front;
-    this.scale = PlanScale.whole(editor.layout().arena().room(), 1, 1);
+    this.scale = PlanViewport.whole(editor.plan().arena().room(), 1, 1);
     setId("plan");
     getStyleClass().add("plan");
     setMinSize(0, 0);
     setFocusTraversable(true);
     getChildren().add(canvas);
-    editor.layoutProperty().addListener((property, before, now) -> stale = true);
+    editor.planProperty().addListener((property, before, now) -> stale = true);
     editor.selectedProperty().addListener((property, before, now) -> stale = true);
     front.addListener((property, before, now) -> stale = true);
     editor.problemProperty().addListener((property, before, now) -> stale = true);
@@ -48,29 +48,29 @@ final class PlanView extends Region {
 
   /** Draws it anew if something has changed. */
   void advance() {
-    PlanScale wanted =
+    PlanViewport wanted =
         whole
-            ? PlanScale.whole(editor.layout().arena().room(), getWidth(), getHeight())
+            ? PlanViewport.whole(editor.plan().arena().room(), getWidth(), getHeight())
             : scale.sized(getWidth(), getHeight());
     if (stale || !wanted.equals(scale)) {
       scale = wanted;
       stale = false;
-      painter.paint(editor.layout(), scale, front.getValue());
+      painter.paint(editor.plan(), scale, front.getValue());
       editor
           .selected()
-          .filter(editor.layout()::has)
+          .filter(editor.plan()::has)
           .ifPresent(
-              piece ->
-                  painter.mark(editor.layout(), piece, editor.problemProperty().get().isPresent()));
+              item ->
+                  painter.mark(editor.plan(), item, editor.problemProperty().get().isPresent()));
     }
   }
 
-  PlanScale scale() {
+  PlanViewport scale() {
     return scale;
   }
 
   /** Shows another part of the room. */
-  void show(PlanScale newScale) {
+  void show(PlanViewport newScale) {
     whole = false;
     scale = newScale;
     stale = true;
@@ -81,15 +81,15 @@ final class PlanView extends Region {
     whole = true;
   }
 
-  /** The uppermost piece at a point of the screen. */
-  Optional<Piece> piece(double x, double y) {
-    Layout layout = editor.layout();
+  /** The uppermost item at a point of the screen. */
+  Optional<PlanItem> item(double x, double y) {
+    FloorPlan plan = editor.plan();
     Vec3 place = scale.place(x, y);
-    List<Piece> pieces = layout.pieces();
-    for (int i = pieces.size() - 1; i >= 0; i--) {
-      Piece piece = pieces.get(i);
-      if (layout.outline(piece).covers(place, layout.spot(piece), scale.metres(CATCH))) {
-        return Optional.of(piece);
+    List<PlanItem> items = plan.items();
+    for (int i = items.size() - 1; i >= 0; i--) {
+      PlanItem item = items.get(i);
+      if (plan.outline(item).covers(place, plan.placement(item), scale.metres(CATCH))) {
+        return Optional.of(item);
       }
     }
     return Optional.empty();

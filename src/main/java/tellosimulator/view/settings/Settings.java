@@ -25,7 +25,7 @@ public final class Settings {
   private static final long CALM_NANOS = 1_000_000_000;
 
   /** A property that is kept. */
-  private record Kept<T>(Property<T> property, T preset, Codec<T> codec) {
+  private record Kept<T>(Property<T> property, T preset, SettingCodec<T> codec) {
 
     Optional<String> text() {
       T value = property.getValue();
@@ -68,7 +68,7 @@ public final class Settings {
    *
    * @param property whose present value is the default
    */
-  public <T> void bind(String key, Property<T> property, Codec<T> codec) {
+  public <T> void bind(String key, Property<T> property, SettingCodec<T> codec) {
     if (kept.put(key, new Kept<>(property, property.getValue(), codec)) != null) {
       throw new IllegalArgumentException("key is " + key + ", but that is bound already");
     }
@@ -87,7 +87,7 @@ public final class Settings {
     }
   }
 
-  private void complain(String key, Codec<?> codec) {
+  private void complain(String key, SettingCodec<?> codec) {
     LOG.warn(
         "{}: {} is \"{}\", but must be {}; the default is used.",
         file.path(),

@@ -35,11 +35,11 @@ public final class WindowPlacement {
   private final BooleanProperty maximised = new SimpleBooleanProperty();
 
   private WindowPlacement(Settings settings) {
-    settings.bind("window.x", x, Codec.decimal(-LARGEST, LARGEST));
-    settings.bind("window.y", y, Codec.decimal(-LARGEST, LARGEST));
-    settings.bind("window.width", width, Codec.decimal(SMALLEST, LARGEST));
-    settings.bind("window.height", height, Codec.decimal(SMALLEST, LARGEST));
-    settings.bind("window.maximised", maximised, Codec.flag());
+    settings.bind("window.x", x, SettingCodec.decimal(-LARGEST, LARGEST));
+    settings.bind("window.y", y, SettingCodec.decimal(-LARGEST, LARGEST));
+    settings.bind("window.width", width, SettingCodec.decimal(SMALLEST, LARGEST));
+    settings.bind("window.height", height, SettingCodec.decimal(SMALLEST, LARGEST));
+    settings.bind("window.maximised", maximised, SettingCodec.flag());
   }
 
   /** Puts a window, before it is shown, where it was last time, and remembers where it goes. */

@@ -8,7 +8,7 @@ import java.util.Map;
 import javafx.beans.property.ObjectProperty;
 import javafx.beans.property.SimpleObjectProperty;
 import tellosimulator.files.IoReason;
-import tellosimulator.view.settings.Codec;
+import tellosimulator.view.settings.SettingCodec;
 import tellosimulator.words.Phrase;
 import tellosimulator.words.Translation;
 
@@ -39,8 +39,8 @@ public final class Language {
   }
 
   /** How a language is written in the settings. */
-  public static Codec<Locale> codec() {
-    return new Codec<>(
+  public static SettingCodec<Locale> codec() {
+    return new SettingCodec<>(
         "one of " + String.join(", ", OFFERED.stream().map(Locale::getLanguage).toList()),
         text -> OFFERED.stream().filter(offer -> offer.getLanguage().equals(text)).findFirst(),
         Locale::getLanguage);
@@ -64,7 +64,7 @@ public final class Language {
 
   /** The present language, for those who make sentences of phrases. */
   public Translation translation() {
-    return translations.computeIfAbsent(locale(), Glossary::of);
+    return translations.computeIfAbsent(locale(), PhraseCatalog::of);
   }
 
   /** The same language for a while; each of them follows the other. */

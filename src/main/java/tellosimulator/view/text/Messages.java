@@ -1,6 +1,5 @@
 package tellosimulator.view.text;
 
-import java.text.MessageFormat;
 import java.util.Arrays;
 import java.util.Locale;
 import java.util.ResourceBundle;
@@ -9,6 +8,8 @@ import javafx.beans.Observable;
 import javafx.beans.binding.Bindings;
 import javafx.beans.binding.StringBinding;
 import javafx.beans.value.ObservableValue;
+import javafx.scene.control.Label;
+import tellosimulator.words.Phrase;
 
 /** The texts of one package of views, in the language that is chosen. For the JavaFX thread. */
 public final class Messages {
@@ -26,7 +27,8 @@ public final class Messages {
   /**
    * A text that follows the language.
    *
-   * @param values for {@code {0}}, {@code {1}} and so on; it follows those that are observable
+   * @param values for the places in it, as {@link Phrase} has them; it follows those that are
+   *     observable
    */
   public StringBinding text(String key, Object... values) {
     Observable[] causes =
@@ -39,10 +41,18 @@ public final class Messages {
     return Bindings.createStringBinding(() -> now(key, values), causes);
   }
 
+  /** A label with a text that follows the language. */
+  public Label label(String key, String... styleClasses) {
+    Label label = new Label();
+    label.textProperty().bind(text(key));
+    label.getStyleClass().addAll(styleClasses);
+    return label;
+  }
+
   /** A text in the present language. */
   public String now(String key, Object... values) {
     Object[] present = Arrays.stream(values).map(Messages::valueOf).toArray();
-    return new MessageFormat(bundle().getString(key), locale()).format(present);
+    return Phrase.format(locale(), bundle().getString(key), present);
   }
 
   private static Object valueOf(Object value) {

@@ -5,7 +5,7 @@ import java.util.function.Consumer;
 import java.util.function.Supplier;
 import tellosimulator.model.FlightPhase;
 import tellosimulator.network.OnlineSimulation;
-import tellosimulator.scenery.Stage;
+import tellosimulator.scenery.SceneBuilder;
 import tellosimulator.sim.SimSnapshot;
 import tellosimulator.video.SoftwareCameras;
 import tellosimulator.video.VideoStream;
@@ -20,38 +20,39 @@ public final class WindowVideo implements AutoCloseable {
   private final DroneOptics optics;
   private final SoftwareCameras cameras;
   private final VideoStreams streams;
-  private final List<Keeper> keepers;
-  private volatile Consumer<VideoReport> reports = report -> {};
+  private final List<VideoCapture> captures;
+  private volatile Consumer<VideoCapture.Report> reports = report -> {};
 
   /**
    * Films nothing before somebody wants pictures.
    *
    * @param snapshots the newest one
    * @param optics of the drones' cameras
-   * @param album where pictures are kept
+   * @param folder where pictures are kept
    */
-  public WindowVideo(Supplier<SimSnapshot> snapshots, DroneOptics optics, Album album) {
+  public WindowVideo(Supplier<SimSnapshot> snapshots, DroneOptics optics, MediaFolder folder) {
     this.snapshots = snapshots;
     this.optics = optics;
     cameras = new SoftwareCameras(optics);
     streams = new VideoStreams(snapshots, cameras, H264Encoder::new);
-    keepers =
+    captures =
         snapshots.get().drones().stream()
-            .map(drone -> keeper(drone.state().drone(), album))
+            .map(drone -> capture(drone.state().drone(), folder))
             .toList();
   }
 
   /** The video of a running simulation, whose drones film when they are told to. */
-  public static WindowVideo of(OnlineSimulation simulation, DroneOptics optics, Album album) {
-    WindowVideo video = new WindowVideo(simulation::snapshot, optics, album);
+  public static WindowVideo of(
+      OnlineSimulation simulation, DroneOptics optics, MediaFolder folder) {
+    WindowVideo video = new WindowVideo(simulation::snapshot, optics, folder);
     simulation.listen(video.streams);
     return video;
   }
 
-  private Keeper keeper(int drone, Album album) {
-    return new Keeper(
-        new Keeper.Source(drone, stream(drone), () -> powered(drone)),
-        album,
+  private VideoCapture capture(int drone, MediaFolder folder) {
+    return new VideoCapture(
+        new VideoCapture.Source(drone, stream(drone), () -> powered(drone)),
+        folder,
         report -> reports.accept(report));
   }
 
@@ -65,8 +66,8 @@ public final class WindowVideo implements AutoCloseable {
   }
 
   /** Keeps pictures of a drone. */
-  public Keeper keeper(int drone) {
-    return keepers.get(drone - 1);
+  public VideoCapture capture(int drone) {
+    return captures.get(drone - 1);
   }
 
   /** The optics of the drones' cameras. */
@@ -75,24 +76,24 @@ public final class WindowVideo implements AutoCloseable {
   }
 
   /** Tells somebody what became of pictures that were to be kept, on any thread. */
-  public void onReport(Consumer<VideoReport> listener) {
+  public void onReport(Consumer<VideoCapture.Report> listener) {
     reports = listener;
   }
 
   /** What makes the scenes that drones film; whoever draws them too shares its textures. */
-  public Stage stage() {
-    return cameras.stage();
+  public SceneBuilder scenes() {
+    return cameras.scenes();
   }
 
   /** Moves on what a window shows; called once a pulse, on the JavaFX thread. */
   public void advance() {
-    keepers.forEach(Keeper::advance);
+    captures.forEach(VideoCapture::advance);
   }
 
   /** Ends all streams and films, and waits until they have ended. */
   @Override
   public void close() {
     streams.close();
-    keepers.forEach(Keeper::close);
+    captures.forEach(VideoCapture::close);
   }
 }

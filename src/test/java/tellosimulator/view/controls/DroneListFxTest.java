@@ -39,8 +39,8 @@ class DroneListFxTest {
 
   @Test
   void rowsSayStateBatteryAndAddress(FxRobot robot) {
-    window.context().actions().switchPower(2, true);
-    window.context().actions().carryOut(new Control.SetBattery(2, 42));
+    window.carryOut(new Control.Power(2, true));
+    window.carryOut(new Control.SetBattery(2, 42));
     int port = window.simulation().addresses(2).get(0).getPort();
 
     window.until(

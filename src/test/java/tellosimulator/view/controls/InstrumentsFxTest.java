@@ -114,7 +114,7 @@ class InstrumentsFxTest {
 
   @Test
   void theCurveRunsFromLeftToRightAndUpwards(FxRobot robot) {
-    ChartRing ring = new ChartRing();
+    TimeSeries ring = new TimeSeries();
     ring.add(0, 0);
     ring.add(60, 50);
     robot.interact(() -> chart.show(ring, 60));
@@ -131,7 +131,7 @@ class InstrumentsFxTest {
 
   @Test
   void theScaleOfTheChartGrowsAndShrinks(FxRobot robot) {
-    ChartRing ring = new ChartRing();
+    TimeSeries ring = new TimeSeries();
     ring.add(0, 130);
     robot.interact(() -> chart.show(ring, 0));
     assertThat(highest()).isEqualTo("200");

@@ -1,7 +1,7 @@
 package tellosimulator.view.controls;
 
 import static org.assertj.core.api.Assertions.assertThat;
-import static tellosimulator.testing.SimulatedDrone.address;
+import static tellosimulator.testing.SteppedDrone.address;
 
 import java.io.IOException;
 import java.net.DatagramSocket;
@@ -27,7 +27,7 @@ import tellosimulator.sim.Control;
 import tellosimulator.sim.SimConfig.Product;
 import tellosimulator.sim.SimSnapshot;
 import tellosimulator.time.TimeFactor;
-import tellosimulator.view.FxSimulation;
+import tellosimulator.view.model.FxSimulation;
 
 @ExtendWith(ApplicationExtension.class)
 class NetworkControlsFxTest {
@@ -93,7 +93,7 @@ class NetworkControlsFxTest {
 
   @Test
   void theSwitchFollowsThePowerThatComesFromElsewhere(FxRobot robot) {
-    window.context().actions().switchPower(1, true);
+    window.carryOut(new Control.Power(1, true));
 
     window.until(() -> window.text("#power").equals("Stop Drone"));
     assertThat(robot.lookup("#power").queryAs(ToggleButton.class).isSelected()).isTrue();
@@ -153,7 +153,7 @@ class NetworkControlsFxTest {
     robot.clickOn("#reachable");
 
     assertThat(window.simulation().reach()).isEqualTo(Reach.NETWORK);
-    assertThat(window.text("#reach-sentence")).isEqualTo("Everybody in this network can fly.");
+    assertThat(window.text("#reach-sentence")).isEqualTo("Other machines can fly free drones.");
     window.speak(Locale.GERMAN);
     assertThat(window.text("#reachable")).isEqualTo("Aus dem Netz erreichbar");
 
@@ -274,7 +274,7 @@ class NetworkControlsFxTest {
     assertThat(window.snapshot().clock().paused()).isTrue();
     window.until(() -> window.text("#pause").equals("Go on"));
 
-    window.context().actions().carryOut(new Control.Pause(false));
+    window.carryOut(new Control.Pause(false));
     window.until(() -> window.text("#pause").equals("Pause"));
     assertThat(robot.lookup("#pause").queryAs(ToggleButton.class).isSelected()).isFalse();
     window.until(() -> !window.text("#simulated-time").equals("0:00.0"));
@@ -287,12 +287,12 @@ class NetworkControlsFxTest {
     robot.type(KeyCode.DOWN, 2);
     assertThat(window.snapshot().clock().factor()).isEqualTo(new TimeFactor(5));
 
-    window.context().actions().carryOut(new Control.SetTimeFactor(TimeFactor.MAX));
+    window.carryOut(new Control.SetTimeFactor(TimeFactor.MAX));
     window.until(() -> "max".equals(factor.getButtonCell().getText()));
     window.speak(Locale.GERMAN);
     assertThat(factor.getButtonCell().getText()).isEqualTo("maximal");
 
-    window.context().actions().carryOut(new Control.SetTimeFactor(new TimeFactor(0.3)));
+    window.carryOut(new Control.SetTimeFactor(new TimeFactor(0.3)));
     window.until(() -> "0,3 ×".equals(factor.getButtonCell().getText()));
     window.settle();
     assertThat(window.snapshot().clock().factor()).isEqualTo(new TimeFactor(0.3));

@@ -1,7 +1,7 @@
 package tellosimulator.view.controls;
 
 import static org.assertj.core.api.Assertions.assertThat;
-import static tellosimulator.testing.SimulatedDrone.address;
+import static tellosimulator.testing.SteppedDrone.address;
 
 import atlantafx.base.theme.PrimerLight;
 import java.io.IOException;
@@ -30,14 +30,16 @@ import org.testfx.util.WaitForAsyncUtils;
 import tellosimulator.math.Vec3;
 import tellosimulator.network.AddressPlan;
 import tellosimulator.network.OnlineSimulation;
+import tellosimulator.network.PortTakenException;
+import tellosimulator.sim.Control;
 import tellosimulator.sim.SimConfig;
 import tellosimulator.sim.SimSnapshot;
 import tellosimulator.sim.SimSnapshot.DroneSnapshot;
 import tellosimulator.sim.Swarm;
 import tellosimulator.video.camera.DroneOptics;
-import tellosimulator.view.ViewContext;
+import tellosimulator.view.model.ViewContext;
 import tellosimulator.view.text.Language;
-import tellosimulator.view.video.Album;
+import tellosimulator.view.video.MediaFolder;
 import tellosimulator.view.video.WindowVideo;
 import tellosimulator.world.Room;
 
@@ -63,7 +65,9 @@ final class PanelWindow implements AutoCloseable {
             List.of());
     context =
         ViewContext.of(
-            simulation, language, WindowVideo.of(simulation, DroneOptics.DEFAULT, Album.ofUser()));
+            simulation,
+            language,
+            WindowVideo.of(simulation, DroneOptics.DEFAULT, MediaFolder.ofUser()));
   }
 
   /** On the JavaFX thread. */
@@ -84,8 +88,19 @@ final class PanelWindow implements AutoCloseable {
     return context;
   }
 
+  /** What the simulation says when all that a person did has been carried out. */
   SimSnapshot snapshot() {
+    until(() -> !context.actions().pending());
     return simulation.snapshot();
+  }
+
+  /** Does something past the window, and waits until the simulation has done it. */
+  void carryOut(Control control) {
+    try {
+      simulation.carryOut(control);
+    } catch (PortTakenException e) {
+      throw new AssertionError(e);
+    }
   }
 
   DroneSnapshot drone(int number) {
@@ -138,7 +153,7 @@ final class PanelWindow implements AutoCloseable {
   void settle() {
     long[] pulses = {0};
     robot.interact(() -> context.pulse().onBeat(nanos -> pulses[0]++));
-    until(() -> pulses[0] > 2);
+    until(() -> pulses[0] > 2 && !context.actions().pending());
     WaitForAsyncUtils.waitForFxEvents();
   }
 
@@ -162,6 +177,7 @@ final class PanelWindow implements AutoCloseable {
   @Override
   public void close() {
     robot.interact(() -> context.pulse().stop());
+    context.actions().close();
     context.video().close();
     simulation.close();
   }

@@ -1,7 +1,7 @@
 package tellosimulator.view.controls;
 
 import static org.assertj.core.api.Assertions.assertThat;
-import static tellosimulator.testing.SimulatedDrone.address;
+import static tellosimulator.testing.SteppedDrone.address;
 
 import java.net.InetSocketAddress;
 import java.util.List;
@@ -9,14 +9,15 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import tellosimulator.sim.SimConfig.Outlets;
+import tellosimulator.view.text.Message;
 
 class PortRulesTest {
 
   @Test
   void stateAndVideoCannotShareAPort() {
-    assertThat(PortRules.outlet(11111, 11111)).hasValue(new Complaint("port.same", "11111"));
+    assertThat(PortRules.outlet(11111, 11111)).hasValue(Message.of("port.same", "11111"));
     assertThat(PortRules.outlet(11112, 11111)).isEmpty();
-    assertThat(PortRules.outlet(88.5, 11111)).hasValue(new Complaint("port.whole"));
+    assertThat(PortRules.outlet(88.5, 11111)).hasValue(Message.of("port.whole"));
   }
 
   @Test
@@ -27,8 +28,7 @@ class PortRulesTest {
     var others = List.of(List.<InetSocketAddress>of(), second, third);
 
     assertThat(PortRules.command(8880, own, others)).isEmpty();
-    assertThat(PortRules.command(8881, own, others))
-        .hasValue(new Complaint("port.other-drone", "3"));
+    assertThat(PortRules.command(8881, own, others)).hasValue(Message.of("port.other-drone", "3"));
     assertThat(PortRules.command(8879, own, others)).isEmpty();
   }
 
@@ -42,7 +42,7 @@ class PortRulesTest {
     "9001, port.listening"
   })
   void portsOfOperatorProgramsAreWarnedOf(int command, String key) {
-    assertThat(PortRules.warning(command, new Outlets(9000, 9001)).map(Complaint::key).orElse(""))
+    assertThat(PortRules.warning(command, new Outlets(9000, 9001)).map(Message::key).orElse(""))
         .isEqualTo(key);
   }
 }

@@ -49,8 +49,8 @@ class SimulatorControlsFxTest {
   @Test
   void numbersInstrumentsAndWordsFollowTheFlight(FxRobot robot) throws IOException {
     assertThat(window.text("#phase")).isEqualTo("off");
-    window.context().actions().switchPower(1, true);
-    window.context().actions().carryOut(new Control.SetTimeFactor(TimeFactor.MAX));
+    window.carryOut(new Control.Power(1, true));
+    window.carryOut(new Control.SetTimeFactor(TimeFactor.MAX));
 
     assertThat(window.fly("command", "takeoff", "up 70", "cw 90", "forward 100")).isEqualTo("ok");
 
@@ -69,21 +69,21 @@ class SimulatorControlsFxTest {
 
   @Test
   void nothingIsEverMinusZero() {
-    window.context().actions().carryOut(new Control.SetStart(1, new Vec3(-0.002, -0.5, 0)));
+    window.carryOut(new Control.SetStart(1, new Vec3(-0.002, -0.5, 0)));
 
     window.until(() -> window.text("#y").equals("-50"));
-    assertThat(window.text("#x")).isEqualTo("0");
-    assertThat(window.typed("#start-x-value")).isEqualTo("-0.2");
+    window.until(() -> window.text("#x").equals("0"));
+    window.until(() -> window.typed("#start-x-value").equals("-0.2"));
 
-    window.context().actions().carryOut(new Control.SetStart(1, new Vec3(-0.0002, 0.5, 0)));
+    window.carryOut(new Control.SetStart(1, new Vec3(-0.0002, 0.5, 0)));
     window.until(() -> window.text("#y").equals("50"));
-    assertThat(window.typed("#start-x-value")).isEqualTo("0");
+    window.until(() -> window.typed("#start-x-value").equals("0"));
   }
 
   @Test
   void resetPutsTheDroneBack(FxRobot robot) throws IOException {
-    window.context().actions().switchPower(1, true);
-    window.context().actions().carryOut(new Control.SetTimeFactor(TimeFactor.MAX));
+    window.carryOut(new Control.Power(1, true));
+    window.carryOut(new Control.SetTimeFactor(TimeFactor.MAX));
     window.fly("command", "takeoff");
     assertThat(window.drone(1).state().motion().position().z()).isGreaterThan(0.2);
 
@@ -108,7 +108,7 @@ class SimulatorControlsFxTest {
 
   @Test
   void batteryIsChargedAndItsGaugeShowsIt(FxRobot robot) {
-    window.context().actions().carryOut(new Control.SetBattery(1, 15));
+    window.carryOut(new Control.SetBattery(1, 15));
     window.until(() -> accessible(robot, "#battery").equals("Battery: 15 percent"));
 
     robot.clickOn("#battery-charge");
@@ -199,8 +199,7 @@ class SimulatorControlsFxTest {
 
     window.until(() -> window.context().simulation().decorProperty().get().grid() == 0.5);
 
-    robot.interact(
-        () -> window.context().actions().carryOut(new Control.Decorate(Decor.DEFAULT.withGrid(1))));
+    robot.interact(() -> window.carryOut(new Control.Decorate(Decor.DEFAULT.withGrid(1))));
     window.until(() -> window.typed("#grid-size-value").equals("100"));
   }
 
@@ -224,7 +223,7 @@ class SimulatorControlsFxTest {
 
   @Test
   void whatIsChangedElsewhereIsShownAndNotSentBack() {
-    window.context().actions().carryOut(new Control.SetRoom(new Room(3.333, 12, 2)));
+    window.carryOut(new Control.SetRoom(new Room(3.333, 12, 2)));
 
     window.until(() -> window.typed("#room-width-value").equals("333.3"));
     window.settle();

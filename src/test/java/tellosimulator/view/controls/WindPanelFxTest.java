@@ -65,10 +65,7 @@ class WindPanelFxTest {
   @Test
   void windFromElsewhereIsShown() {
     Wind wind = new Wind(new Vec3(-0.6, 0.6, 0), 0.25);
-    window
-        .context()
-        .actions()
-        .carryOut(new Control.Furnish(window.snapshot().arena().withWind(wind)));
+    window.carryOut(new Control.SetWind(wind));
 
     window.until(() -> window.typed("#wind-gusts-value").equals("25"));
     assertThat(window.typed("#wind-towards-value")).isEqualTo("135");

@@ -44,7 +44,7 @@ class PageOverlayFxTest {
     field.setId("field");
     StackPane below = new StackPane(field);
     Scene scene = new Scene(new StackPane(below, overlay), 1280, 800);
-    WindowKeys keys = new WindowKeys();
+    KeyBindings keys = new KeyBindings();
     for (WindowKey key : WindowKey.values()) {
       keys.on(key, () -> pressed.add(key));
     }
@@ -96,7 +96,7 @@ class PageOverlayFxTest {
 
   @Test
   void theFirstStepsNameTheAddress(FxRobot robot) {
-    window.context().actions().setCommandPort(1, 8879);
+    window.setCommandPort(8879);
 
     robot.type(KeyCode.F1);
 

@@ -12,6 +12,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import tellosimulator.fault.LinkPreset;
 import tellosimulator.math.Attitude;
 import tellosimulator.math.Pose;
 import tellosimulator.math.Vec3;
@@ -19,17 +20,25 @@ import tellosimulator.model.FlightPhase;
 import tellosimulator.profile.Behaviour;
 import tellosimulator.profile.Profile;
 import tellosimulator.sim.Control;
+import tellosimulator.sim.DroneSetup;
 import tellosimulator.sim.SimConfig;
 import tellosimulator.sim.SimEvent;
 import tellosimulator.time.TimeFactor;
 import tellosimulator.view.pilot.DemoFlight.Stage;
 import tellosimulator.view.text.Language;
+import tellosimulator.view.text.Message;
 import tellosimulator.world.Room;
 
 @Timeout(value = 60, unit = TimeUnit.SECONDS, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
 class DemoFlightTest {
 
-  private static final SimConfig FAST = SimConfig.DEFAULT.withTimeFactor(new TimeFactor(40));
+  /** The 15 s after which a drone lands that hears nothing pass in less than half a second. */
+  private static final SimConfig FAST =
+      SimConfig.DEFAULT
+          .withTimeFactor(new TimeFactor(40))
+          .withLink(LinkPreset.IDEAL)
+          .withDrones(
+              SimConfig.DEFAULT.drones().stream().map(DroneSetup::withoutSafetyLanding).toList());
 
   private FlownWindow window = new FlownWindow(FAST);
   private DemoFlight demo = new DemoFlight(window.context());
@@ -65,7 +74,7 @@ class DemoFlightTest {
                 factor.equals("max") ? TimeFactor.MAX : new TimeFactor(Double.parseDouble(factor)))
             .withRoom(new Room(edge, edge, edge), List.of(start)));
 
-    demo.switchOnAndStart();
+    switchOnAndStart();
     assertThat(demo.runningProperty().get()).isTrue();
     int steps = demo.stepsProperty().get();
     window.beatUntil(() -> !demo.runningProperty().get());
@@ -80,7 +89,7 @@ class DemoFlightTest {
 
   @Test
   void tellsWhichCommandRuns() {
-    demo.switchOnAndStart();
+    switchOnAndStart();
     window.beatUntil(() -> demo.commandProperty().get().equals("takeoff"));
 
     assertThat(demo.stepProperty().get()).isEqualTo(2);
@@ -92,7 +101,7 @@ class DemoFlightTest {
   @CsvSource({"EDU, REPORT", "EDU, MEASURED", "TELLO, REPORT", "TELLO, MEASURED"})
   void landsWhenItIsStoppedInAMove(Profile profile, Behaviour behaviour) {
     restart(FAST.withProduct(profile, behaviour));
-    demo.switchOnAndStart();
+    switchOnAndStart();
     window.beatUntil(() -> demo.commandProperty().get().startsWith("curve"));
 
     demo.stop();
@@ -106,7 +115,7 @@ class DemoFlightTest {
 
   @Test
   void landsWhenItIsStoppedDuringTakeoff() {
-    demo.switchOnAndStart();
+    switchOnAndStart();
     window.beatUntil(() -> demo.commandProperty().get().equals("takeoff"));
 
     demo.stop();
@@ -118,8 +127,10 @@ class DemoFlightTest {
 
   @Test
   void stoppingBeforeTakeoffNeedsNoLanding() {
-    demo.switchOnAndStart();
+    window.carryOut(new Control.Power(1, true));
+    window.beat();
 
+    demo.start();
     demo.stop();
 
     window.beatUntil(() -> !demo.runningProperty().get());
@@ -127,8 +138,18 @@ class DemoFlightTest {
   }
 
   @Test
-  void waitsAsLongAsTimeStandsStill() {
+  void stoppingBeforeThePowerIsOnKeepsItOnTheFloor() {
     demo.switchOnAndStart();
+    demo.stop();
+    window.settle();
+
+    assertThat(demo.runningProperty().get()).isFalse();
+    assertThat(window.phase()).isEqualTo(FlightPhase.GROUNDED);
+  }
+
+  @Test
+  void waitsAsLongAsTimeStandsStill() {
+    switchOnAndStart();
     window.beatUntil(() -> demo.commandProperty().get().startsWith("forward"));
     window.carryOut(new Control.Pause(true));
     long now = System.nanoTime();
@@ -145,7 +166,7 @@ class DemoFlightTest {
 
   @Test
   void saysThatTheDroneWasSwitchedOff() {
-    demo.switchOnAndStart();
+    switchOnAndStart();
     window.beatUntil(() -> demo.commandProperty().get().startsWith("forward"));
 
     window.carryOut(new Control.Power(1, false));
@@ -156,7 +177,7 @@ class DemoFlightTest {
 
   @Test
   void saysThatTheDroneCameDown() {
-    demo.switchOnAndStart();
+    switchOnAndStart();
     window.beatUntil(() -> window.commands().contains("flip f"));
 
     window.carryOut(new Control.Reset(1));
@@ -168,7 +189,7 @@ class DemoFlightTest {
 
   @Test
   void endsWithTheDronesRefusalAndLands() {
-    demo.switchOnAndStart();
+    switchOnAndStart();
     window.beatUntil(() -> demo.commandProperty().get().startsWith("curve"));
 
     window.carryOut(new Control.SetBattery(1, 30));
@@ -188,33 +209,33 @@ class DemoFlightTest {
 
   @Test
   void aDroneInTheAirIsNotFlown() {
-    demo.switchOnAndStart();
+    switchOnAndStart();
     window.beatUntil(() -> demo.commandProperty().get().startsWith("forward"));
     DemoFlight second = new DemoFlight(window.context());
 
     second.start();
 
     assertThat(second.runningProperty().get()).isFalse();
-    assertThat(second.problemProperty().get()).isEqualTo(Sentence.of("not-on-the-floor"));
+    assertThat(second.problemProperty().get()).isEqualTo(Message.of("not-on-the-floor"));
   }
 
   @Test
   void saysWhoHasThePort() throws IOException {
     try (DatagramSocket other = new DatagramSocket()) {
-      window.context().actions().setCommandPort(1, other.getLocalPort());
-      demo.switchOnAndStart();
+      window.setCommandPort(other.getLocalPort());
+      switchOnAndStart();
 
       assertThat(demo.runningProperty().get()).isFalse();
       assertThat(problem()).startsWith("Port " + other.getLocalPort() + " of 127.0.0.1 is taken");
     }
-    demo.switchOnAndStart();
+    switchOnAndStart();
     assertThat(problem()).isEmpty();
     assertThat(demo.runningProperty().get()).isTrue();
   }
 
   @Test
   void closingLeavesTheDroneAlone() {
-    demo.switchOnAndStart();
+    switchOnAndStart();
     window.beatUntil(() -> demo.commandProperty().get().startsWith("forward"));
     window.beatUntil(() -> window.commands().stream().anyMatch(text -> text.startsWith("forward")));
     int commands = window.commands().size();
@@ -226,9 +247,14 @@ class DemoFlightTest {
     assertThat(window.commands()).hasSize(commands);
   }
 
+  private void switchOnAndStart() {
+    demo.switchOnAndStart();
+    window.settle();
+  }
+
   private String problem() {
     return demo.problemProperty()
         .get()
-        .text(new Language(Locale.ENGLISH).messages(DemoFlight.class));
+        .now(new Language(Locale.ENGLISH).messages(DemoFlight.class));
   }
 }

@@ -1,7 +1,7 @@
 package tellosimulator.view.pilot;
 
 import static org.assertj.core.api.Assertions.assertThat;
-import static tellosimulator.testing.SimulatedDrone.address;
+import static tellosimulator.testing.SteppedDrone.address;
 
 import java.util.List;
 import java.util.Locale;
@@ -19,9 +19,9 @@ import tellosimulator.sim.SimConfig.Outlets;
 import tellosimulator.sim.SimEvent;
 import tellosimulator.sim.SimListener;
 import tellosimulator.video.camera.DroneOptics;
-import tellosimulator.view.ViewContext;
+import tellosimulator.view.model.ViewContext;
 import tellosimulator.view.text.Language;
-import tellosimulator.view.video.Album;
+import tellosimulator.view.video.MediaFolder;
 import tellosimulator.view.video.WindowVideo;
 
 /** A running simulation with real sockets on free ports, and the context of a window on it. */
@@ -31,7 +31,7 @@ public final class FlownWindow implements AutoCloseable {
   private static final int DISCARD = 9;
 
   /** Longest wait by the wall clock [ns]. */
-  private static final long PATIENCE_NANOS = 30_000_000_000L;
+  private static final long PATIENCE_NANOS = 60_000_000_000L;
 
   private final List<SimEvent> events = new CopyOnWriteArrayList<>();
   private final OnlineSimulation simulation;
@@ -56,7 +56,7 @@ public final class FlownWindow implements AutoCloseable {
         ViewContext.of(
             simulation,
             new Language(Locale.ENGLISH),
-            WindowVideo.of(simulation, DroneOptics.DEFAULT, Album.ofUser()));
+            WindowVideo.of(simulation, DroneOptics.DEFAULT, MediaFolder.ofUser()));
   }
 
   public ViewContext context() {
@@ -69,6 +69,15 @@ public final class FlownWindow implements AutoCloseable {
     } catch (PortTakenException e) {
       throw new AssertionError(e);
     }
+  }
+
+  public void setCommandPort(int port) {
+    simulation.setCommandPort(1, port);
+  }
+
+  /** Beats until all that was done in the window has been carried out. */
+  void settle() {
+    beatUntil(() -> !context.actions().pending());
   }
 
   void beat() {
@@ -101,13 +110,16 @@ public final class FlownWindow implements AutoCloseable {
   /** The commands that drone 1 received so far, in order. */
   List<String> commands() {
     return events.stream()
-        .filter(event -> event instanceof SimEvent.CommandReceived && event.drone() == 1)
-        .map(event -> ((SimEvent.CommandReceived) event).text())
+        .filter(SimEvent.CommandReceived.class::isInstance)
+        .map(SimEvent.CommandReceived.class::cast)
+        .filter(command -> command.drone() == 1)
+        .map(SimEvent.CommandReceived::text)
         .toList();
   }
 
   @Override
   public void close() {
+    context.actions().close();
     context.video().close();
     simulation.close();
   }

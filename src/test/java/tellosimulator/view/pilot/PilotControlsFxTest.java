@@ -33,7 +33,7 @@ import tellosimulator.sim.Control;
 import tellosimulator.sim.SimConfig;
 import tellosimulator.sim.Swarm;
 import tellosimulator.time.TimeFactor;
-import tellosimulator.view.FxSimulation;
+import tellosimulator.view.model.FxSimulation;
 import tellosimulator.world.Room;
 
 @ExtendWith(ApplicationExtension.class)

@@ -20,7 +20,7 @@ import tellosimulator.sim.Control;
 import tellosimulator.sim.SimConfig;
 import tellosimulator.sim.SimConfig.Outlets;
 import tellosimulator.sim.Swarm;
-import tellosimulator.view.ViewContext;
+import tellosimulator.view.model.ViewContext;
 import tellosimulator.view.testing.WindowFixture;
 import tellosimulator.world.Arena;
 import tellosimulator.world.MissionPad;
@@ -51,7 +51,7 @@ class PlanPaneFxTest {
     drag(start(1), new Vec3(1.03, -0.87, 0));
 
     waitUntil(() -> start(1).distanceTo(new Vec3(1.05, -0.85, 0)) < 1e-9);
-    Pose drone = window.simulation().snapshot().drones().get(0).state().motion().pose();
+    Pose drone = window.snapshot().drones().get(0).state().motion().pose();
     assertThat(drone.position()).as("it stands there").isEqualTo(start(1));
     assertThat(status()).isEqualTo("Start of drone 1: X 105, Y -85 cm, 0°");
   }
@@ -123,7 +123,7 @@ class PlanPaneFxTest {
     Wind wind = new Wind(new Vec3(0.5, 0, 0), 0);
     onFxThread(
         () -> {
-          window.context().actions().carryOut(new Control.Furnish(arena().withWind(wind)));
+          window.context().actions().carryOut(new Control.SetWind(wind));
           return true;
         });
     waitUntil(() -> window.context().simulation().arenaProperty().get().wind().equals(wind));
@@ -186,7 +186,7 @@ class PlanPaneFxTest {
   }
 
   private Arena arena() {
-    return window.simulation().snapshot().arena();
+    return window.snapshot().arena();
   }
 
   private List<Obstacle> obstacles() {
@@ -194,6 +194,6 @@ class PlanPaneFxTest {
   }
 
   private Vec3 start(int drone) {
-    return window.simulation().snapshot().drones().get(drone - 1).start().position();
+    return window.snapshot().drones().get(drone - 1).start().position();
   }
 }

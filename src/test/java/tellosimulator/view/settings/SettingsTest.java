@@ -226,7 +226,7 @@ class SettingsTest {
 
     settings.unbind("trail");
     BooleanProperty next = new SimpleBooleanProperty(!left);
-    settings.bind("trail", next, Codec.flag());
+    settings.bind("trail", next, SettingCodec.flag());
 
     assertThat(next.get()).isEqualTo(left);
   }
@@ -235,7 +235,7 @@ class SettingsTest {
   void aKeyIsBoundOnce() {
     Settings settings = load();
 
-    assertThatThrownBy(() -> settings.bind("trail", trail, Codec.flag()))
+    assertThatThrownBy(() -> settings.bind("trail", trail, SettingCodec.flag()))
         .isInstanceOf(IllegalArgumentException.class)
         .hasMessage("key is trail, but that is bound already");
   }
@@ -245,9 +245,9 @@ class SettingsTest {
   }
 
   private Settings bound(Settings settings) {
-    settings.bind("scale", scale, Codec.decimal(0.5, 3));
-    settings.bind("trail", trail, Codec.flag());
-    settings.bind("theme", theme, Codec.constant(Theme.class));
+    settings.bind("scale", scale, SettingCodec.decimal(0.5, 3));
+    settings.bind("trail", trail, SettingCodec.flag());
+    settings.bind("theme", theme, SettingCodec.constant(Theme.class));
     return settings;
   }
 

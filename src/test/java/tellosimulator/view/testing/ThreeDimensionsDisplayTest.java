@@ -13,7 +13,7 @@ import javafx.scene.paint.PhongMaterial;
 import javafx.scene.shape.Box;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.extension.RegisterExtension;
-import tellosimulator.view.ViewContext;
+import tellosimulator.view.model.ViewContext;
 
 /** The display draws solids, which all tests of the 3D scene stand on. */
 @NeedsDisplay

@@ -24,10 +24,11 @@ import tellosimulator.network.AddressPlan;
 import tellosimulator.network.OnlineSimulation;
 import tellosimulator.sim.SimConfig;
 import tellosimulator.sim.SimConfig.Outlets;
+import tellosimulator.sim.SimSnapshot;
 import tellosimulator.video.camera.DroneOptics;
-import tellosimulator.view.ViewContext;
+import tellosimulator.view.model.ViewContext;
 import tellosimulator.view.text.Language;
-import tellosimulator.view.video.Album;
+import tellosimulator.view.video.MediaFolder;
 import tellosimulator.view.video.WindowVideo;
 
 /**
@@ -35,7 +36,7 @@ import tellosimulator.view.video.WindowVideo;
  * 127.0.0.1, in English and with the light theme. Beats as in the program, once a frame. Use:
  *
  * <pre>{@code
- * @RegisterExtension final WindowFixture window = new WindowFixture(LogBox::new);
+ * @RegisterExtension final WindowFixture window = new WindowFixture(LogPane::new);
  *
  * window.robot().clickOn("#clear-log");
  * window.waitUntil(() -> window.find("log-lines", ListView.class).getItems().isEmpty());
@@ -88,7 +89,7 @@ public final class WindowFixture implements BeforeEachCallback, AfterEachCallbac
             AddressPlan.portPerDrone(config.starts().size(), LOOPBACK, 0),
             OptionalInt.empty(),
             List.of());
-    video = WindowVideo.of(simulation, DroneOptics.DEFAULT, Album.ofUser());
+    video = WindowVideo.of(simulation, DroneOptics.DEFAULT, MediaFolder.ofUser());
     onFxThread(
         () -> {
           Application.setUserAgentStylesheet(new PrimerLight().getUserAgentStylesheet());
@@ -107,6 +108,7 @@ public final class WindowFixture implements BeforeEachCallback, AfterEachCallbac
   public void afterEach(ExtensionContext test) {
     onFxThread(
         () -> {
+          context.actions().close();
           context.pulse().stop();
           stage.close();
           return stage;
@@ -124,6 +126,12 @@ public final class WindowFixture implements BeforeEachCallback, AfterEachCallbac
   /** The core behind the view; for any thread. */
   public OnlineSimulation simulation() {
     return simulation;
+  }
+
+  /** What the simulation says when all that was done in the window has been carried out. */
+  public SimSnapshot snapshot() {
+    waitUntil(() -> !context.actions().pending());
+    return simulation.snapshot();
   }
 
   /** The window. */

@@ -9,7 +9,7 @@ import javafx.scene.control.Label;
 import javafx.scene.layout.VBox;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.extension.RegisterExtension;
-import tellosimulator.view.ViewContext;
+import tellosimulator.view.model.ViewContext;
 
 class WindowFixtureFxTest {
 
@@ -38,7 +38,10 @@ class WindowFixtureFxTest {
     Button button = new Button("On");
     button.setId("switch-on");
     button.setOnAction(
-        event -> assertThat(context.actions().switchPower(1, true)).as("why not").isEmpty());
+        event ->
+            context
+                .actions()
+                .switchPower(1, true, refusal -> assertThat(refusal).as("why not").isEmpty()));
     Label label = new Label();
     label.setId("power");
     label

@@ -1,0 +1,200 @@
+package tellosimulator.view.app;
+
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.OptionalInt;
+import java.util.function.Function;
+import javafx.application.Platform;
+import javafx.stage.Stage;
+import tellosimulator.goal.GoalWatch;
+import tellosimulator.network.AddressPlan;
+import tellosimulator.network.OnlineSimulation;
+import tellosimulator.scenario.OpenedScenario;
+import tellosimulator.scenario.Scenario;
+import tellosimulator.scenario.ScenarioDocument;
+import tellosimulator.scenario.ScenarioFile;
+import tellosimulator.sim.DroneSetup;
+import tellosimulator.sim.LogLimiter;
+import tellosimulator.sim.SimConfig.Outlets;
+import tellosimulator.sim.SimSnapshot;
+import tellosimulator.sim.SimSnapshot.DroneSnapshot;
+import tellosimulator.video.camera.DroneOptics;
+import tellosimulator.view.layout.QuestionPage.Question;
+import tellosimulator.view.layout.WindowState;
+import tellosimulator.view.log.LogQueue;
+import tellosimulator.view.model.FxScenario;
+import tellosimulator.view.model.Pulse;
+import tellosimulator.view.model.ScenarioActions;
+import tellosimulator.view.model.ViewContext;
+import tellosimulator.view.settings.Settings;
+import tellosimulator.view.text.Language;
+import tellosimulator.view.video.MediaFolder;
+import tellosimulator.view.video.WindowVideo;
+
+/**
+ * A scenario while it is flown: its simulation, its drones' video, and what the window shows of
+ * them. Another scenario has all of it anew, in the same stage.
+ */
+final class ScenarioSession implements AutoCloseable {
+
+  /** Frames from look to look whether something is unsaved. Decided: a quarter of a second. */
+  private static final int FRAMES_BETWEEN_LOOKS = 15;
+
+  /**
+   * How drones and operators reach each other.
+   *
+   * @param replyPort port to which all replies go; empty for the port each command came from
+   */
+  record Wire(AddressPlan plan, OptionalInt replyPort) {}
+
+  /** What stays when the scenario changes. */
+  record Frame(Stage stage, Language language, WindowState state, Settings settings) {}
+
+  private OpenedScenario opened;
+  private final LogQueue logQueue;
+  private final GoalWatch goals;
+  private final OnlineSimulation simulation;
+  private final WindowVideo video;
+  private SimulatorWindow window;
+  private ViewContext context;
+  private Frame frame;
+  private int frames;
+
+  /** Starts its simulation; all drones are off. */
+  ScenarioSession(OpenedScenario opened, Wire wire, DroneOptics optics, LogQueue logQueue) {
+    this.opened = opened;
+    this.logQueue = logQueue;
+    Scenario scenario = opened.scenario();
+    goals = new GoalWatch(scenario.challenge(), logQueue::event);
+    simulation =
+        new OnlineSimulation(
+            scenario.config(),
+            wire.plan(),
+            wire.replyPort(),
+            List.of(new LogLimiter(logQueue), goals));
+    video = WindowVideo.of(simulation, optics, MediaFolder.ofUser());
+  }
+
+  OnlineSimulation simulation() {
+    return simulation;
+  }
+
+  OpenedScenario opened() {
+    return opened;
+  }
+
+  /** Shows it in a stage. For the JavaFX thread, as all that follows but for {@link #close}. */
+  void showIn(Frame newFrame, ScenarioActions actions) {
+    frame = newFrame;
+    FxScenario scenario = new FxScenario(opened.scenario(), opened.file(), goals, actions);
+    context = ViewContext.of(simulation, frame.language.linked(), video, scenario);
+    context.pulse().onBeat(nanos -> lookForEdits(scenario));
+    window = new SimulatorWindow(frame.stage, context, frame.state.linked(), logQueue);
+    window.remember(frame.settings);
+    window.show();
+  }
+
+  /** Not at each frame: it compares the whole scenario. */
+  private void lookForEdits(FxScenario scenario) {
+    frames++;
+    if (frames % FRAMES_BETWEEN_LOOKS == 0) {
+      scenario.setUnsaved(unsaved());
+    }
+  }
+
+  Pulse pulse() {
+    return context.pulse();
+  }
+
+  /** Whether any drone has power. */
+  boolean on() {
+    return context.simulation().drones().stream().anyMatch(drone -> drone.onProperty().get());
+  }
+
+  /** Switches all drones on; the log says which stay off, and why. */
+  void switchOn() {
+    context
+        .simulation()
+        .drones()
+        .forEach(drone -> context.actions().switchPower(drone.number(), true));
+  }
+
+  /** Says in the window what is wrong with another scenario. */
+  void show(List<Function<Language, String>> mistakes) {
+    window.show(mistakes);
+  }
+
+  /** The scenario with room and starts as they are now. */
+  private Scenario present() {
+    SimSnapshot snapshot = simulation.snapshot();
+    List<DroneSetup> setups = new ArrayList<>();
+    for (DroneSnapshot drone : snapshot.drones()) {
+      DroneSetup first = opened.scenario().config().drones().get(setups.size());
+      Outlets outlets = new Outlets(drone.link().statePort(), drone.link().videoPort());
+      setups.add(first.withStart(drone.start()).withProduct(drone.product()).withOutlets(outlets));
+    }
+    return opened
+        .scenario()
+        .withConfig(opened.scenario().config().withArena(snapshot.arena()).withDrones(setups));
+  }
+
+  /** The document of what is there now, as it would be in a file. */
+  ScenarioDocument toSave(Path file) {
+    Scenario wanted = opened.toSave(present());
+    return opened.document().changedTo(wanted, ScenarioFile.folder(file));
+  }
+
+  /** Does something when all that was done in the window has been carried out. */
+  void whenSettled(Runnable action) {
+    if (context.actions().pending()) {
+      context.actions().afterPending(() -> Platform.runLater(() -> whenSettled(action)));
+    } else {
+      action.run();
+    }
+  }
+
+  /** Whether there is something that no file has. */
+  boolean unsaved() {
+    return opened.unsaved(present());
+  }
+
+  /** It has been written to a file, which from now on is the one to open again. */
+  void savedAs(ScenarioDocument document, Path file) {
+    opened = OpenedScenario.of(document, file).with(present());
+    context.scenario().savedAs(file);
+    context.scenario().setUnsaved(unsaved());
+  }
+
+  /** Saves it to its file, or lets somebody choose one. */
+  void save() {
+    window.save();
+  }
+
+  /** Whether a question waits for an answer. */
+  boolean asks() {
+    return window.asks();
+  }
+
+  /** Asks something in the window. */
+  void ask(Question question) {
+    window.ask(question);
+  }
+
+  /** Ends the window's part of it; the stage stays. */
+  void leave() {
+    window.close();
+  }
+
+  /** Lets go of the settings, so that another scenario can have them. */
+  void forget() {
+    window.forget(frame.settings);
+  }
+
+  /** Ends simulation and video. For any thread. */
+  @Override
+  public void close() {
+    video.close();
+    simulation.close();
+  }
+}

@@ -1,0 +1,330 @@
+package tellosimulator.view.app;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.OptionalInt;
+import java.util.concurrent.CountDownLatch;
+import java.util.function.Function;
+import java.util.function.UnaryOperator;
+import javafx.application.Platform;
+import javafx.stage.Stage;
+import tellosimulator.network.AddressPlan;
+import tellosimulator.network.PortTakenException;
+import tellosimulator.scenario.Gallery;
+import tellosimulator.scenario.Mistake;
+import tellosimulator.scenario.OpenedScenario;
+import tellosimulator.scenario.Scenario;
+import tellosimulator.scenario.ScenarioDocument;
+import tellosimulator.scenario.ScenarioException;
+import tellosimulator.scenario.ScenarioFile;
+import tellosimulator.video.camera.DroneOptics;
+import tellosimulator.view.app.ScenarioSession.Frame;
+import tellosimulator.view.app.ScenarioSession.Wire;
+import tellosimulator.view.layout.QuestionPage.Question;
+import tellosimulator.view.layout.QuestionPage.Question.Answer;
+import tellosimulator.view.layout.WindowState;
+import tellosimulator.view.log.LogLevel;
+import tellosimulator.view.log.LogQueue;
+import tellosimulator.view.model.ScenarioActions;
+import tellosimulator.view.settings.Settings;
+import tellosimulator.view.settings.WindowPlacement;
+import tellosimulator.view.text.Language;
+
+/** The program with a window, in which one scenario after the other can be opened. */
+public final class SimulatorApp implements AutoCloseable, ScenarioActions {
+
+  /**
+   * What holds for every scenario.
+   *
+   * @param applied gives a scenario what was said about all; fails with a sentence if it cannot
+   * @param plan says which drone listens where; fails with a sentence if it cannot
+   * @param replyPort port to which all replies go; empty for the port each command came from
+   */
+  public record Rules(
+      UnaryOperator<Scenario> applied,
+      Function<Scenario, AddressPlan> plan,
+      OptionalInt replyPort) {}
+
+  private final LogQueue logQueue = new LogQueue();
+  private final Rules rules;
+  private final DroneOptics optics;
+  private final CountDownLatch closed = new CountDownLatch(1);
+  private volatile ScenarioSession running;
+  private volatile boolean failed;
+  private Frame frame;
+  private Optional<FileWatcher> watch = Optional.empty();
+
+  /**
+   * Starts the simulation; all drones are off.
+   *
+   * @param optics of the drones' cameras
+   */
+  public SimulatorApp(OpenedScenario first, Rules rules, DroneOptics optics) {
+    this.rules = rules;
+    this.optics = optics;
+    AddressPlan plan = rules.plan.apply(first.scenario());
+    running = new ScenarioSession(first, new Wire(plan, rules.replyPort), optics, logQueue);
+  }
+
+  /** How another scenario is reached: from where the present one is. */
+  private Wire wire(Scenario scenario) {
+    AddressPlan plan = rules.plan.apply(scenario).withReach(running.simulation().reach());
+    return new Wire(plan, rules.replyPort);
+  }
+
+  /**
+   * Switches all drones on, or none.
+   *
+   * @throws PortTakenException if an address or port cannot be had
+   */
+  public void switchAllOn() throws PortTakenException {
+    running.simulation().switchAllOn();
+  }
+
+  /** Which drone listens where; see {@link tellosimulator.network.OnlineSimulation#ready}. */
+  public String ready() {
+    return running.simulation().ready();
+  }
+
+  /**
+   * Opens the window, and returns after it was closed. The {@link Toolkit} must run.
+   *
+   * @param settings what was remembered, and what is to be remembered
+   * @param state what the window is switched to
+   * @return whether there was a window; if not, the log says why
+   */
+  public boolean run(Settings settings, WindowState state) throws InterruptedException {
+    Platform.runLater(
+        () -> {
+          try {
+            show(new Stage(), settings, state);
+          } catch (RuntimeException e) {
+            failed = true;
+            closed.countDown(); // or the program would go on, with nothing to be seen of it
+            throw e;
+          }
+        });
+    closed.await();
+    Platform.exit();
+    return !failed;
+  }
+
+  /** Shows the window in a stage. For the JavaFX thread. */
+  void show(Stage stage, Settings settings, WindowState state) {
+    Language language = new Language(Locale.getDefault());
+    settings.bind("language", language.localeProperty(), Language.codec());
+    frame = new Frame(stage, language, state, settings);
+    stage.setOnCloseRequest(
+        event -> {
+          event.consume();
+          unlessLost(stage::hide);
+        });
+    stage.setOnHidden(
+        hidden -> {
+          running.leave();
+          settings.save();
+          closed.countDown();
+        });
+    WindowPlacement.remember(stage, settings);
+    show(running);
+  }
+
+  private void show(ScenarioSession scenario) {
+    scenario.showIn(frame, this);
+    watch = scenario.opened().file().map(FileWatcher::new);
+    scenario.pulse().onBeat(this::lookAtFile);
+  }
+
+  private void lookAtFile(long nanos) {
+    if (watch.isPresent() && watch.get().changed(nanos)) {
+      // not within the beat that it ends
+      Platform.runLater(() -> running.whenSettled(this::fileChanged));
+    }
+  }
+
+  private void fileChanged() {
+    if (running.unsaved() && running.asks()) {
+      return; // one thing after the other; saving looks again
+    }
+    if (running.unsaved()) {
+      ask("file-changed", new Answer("keep", () -> {}), new Answer("read-again", this::readAgain));
+    } else {
+      readAgain();
+    }
+  }
+
+  private void readAgain() {
+    say(LogLevel.INFO, "scenario-changed", name());
+    openAgain();
+  }
+
+  private String name() {
+    return running.opened().file().map(Path::toString).orElse("");
+  }
+
+  // --- opening and saving ---
+
+  @Override
+  public void open(Path file) {
+    unlessLost(() -> openFile(file));
+  }
+
+  private void openFile(Path file) {
+    try {
+      replaceBy(OpenedScenario.of(ScenarioFile.open(file), file));
+    } catch (ScenarioException e) {
+      complain(e.mistakes().stream().map(SimulatorApp::saying).toList());
+    }
+  }
+
+  @Override
+  public void openKnown(String name) {
+    unlessLost(() -> openOfProgram(name));
+  }
+
+  private void openOfProgram(String name) {
+    Gallery.open(name).ifPresent(known -> replaceBy(OpenedScenario.known(known, name)));
+  }
+
+  @Override
+  public void reload() {
+    unlessLost(this::openAgain);
+  }
+
+  private void openAgain() {
+    OpenedScenario opened = running.opened();
+    opened.file().ifPresent(this::openFile);
+    opened.known().ifPresent(this::openOfProgram);
+  }
+
+  /** Does something, at once or after somebody has said what becomes of unsaved edits. */
+  private void unlessLost(Runnable action) {
+    running.whenSettled(() -> unlessUnsaved(action));
+  }
+
+  private void unlessUnsaved(Runnable action) {
+    if (!running.unsaved()) {
+      action.run();
+      return;
+    }
+    Runnable saveFirst =
+        () -> {
+          running.save();
+          running.whenSettled( // it may not have worked, or no file was chosen
+              () -> {
+                if (!running.unsaved()) {
+                  action.run();
+                }
+              });
+        };
+    ask(
+        "unsaved",
+        new Answer("save", saveFirst),
+        new Answer("do-not-save", action),
+        new Answer("go-on", () -> {}));
+  }
+
+  private void ask(String key, Answer... answers) {
+    running.ask(new Question(key, title(running.opened()), List.of(answers)));
+  }
+
+  @Override
+  public void save(Path file) {
+    running.whenSettled(() -> saveTo(file));
+  }
+
+  private void saveTo(Path file) {
+    boolean ours = running.opened().file().filter(file::equals).isPresent();
+    try {
+      if (ours && !ScenarioFile.holds(file, running.opened().document())) {
+        ask(
+            "overwrite",
+            new Answer("go-on", () -> {}),
+            new Answer("overwrite-it", () -> write(file)));
+        return;
+      }
+    } catch (IOException e) {
+      notSaved(file, e);
+      return;
+    }
+    write(file);
+  }
+
+  private void write(Path file) {
+    ScenarioDocument document = running.toSave(file);
+    try {
+      ScenarioFile.write(document, file);
+    } catch (IOException e) {
+      notSaved(file, e);
+      return;
+    }
+    say(LogLevel.INFO, "scenario-saved", file);
+    if (document.kept() != ScenarioDocument.Kept.ALL) {
+      say(LogLevel.WARN, "scenario-written-anew", file);
+    }
+    running.savedAs(document, file);
+    watch = Optional.of(new FileWatcher(file));
+    try {
+      ScenarioFile.read(file);
+    } catch (ScenarioException e) { // a gate may be gone of which a goal speaks
+      e.mistakes().forEach(mistake -> logQueue.say(LogLevel.WARN, saying(mistake)));
+    }
+  }
+
+  private void notSaved(Path file, IOException e) {
+    logQueue.say(
+        LogLevel.ERROR,
+        language ->
+            language
+                .messages(SimulatorApp.class)
+                .now("scenario-not-saved", file, language.reason(e)));
+  }
+
+  private void say(LogLevel level, String key, Object... about) {
+    logQueue.say(level, language -> language.messages(SimulatorApp.class).now(key, about));
+  }
+
+  /** Ends what is flown and begins something else, in the same stage. */
+  private void replaceBy(OpenedScenario chosen) {
+    OpenedScenario next;
+    Wire wire;
+    try {
+      next = chosen.with(rules.applied.apply(chosen.scenario()));
+      wire = wire(next.scenario());
+    } catch (IllegalArgumentException e) {
+      complain(List.of(language -> title(chosen) + ": " + e.getMessage()));
+      return;
+    }
+    boolean on = running.on();
+    running.leave();
+    running.forget();
+    running.close();
+    running = new ScenarioSession(next, wire, optics, logQueue);
+    say(LogLevel.INFO, "scenario-opened", title(next));
+    show(running);
+    if (on) {
+      running.switchOn();
+    }
+  }
+
+  private static String title(OpenedScenario opened) {
+    return opened.file().map(Path::toString).orElse(opened.scenario().name());
+  }
+
+  private static Function<Language, String> saying(Mistake mistake) {
+    return language -> mistake.in(language.translation());
+  }
+
+  private void complain(List<Function<Language, String>> mistakes) {
+    mistakes.forEach(mistake -> logQueue.say(LogLevel.ERROR, mistake));
+    running.show(mistakes);
+  }
+
+  @Override
+  public void close() {
+    running.close();
+  }
+}

@@ -1,0 +1,348 @@
+package tellosimulator.view.app;
+
+import java.util.List;
+import java.util.function.Function;
+import javafx.application.Application;
+import javafx.beans.property.BooleanProperty;
+import javafx.beans.property.DoubleProperty;
+import javafx.beans.property.ReadOnlyObjectProperty;
+import javafx.beans.property.SimpleDoubleProperty;
+import javafx.scene.Parent;
+import javafx.scene.Scene;
+import javafx.scene.input.KeyCombination;
+import javafx.scene.layout.StackPane;
+import javafx.scene.layout.VBox;
+import javafx.stage.Stage;
+import javafx.stage.WindowEvent;
+import javafx.util.Subscription;
+import tellosimulator.math.Frames;
+import tellosimulator.sim.Control;
+import tellosimulator.view.controls.DroneList;
+import tellosimulator.view.controls.NetworkControls;
+import tellosimulator.view.controls.SimulatorControls;
+import tellosimulator.view.goal.GoalPanel;
+import tellosimulator.view.layout.KeyBindings;
+import tellosimulator.view.layout.PageOverlay;
+import tellosimulator.view.layout.QuestionPage.Question;
+import tellosimulator.view.layout.SimulatorPane;
+import tellosimulator.view.layout.WindowBar;
+import tellosimulator.view.layout.WindowKey;
+import tellosimulator.view.layout.WindowState;
+import tellosimulator.view.log.LogLevel;
+import tellosimulator.view.log.LogPane;
+import tellosimulator.view.log.LogQueue;
+import tellosimulator.view.model.FxScenario;
+import tellosimulator.view.model.ViewContext;
+import tellosimulator.view.pilot.PilotControls;
+import tellosimulator.view.plan.PlanPane;
+import tellosimulator.view.settings.SettingCodec;
+import tellosimulator.view.settings.Settings;
+import tellosimulator.view.text.Language;
+import tellosimulator.view.video.VideoCapture;
+import tellosimulator.view.world.Simulator3DScene;
+import tellosimulator.view.world.ViewCamera;
+import tellosimulator.world.Decor;
+
+/** The window: its parts, put together. For the JavaFX thread. */
+public final class SimulatorWindow implements AutoCloseable {
+
+  /**
+   * Size of the scene before the window has its own [px]. Measured: without one, the toolkit styles
+   * everything once more to find it, which takes a tenth of the start.
+   */
+  private static final double FIRST_WIDTH = 1280;
+
+  private static final double FIRST_HEIGHT = 800;
+
+  /** Between what lies over the scene's corner [px]. */
+  private static final double ASIDE_GAP = 8;
+
+  /** What {@link #remember} binds. */
+  private static final List<String> REMEMBERED =
+      List.of(
+          "show.trail",
+          "show.inset",
+          "show.inset-enlarged",
+          "show.smooth-edges",
+          "log.time-stamps",
+          "grid-cm");
+
+  private final Stage stage;
+  private final ViewContext context;
+  private final WindowState state;
+  private final Simulator3DScene world;
+  private final PilotControls pilot;
+  private final SimulatorControls simulatorControls;
+  private final DroneList drones;
+  private final PlanPane plan;
+  private final LogPane log;
+  private final PageOverlay pages;
+  private final WindowBar bar;
+  private final GoalPanel goals;
+  private final Scene scene;
+  private Subscription following;
+
+  /**
+   * Builds the window, and does not show it yet.
+   *
+   * @param state what it is switched to
+   * @param logQueue what its log shows
+   */
+  public SimulatorWindow(Stage stage, ViewContext context, WindowState state, LogQueue logQueue) {
+    this.stage = stage;
+    this.context = context;
+    this.state = state;
+    // First: the first control would load the toolkit's own looks, if there were no others.
+    state
+        .themeProperty()
+        .subscribe(theme -> Application.setUserAgentStylesheet(theme.stylesheet()));
+    world = new Simulator3DScene(context);
+    pilot = new PilotControls(context);
+    simulatorControls = new SimulatorControls(context);
+    goals = new GoalPanel(context);
+    drones = new DroneList(context);
+    plan = new PlanPane(context);
+    log = new LogPane(context, logQueue);
+    pages = new PageOverlay(context);
+    bar = new WindowBar(context, state, world, pages);
+    Parent root = new StackPane(pane(), pages);
+    scene = scene(stage, root);
+    following = stage.fullScreenProperty().subscribe(state.fullScreenProperty()::set);
+    setupKeys();
+    setupPulse();
+    setupBindings();
+    context.actions().onRefused((refusal, drone) -> logQueue.cannotSwitchOn(drone, refusal));
+    context
+        .video()
+        .onReport(
+            report ->
+                logQueue.say(
+                    report.good() ? LogLevel.INFO : LogLevel.ERROR,
+                    report.drone(),
+                    report.phrase()));
+    follow(context.scenario().fileProperty().subscribe(file -> stage.setTitle(title())));
+    follow(context.scenario().unsavedProperty().subscribe(unsaved -> stage.setTitle(title())));
+    stage.setFullScreenExitHint("");
+    stage.setFullScreenExitKeyCombination(KeyCombination.NO_MATCH);
+  }
+
+  private String title() {
+    FxScenario scenario = context.scenario();
+    String name =
+        scenario
+            .file()
+            .map(file -> file.getFileName().toString())
+            .orElse(scenario.scenario().name());
+    String mark = scenario.unsavedProperty().get() ? "* " : "";
+    return mark + (name.isEmpty() ? "Tello Simulator" : name + " – Tello Simulator");
+  }
+
+  /**
+   * The stage's only scene, which now shows this. Another scene would bring its own size into a
+   * window that is maximized, and leave full screen.
+   */
+  private static Scene scene(Stage stage, Parent root) {
+    if (stage.getScene() == null) {
+      stage.setScene(new Scene(root, FIRST_WIDTH, FIRST_HEIGHT));
+    } else {
+      stage.getScene().setRoot(root);
+    }
+    return stage.getScene();
+  }
+
+  /** Follows something until the window is closed. */
+  private void follow(Subscription subscription) {
+    following = following.and(subscription);
+  }
+
+  private SimulatorPane pane() {
+    return new SimulatorPane(
+        new SimulatorPane.Parts(
+            bar,
+            new SimulatorPane.Middle(world, new VBox(ASIDE_GAP, goals, drones), pilot, plan),
+            simulatorControls,
+            new NetworkControls(context),
+            log),
+        state);
+  }
+
+  /** Whatever a person does here, the window shows it with the next frame. */
+  private void setupPulse() {
+    follow(InputActivity.subscribe(context.pulse()::wake));
+    follow(scene.widthProperty().subscribe(context.pulse()::wake));
+    follow(scene.heightProperty().subscribe(context.pulse()::wake));
+  }
+
+  private void setupKeys() {
+    follow(pilot.install(scene)); // first: while it is on, its keys go before the window's
+    follow(keys().install(scene));
+  }
+
+  private KeyBindings keys() {
+    return new KeyBindings()
+        .on(WindowKey.HELP, pages::toggleHelp)
+        .on(WindowKey.SIMULATOR_CONTROLS, () -> toggle(state.simulatorControlsShownProperty()))
+        .on(WindowKey.NETWORK_CONTROLS, () -> toggle(state.networkControlsShownProperty()))
+        .on(WindowKey.LOG, () -> toggle(state.logShownProperty()))
+        .on(WindowKey.DRONES, () -> toggle(state.dronesShownProperty()))
+        .on(WindowKey.INSET, () -> toggle(world.insetVisibleProperty()))
+        .on(WindowKey.STILL, () -> capture().saveStill())
+        .on(WindowKey.RECORD, () -> capture().toggleRecording())
+        .on(WindowKey.TRAIL, () -> toggle(world.trailVisibleProperty()))
+        .on(WindowKey.PAUSE, context.actions()::togglePause)
+        .on(WindowKey.PLAN, () -> toggle(state.planShownProperty()))
+        .on(WindowKey.FULL_SCREEN, () -> toggle(state.fullScreenProperty()))
+        .on(WindowKey.FRONT_VIEW, () -> look(() -> world.camera().front()))
+        .on(WindowKey.SIDE_VIEW, () -> look(() -> world.camera().side()))
+        .on(WindowKey.TOP_VIEW, () -> look(() -> world.camera().top()))
+        .on(WindowKey.CHASE_VIEW, () -> look(() -> world.camera().chase()))
+        .on(WindowKey.RESET_VIEW, () -> look(() -> world.camera().reset()))
+        .on(WindowKey.DRONE_CAMERA, this::switchCamera)
+        .on(WindowKey.NEXT_DRONE, () -> context.simulation().selectNext(1))
+        .on(WindowKey.PREVIOUS_DRONE, () -> context.simulation().selectNext(-1))
+        .on(WindowKey.OPEN_SCENARIO, bar.scenarios()::chooseToOpen)
+        .on(WindowKey.SAVE_SCENARIO, this::save)
+        .on(WindowKey.SAVE_SCENARIO_AS, bar.scenarios()::chooseToSave)
+        .on(WindowKey.RELOAD_SCENARIO, context.scenario().actions()::reload)
+        .on(WindowKey.AGAIN, goals::again)
+        .on(WindowKey.SEARCH_LOG, this::searchLog)
+        .on(WindowKey.QUIT, this::quit);
+  }
+
+  /** As the button of the frame does. */
+  private void quit() {
+    stage.fireEvent(new WindowEvent(stage, WindowEvent.WINDOW_CLOSE_REQUEST));
+  }
+
+  private static void toggle(BooleanProperty property) {
+    property.set(!property.get());
+  }
+
+  /** Keeps pictures of the selected drone. */
+  private VideoCapture capture() {
+    return context.video().capture(context.simulation().selected().number());
+  }
+
+  private void switchCamera() {
+    boolean drones = world.viewCameraProperty().get() == ViewCamera.DRONE;
+    world.viewCameraProperty().set(drones ? ViewCamera.SIMULATOR : ViewCamera.DRONE);
+  }
+
+  private void searchLog() {
+    state.logShownProperty().set(true);
+    log.startSearch();
+  }
+
+  private void look(Runnable from) {
+    world.viewCameraProperty().set(ViewCamera.SIMULATOR);
+    from.run();
+  }
+
+  private void setupBindings() {
+    boolean several = context.simulation().drones().size() > 1;
+    drones.visibleProperty().bind(state.dronesShownProperty().map(shown -> shown && several));
+    drones.managedProperty().bind(drones.visibleProperty());
+    plan.shownProperty().bindBidirectional(state.planShownProperty());
+    plan.shownProperty().subscribe(this::giveKeys);
+    follow(state.fullScreenProperty().subscribe(stage::setFullScreen));
+    simulatorControls
+        .droneCameraProperty()
+        .subscribe(
+            drone ->
+                world.viewCameraProperty().set(drone ? ViewCamera.DRONE : ViewCamera.SIMULATOR));
+    world
+        .viewCameraProperty()
+        .subscribe(
+            camera -> simulatorControls.droneCameraProperty().set(camera == ViewCamera.DRONE));
+  }
+
+  /** The plan's keys would steer a drone that one does not see. */
+  private void giveKeys(boolean toPlan) {
+    if (toPlan) {
+      pilot.keyboard().activeProperty().set(false);
+    } else {
+      world.requestFocus();
+    }
+  }
+
+  /** Is at first as it was left, and remembers how it is left; not where it is. */
+  public void remember(Settings settings) {
+    settings.bind("show.trail", world.trailVisibleProperty(), SettingCodec.flag());
+    settings.bind("show.inset", world.insetVisibleProperty(), SettingCodec.flag());
+    settings.bind("show.inset-enlarged", world.insetEnlargedProperty(), SettingCodec.flag());
+    settings.bind("show.smooth-edges", world.antialiasingProperty(), SettingCodec.flag());
+    settings.bind("log.time-stamps", log.timeStampsProperty(), SettingCodec.flag());
+    if (context.scenario().plain()) {
+      rememberGrid(settings);
+    }
+    context.pulse().onBeat(settings::beat);
+  }
+
+  /** Lets another window of the same program remember. */
+  public void forget(Settings settings) {
+    REMEMBERED.forEach(settings::unbind);
+  }
+
+  private void rememberGrid(Settings settings) {
+    ReadOnlyObjectProperty<Decor> decor = context.simulation().decorProperty();
+    DoubleProperty gridCm = new SimpleDoubleProperty(gridCm(decor.get()));
+    settings.bind(
+        "grid-cm",
+        gridCm,
+        SettingCodec.decimal(
+            Frames.centimetres(Decor.SMALLEST_GRID), Frames.centimetres(Decor.LARGEST_GRID)));
+    if (gridCm.get() != gridCm(decor.get())) {
+      Decor remembered = decor.get().withGrid(Frames.metres(gridCm.get()));
+      context.actions().carryOut(new Control.Decorate(remembered));
+    }
+    decor.addListener((property, before, now) -> gridCm.set(gridCm(now)));
+  }
+
+  /** The grid as people see it, without the last bits of the conversion. */
+  private static double gridCm(Decor decor) {
+    return Math.rint(Frames.centimetres(decor.grid()) * 1000) / 1000;
+  }
+
+  /** Opens it, or takes the place of another one in the same stage. */
+  public void show() {
+    context.pulse().start();
+    boolean opens = !stage.isShowing();
+    stage.show();
+    world.requestFocus(); // or the first button would have it, and Space would press that
+    if (opens) {
+      InitialStageSize.hold(stage);
+      FrameRateLog.begin();
+    }
+  }
+
+  /** Says what is wrong with a scenario. */
+  void show(List<Function<Language, String>> mistakes) {
+    pages.show(mistakes);
+  }
+
+  /** Asks something. */
+  void ask(Question question) {
+    pages.ask(question);
+  }
+
+  /** Whether a question waits for an answer. */
+  boolean asks() {
+    return pages.asks();
+  }
+
+  /** Saves the scenario to its file, or lets somebody choose one. */
+  void save() {
+    bar.scenarios().save();
+  }
+
+  /** Ends what it does beside showing; what its log showed, the next one shows. */
+  @Override
+  public void close() {
+    following.unsubscribe();
+    context.actions().close();
+    context.pulse().stop();
+    world.rest();
+    pilot.close();
+    log.handOver();
+  }
+}

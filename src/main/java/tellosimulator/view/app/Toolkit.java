@@ -1,0 +1,56 @@
+package tellosimulator.view.app;
+
+import java.util.Optional;
+import java.util.concurrent.CountDownLatch;
+import javafx.application.ConditionalFeature;
+import javafx.application.Platform;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/** Starts JavaFX, if this machine can show a window. For the main thread. */
+public final class Toolkit {
+
+  private static final Logger LOG = LoggerFactory.getLogger(Toolkit.class);
+
+  /**
+   * Lets JavaFX do 3D by software renderers such as Mesa's, which it otherwise refuses. Measured:
+   * without it there is no 3D under Xvfb.
+   */
+  private static final String FORCE_GPU = "prism.forceGPU";
+
+  private static final String WHAT_HELPS =
+      "For a smoother picture on Linux, install libgl1 and libgl1-mesa-dri (Fedora: libglvnd-glx, mesa-dri-drivers).";
+
+  private Toolkit() {}
+
+  /**
+   * Starts JavaFX and waits until it runs.
+   *
+   * @return nothing, or a sentence for the user if there cannot be a window
+   */
+  public static Optional<String> start() throws InterruptedException {
+    if (System.getProperty(FORCE_GPU) == null) {
+      System.setProperty(FORCE_GPU, "true");
+    }
+    if (nativesAreThere() && !NativeCache.ofThisUser().prepare()) {
+      return Optional.of(ToolkitFailure.NO_ROOM.sentence());
+    }
+    Platform.setImplicitExit(false); // or it would end at once, as it has no window yet
+    CountDownLatch running = new CountDownLatch(1);
+    try {
+      Platform.startup(running::countDown);
+    } catch (RuntimeException | LinkageError e) {
+      LOG.debug("JavaFX does not start", e);
+      return Optional.of(ToolkitFailure.because(e, nativesAreThere()).sentence());
+    }
+    running.await();
+    if (!Platform.isSupported(ConditionalFeature.SCENE3D)) {
+      LOG.warn("The processor draws the room, as this display cannot do 3D. {}", WHAT_HELPS);
+    }
+    return Optional.empty();
+  }
+
+  private static boolean nativesAreThere() {
+    return Platform.class.getResource("/" + System.mapLibraryName("glass")) != null;
+  }
+}

@@ -1,0 +1,132 @@
+package tellosimulator.view.controls;
+
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import javafx.scene.layout.Region;
+import tellosimulator.view.model.FxDroneModel;
+import tellosimulator.view.model.FxSimulation;
+import tellosimulator.view.model.ViewContext;
+import tellosimulator.view.text.Messages;
+
+/**
+ * Charts of height, speed and battery: beside each other where there is little room, and below each
+ * other where there is more. Each drone's last minute is kept, so that choosing another drone shows
+ * its own. For the JavaFX thread.
+ */
+final class ChartPanel extends Region {
+
+  /** Least time between two drawings [ns]. Decided: ten a second look alive. */
+  private static final long PERIOD_NANOS = 100_000_000;
+
+  private static final double GAP = 8;
+
+  /** Height of charts beside each other, at least and where there is room [px]. */
+  private static final double LEAST_ROW = 46;
+
+  private static final double ROW = 110;
+
+  /** A chart that stands on its own is this high at least, and at the most [px]. */
+  private static final double LEAST_ALONE = 64;
+
+  private static final double MOST_ALONE = 110;
+
+  /** What is kept of a drone. */
+  private record History(TimeSeries height, TimeSeries speed, TimeSeries battery) {
+
+    static History empty() {
+      return new History(new TimeSeries(), new TimeSeries(), new TimeSeries());
+    }
+
+    /** Moment of the newest sample [s]. */
+    double newest() {
+      return height.time(height.size() - 1);
+    }
+
+    void add(FxDroneModel drone, double seconds) {
+      height.add(seconds, drone.zCmProperty().get());
+      speed.add(seconds, drone.speedCmProperty().get());
+      battery.add(seconds, drone.batteryPercentProperty().get());
+    }
+  }
+
+  private final FxSimulation simulation;
+  private final Map<FxDroneModel, History> histories = new HashMap<>();
+  private final List<LiveChart> charts = new ArrayList<>();
+  private final LiveChart height;
+  private final LiveChart speed;
+  private final LiveChart battery;
+  private long drawnNanos = Long.MIN_VALUE;
+  private int drawnDrone;
+  private double drawnSeconds;
+
+  ChartPanel(ViewContext context) {
+    simulation = context.simulation();
+    Messages messages = context.language().messages(ChartPanel.class);
+    height = new LiveChart("height-chart", messages.text("chart.height"), 100);
+    speed = new LiveChart("speed-chart", messages.text("chart.speed"), 50);
+    battery = new LiveChart("battery-chart", messages.text("chart.battery"), 100);
+    charts.addAll(List.of(height, speed, battery));
+    initializeSelf();
+    charts.forEach(chart -> chart.setNewest(messages.text("chart.now")));
+    getChildren().addAll(charts);
+    context.pulse().onBeat(this::beat);
+  }
+
+  private void initializeSelf() {
+    setId("charts");
+    getStyleClass().addAll("panel-section", "chart-deck");
+  }
+
+  private void beat(long nanos) {
+    double seconds = simulation.secondsProperty().get();
+    for (FxDroneModel drone : simulation.drones()) {
+      histories.computeIfAbsent(drone, unknown -> History.empty()).add(drone, seconds);
+    }
+    History shown = histories.get(simulation.selected());
+    long period = simulation.period(PERIOD_NANOS);
+    boolean due = nanos / period != drawnNanos / period; // with others in the same frame
+    if (due && !(shown.newest() == drawnSeconds && drawnDrone == simulation.selected().number())) {
+      drawnNanos = nanos;
+      drawnDrone = simulation.selected().number();
+      drawnSeconds = shown.newest();
+      height.show(shown.height(), drawnSeconds);
+      speed.show(shown.speed(), drawnSeconds);
+      battery.show(shown.battery(), drawnSeconds);
+    }
+  }
+
+  @Override
+  protected double computeMinHeight(double width) {
+    return snappedTopInset() + LEAST_ROW + snappedBottomInset();
+  }
+
+  @Override
+  protected double computePrefHeight(double width) {
+    return snappedTopInset() + ROW + snappedBottomInset();
+  }
+
+  @Override
+  protected double computeMaxHeight(double width) {
+    return snappedTopInset() + 3 * MOST_ALONE + 2 * GAP + snappedBottomInset();
+  }
+
+  @Override
+  protected void layoutChildren() {
+    double left = snappedLeftInset();
+    double top = snappedTopInset();
+    double width = getWidth() - left - snappedRightInset();
+    double tall = getHeight() - top - snappedBottomInset();
+    double each = Math.floor((tall - 2 * GAP) / 3);
+    boolean alone = each >= LEAST_ALONE;
+    double wide = Math.floor((width - 2 * GAP) / 3);
+    for (int i = 0; i < charts.size(); i++) {
+      if (alone) {
+        charts.get(i).resizeRelocate(left, top + i * (each + GAP), width, each);
+      } else {
+        charts.get(i).resizeRelocate(left + i * (wide + GAP), top, wide, tall);
+      }
+    }
+  }
+}

@@ -1,0 +1,108 @@
+package tellosimulator.view.log;
+
+import javafx.beans.property.BooleanProperty;
+import javafx.beans.property.SimpleBooleanProperty;
+import javafx.event.Event;
+import javafx.event.EventTarget;
+import javafx.scene.Node;
+import javafx.scene.control.IndexedCell;
+import javafx.scene.control.ListView;
+import javafx.scene.control.ScrollBar;
+import javafx.scene.control.skin.VirtualFlow;
+import javafx.scene.input.KeyEvent;
+import javafx.scene.input.MouseEvent;
+import javafx.scene.input.ScrollEvent;
+
+/**
+ * Keeps the newest line in sight, until somebody scrolls away from it, and again when somebody
+ * scrolls back. Whoever reads older lines sees them stand still. For the JavaFX thread.
+ */
+final class AutoScroll {
+
+  private final ListView<LogLine> list;
+  private final BooleanProperty following = new SimpleBooleanProperty(true);
+  private boolean scrolledByHand;
+
+  /** Follows the end of a list whose cells all have the same height. */
+  AutoScroll(ListView<LogLine> list) {
+    this.list = list;
+    list.addEventFilter(ScrollEvent.SCROLL, event -> scrolledByHand = true);
+    list.addEventFilter(KeyEvent.KEY_PRESSED, this::pressed);
+    list.addEventFilter(MouseEvent.ANY, this::dragged);
+    list.heightProperty().addListener((height, before, now) -> toEnd());
+    following.addListener((property, before, now) -> toEnd());
+  }
+
+  /** Whether the newest line stays in sight. */
+  BooleanProperty followingProperty() {
+    return following;
+  }
+
+  /** Finds out where somebody has scrolled; called once a pulse, before lines are added. */
+  void settle() {
+    if (scrolledByHand) {
+      scrolledByHand = false;
+      following.set(hidden() < list.getFixedCellSize() / 2);
+    } else if (following.get() && hidden() > 1) {
+      toEnd();
+    }
+  }
+
+  /**
+   * Follows, or stays where it is; called after lines were added.
+   *
+   * @param dropped lines that fell out at the beginning
+   */
+  void moveOn(int dropped) {
+    VirtualFlow<?> flow = flow();
+    if (following.get()) {
+      toEnd();
+    } else if (dropped > 0 && flow != null) {
+      flow.scrollPixels(-dropped * list.getFixedCellSize());
+    }
+  }
+
+  private void toEnd() {
+    if (following.get()) {
+      list.scrollTo(list.getItems().size()); // one beyond the last is the very end
+    }
+  }
+
+  /** How much of the lines is below the list's lower edge [px]. */
+  private double hidden() {
+    VirtualFlow<?> flow = flow();
+    IndexedCell<?> last = flow == null ? null : flow.getLastVisibleCell();
+    if (last == null) {
+      return 0;
+    }
+    int below = list.getItems().size() - 1 - last.getIndex();
+    double cutOff = last.getLayoutY() + last.getHeight() - flow.getHeight();
+    return below * list.getFixedCellSize() + Math.max(0, cutOff);
+  }
+
+  private void pressed(KeyEvent event) {
+    switch (event.getCode()) {
+      case UP, DOWN, PAGE_UP, PAGE_DOWN, HOME, END -> scrolledByHand = true;
+      default -> {}
+    }
+  }
+
+  private void dragged(MouseEvent event) {
+    boolean held = event.isPrimaryButtonDown() || event.getEventType() == MouseEvent.MOUSE_RELEASED;
+    scrolledByHand |= held && onScrollBar(event);
+  }
+
+  private static boolean onScrollBar(Event event) {
+    EventTarget target = event.getTarget();
+    Node node = target instanceof Node touched ? touched : null;
+    while (node != null && !(node instanceof ScrollBar)) {
+      node = node.getParent();
+    }
+    return node != null;
+  }
+
+  /** Null until the list is shown. */
+  private VirtualFlow<?> flow() {
+    return list.lookup(".virtual-flow") instanceof VirtualFlow<?> flow ? flow : null;
+  }
+}

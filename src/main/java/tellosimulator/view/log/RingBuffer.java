@@ -1,0 +1,57 @@
+package tellosimulator.view.log;
+
+import java.util.Objects;
+
+/** A growing queue with access by index. */
+final class RingBuffer<T> {
+
+  private static final int FIRST_ROOM = 1024;
+
+  private T[] items = room(FIRST_ROOM);
+  private int first;
+  private int size;
+
+  int size() {
+    return size;
+  }
+
+  T get(int index) {
+    Objects.checkIndex(index, size);
+    return items[(first + index) % items.length];
+  }
+
+  void addLast(T item) {
+    if (size == items.length) {
+      grow();
+    }
+    items[(first + size) % items.length] = item;
+    size++;
+  }
+
+  T removeFirst() {
+    T item = get(0);
+    items[first] = null;
+    first = (first + 1) % items.length;
+    size--;
+    return item;
+  }
+
+  void clear() {
+    items = room(FIRST_ROOM);
+    first = 0;
+    size = 0;
+  }
+
+  private void grow() {
+    T[] more = room(2 * items.length);
+    System.arraycopy(items, first, more, 0, items.length - first);
+    System.arraycopy(items, 0, more, items.length - first, first);
+    items = more;
+    first = 0;
+  }
+
+  @SuppressWarnings("unchecked") // nothing but T is ever put in
+  private static <T> T[] room(int size) {
+    return (T[]) new Object[size];
+  }
+}

@@ -1,0 +1,45 @@
+package tellosimulator.view.model;
+
+import java.nio.file.Path;
+
+/**
+ * What a person can do with scenarios: open, reload, save. What goes wrong is told in the window,
+ * which then goes on as before. For the JavaFX thread.
+ */
+public interface ScenarioActions {
+
+  /** One that has no scenarios. */
+  ScenarioActions CLOSED =
+      new ScenarioActions() {
+        @Override
+        public void open(Path file) {}
+
+        @Override
+        public void openKnown(String name) {}
+
+        @Override
+        public void reload() {}
+
+        @Override
+        public void save(Path file) {}
+      };
+
+  /** Opens a file in place of what is flown; asks before edits are lost, as those below do. */
+  void open(Path file);
+
+  /**
+   * Opens a scenario that comes with the program.
+   *
+   * @param name its short name
+   */
+  void openKnown(String name);
+
+  /** Opens again what is flown. */
+  void reload();
+
+  /**
+   * Writes room, drones and goals, as they are now, to a file, which from then on is the opened.
+   * Asks before it loses what another program has written into that file.
+   */
+  void save(Path file);
+}

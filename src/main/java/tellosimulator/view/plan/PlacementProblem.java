@@ -1,0 +1,86 @@
+package tellosimulator.view.plan;
+
+import java.util.List;
+import java.util.Optional;
+import tellosimulator.goal.Goal;
+import tellosimulator.math.Vec3;
+import tellosimulator.model.DroneSpec;
+import tellosimulator.view.plan.PlanItem.ObstacleItem;
+import tellosimulator.view.plan.PlanItem.Pad;
+import tellosimulator.view.plan.PlanItem.Start;
+import tellosimulator.world.Arena;
+import tellosimulator.world.Footprint;
+import tellosimulator.world.Obstacle;
+
+/** Why an item cannot stand where it would, or cannot be removed. */
+enum PlacementProblem {
+  /** Something of it would be outside of the walls. */
+  OUTSIDE,
+  /** It would reach above the ceiling. */
+  TOO_HIGH,
+  /** An obstacle would stand where a drone starts. */
+  ON_START,
+  /** A drone would start in an obstacle. */
+  IN_OBSTACLE,
+  /** Two drones would start in the same place. */
+  ON_DRONE,
+  /** It would be gone, and a goal names it. */
+  NAMED_BY_GOAL;
+
+  /** What may be missing to a gap [m]: the last bits of a calculation. */
+  private static final double SLACK = 1e-6;
+
+  /** What keeps an item from where it is; empty if nothing does. */
+  static Optional<PlacementProblem> problem(FloorPlan plan, PlanItem item) {
+    if (item instanceof ObstacleItem body) {
+      return problem(plan, plan.obstacle(body));
+    } else if (item instanceof Start start) {
+      return problem(plan, start);
+    }
+    return Footprint.inside(plan.pad((Pad) item), plan.arena().room())
+        ? Optional.empty()
+        : Optional.of(OUTSIDE);
+  }
+
+  /** What keeps an item from being taken away; empty if nothing does. */
+  static Optional<PlacementProblem> problemWithout(
+      FloorPlan plan, PlanItem item, List<Goal> goals) {
+    FloorPlan without = plan.without(item);
+    return goals.stream().anyMatch(goal -> plan.offers(goal) && !without.offers(goal))
+        ? Optional.of(NAMED_BY_GOAL)
+        : Optional.empty();
+  }
+
+  private static Optional<PlacementProblem> problem(FloorPlan plan, Obstacle obstacle) {
+    Arena arena = plan.arena();
+    if (!Footprint.betweenWalls(obstacle, arena.room())) {
+      return Optional.of(OUTSIDE);
+    }
+    if (!Footprint.underCeiling(obstacle, arena.room())) {
+      return Optional.of(TOO_HIGH);
+    }
+    return plan.starts().stream()
+            .anyMatch(start -> obstacle.intersects(start.position(), DroneSpec.COLLIDER))
+        ? Optional.of(ON_START)
+        : Optional.empty();
+  }
+
+  private static Optional<PlacementProblem> problem(FloorPlan plan, Start start) {
+    Vec3 place = plan.placement(start).place();
+    if (!plan.arena().room().contains(place, DroneSpec.COLLIDER)) {
+      return Optional.of(OUTSIDE);
+    }
+    if (plan.arena().obstacles().stream()
+        .anyMatch(obstacle -> obstacle.intersects(place, DroneSpec.COLLIDER))) {
+      return Optional.of(IN_OBSTACLE);
+    }
+    for (int drone = 1; drone <= plan.starts().size(); drone++) {
+      Vec3 other = plan.starts().get(drone - 1).position();
+      if (drone != start.drone()
+          && place.distanceTo(other) < 2 * DroneSpec.COLLIDER.radius() - SLACK) {
+        return Optional.of(ON_DRONE);
+      }
+    }
+    return Optional.empty();
+  }
+}

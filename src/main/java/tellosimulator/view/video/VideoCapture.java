@@ -1,0 +1,214 @@
+package tellosimulator.view.video;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.time.LocalDateTime;
+import java.time.ZoneId;
+import java.util.Optional;
+import java.util.Set;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.function.BooleanSupplier;
+import java.util.function.Consumer;
+import javafx.beans.property.ReadOnlyBooleanProperty;
+import javafx.beans.property.ReadOnlyBooleanWrapper;
+import javafx.beans.property.ReadOnlyIntegerProperty;
+import javafx.beans.property.ReadOnlyIntegerWrapper;
+import tellosimulator.concurrent.Verdict;
+import tellosimulator.concurrent.Worker;
+import tellosimulator.files.IoReason;
+import tellosimulator.video.FilmedPicture;
+import tellosimulator.video.Recording;
+import tellosimulator.video.VideoStream;
+import tellosimulator.video.VideoWatcher;
+import tellosimulator.video.picture.Picture;
+import tellosimulator.words.Phrase;
+
+/**
+ * Saves pictures of a drone's video as files: one as PNG, or many as MP4. For the JavaFX thread,
+ * but for {@link #close}.
+ */
+public final class VideoCapture implements AutoCloseable {
+
+  private static final Verdict UNSAVED = Verdict.finish("A picture could not be saved");
+  private static final double NANOS_PER_SECOND = 1e9;
+
+  private final Source source;
+  private final MediaFolder folder;
+  private final Consumer<Report> reports;
+  private final ReadOnlyBooleanWrapper recording = new ReadOnlyBooleanWrapper(this, "recording");
+  private final ReadOnlyIntegerWrapper seconds = new ReadOnlyIntegerWrapper(this, "seconds");
+  private final Set<Worker> writing = ConcurrentHashMap.newKeySet();
+  private volatile Optional<Recording> film = Optional.empty();
+  private long begunNanos;
+
+  /**
+   * What is kept.
+   *
+   * @param drone its number, from 1
+   * @param powered whether it is on
+   */
+  record Source(int drone, VideoStream stream, BooleanSupplier powered) {}
+
+  /**
+   * @param reports is told what became of pictures and films, on any thread
+   */
+  VideoCapture(Source source, MediaFolder folder, Consumer<Report> reports) {
+    this.source = source;
+    this.folder = folder;
+    this.reports = reports;
+  }
+
+  /** Whether a film is being recorded. */
+  public ReadOnlyBooleanProperty recordingProperty() {
+    return recording.getReadOnlyProperty();
+  }
+
+  /** How long it has been recorded [s]. */
+  public ReadOnlyIntegerProperty secondsProperty() {
+    return seconds.getReadOnlyProperty();
+  }
+
+  /** Saves the next picture. */
+  public void saveStill() {
+    LocalDateTime moment = LocalDateTime.now(ZoneId.systemDefault());
+    NextPicture.take(
+        source.stream,
+        picture -> {
+          Worker writer = Worker.once("still", UNSAVED, () -> save(picture, moment));
+          writing.removeIf(Worker::hasEnded);
+          writing.add(writer);
+        });
+  }
+
+  private void save(Picture picture, LocalDateTime moment) {
+    try {
+      Path file = folder.picture(source.drone, moment);
+      PngWriter.write(picture, file);
+      say(true, Phrase.of("a picture was saved: %s", file));
+    } catch (IOException e) {
+      say(false, Phrase.of("a picture could not be saved: %s", IoReason.of(e)));
+    }
+  }
+
+  /** Begins a film, or ends it. A drone that is off films nothing. */
+  public void toggleRecording() {
+    if (film.isPresent()) {
+      end();
+    } else if (!source.powered.getAsBoolean()) {
+      say(false, Phrase.of("the drone is off, so there is nothing to record"));
+    } else {
+      begin();
+    }
+  }
+
+  private void begin() {
+    try {
+      Recording begun =
+          Recording.to(folder.film(source.drone, LocalDateTime.now(ZoneId.systemDefault())));
+      film = Optional.of(begun);
+      begunNanos = System.nanoTime();
+      seconds.set(0);
+      recording.set(true);
+      source.stream.watch(begun);
+      say(true, Phrase.of("the video is being recorded: %s", begun.file()));
+    } catch (IOException e) {
+      say(false, Phrase.of("the video cannot be recorded: %s", IoReason.of(e)));
+    }
+  }
+
+  /** Counts the seconds, and ends a film that does not go on; called once a pulse. */
+  void advance() {
+    if (film.isEmpty()) {
+      return;
+    }
+    if (film.get().failure().isPresent() || !source.powered.getAsBoolean()) {
+      end();
+    } else {
+      seconds.set((int) ((System.nanoTime() - begunNanos) / NANOS_PER_SECOND));
+    }
+  }
+
+  private void end() {
+    closeFilm();
+    recording.set(false);
+  }
+
+  /** Ends a film and waits until all pictures are saved. For any thread. */
+  @Override
+  public void close() {
+    closeFilm();
+    writing.forEach(Worker::close);
+  }
+
+  private synchronized void closeFilm() {
+    film.ifPresent(
+        ended -> {
+          film = Optional.empty();
+          source.stream.ignore(ended);
+          report(ended);
+        });
+  }
+
+  private void report(Recording ended) {
+    try {
+      ended.close();
+      if (ended.failure().isPresent()) {
+        say(false, ended.failure().get());
+      } else if (ended.pictures() == 0) {
+        say(false, Phrase.of("no picture came, so nothing was recorded"));
+      } else {
+        say(
+            true,
+            Phrase.of("the video was recorded, %d pictures: %s", ended.pictures(), ended.file()));
+      }
+    } catch (IOException e) {
+      say(
+          false,
+          Phrase.of(
+              "the end of the recording %s may be missing: %s", ended.file(), IoReason.of(e)));
+    }
+  }
+
+  private void say(boolean good, Phrase phrase) {
+    reports.accept(new Report(source.drone, good, phrase));
+  }
+
+  /** Waits for the next picture of a stream, of which it hands over a copy. For any thread. */
+  private static final class NextPicture implements VideoWatcher {
+
+    private final AtomicBoolean waiting = new AtomicBoolean(true);
+    private final VideoStream stream;
+    private final Consumer<Picture> taker;
+
+    private NextPicture(VideoStream stream, Consumer<Picture> taker) {
+      this.stream = stream;
+      this.taker = taker;
+    }
+
+    /**
+     * Lets the next picture be taken.
+     *
+     * @param taker called on the video thread, once
+     */
+    static void take(VideoStream stream, Consumer<Picture> taker) {
+      stream.watch(new NextPicture(stream, taker));
+    }
+
+    @Override
+    public void filmed(FilmedPicture filmed) {
+      if (waiting.getAndSet(false)) {
+        stream.ignore(this);
+        taker.accept(filmed.picture().copy());
+      }
+    }
+  }
+
+  /**
+   * What became of a picture or a film that a person wanted to keep.
+   *
+   * @param drone its number, from 1
+   * @param good whether it is kept
+   */
+  public record Report(int drone, boolean good, Phrase phrase) {}
+}

@@ -1,0 +1,117 @@
+package tellosimulator.view.app;
+
+import static tellosimulator.view.testing.WindowFixture.onFxThread;
+
+import java.io.IOException;
+import java.net.InetAddress;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.OptionalInt;
+import java.util.concurrent.TimeoutException;
+import java.util.function.Supplier;
+import java.util.function.UnaryOperator;
+import javafx.scene.control.Label;
+import javafx.scene.control.Labeled;
+import javafx.stage.Stage;
+import org.junit.jupiter.api.extension.AfterEachCallback;
+import org.junit.jupiter.api.extension.BeforeEachCallback;
+import org.junit.jupiter.api.extension.ExtensionContext;
+import org.testfx.api.FxRobot;
+import org.testfx.api.FxToolkit;
+import org.testfx.util.WaitForAsyncUtils;
+import tellosimulator.network.AddressPlan;
+import tellosimulator.scenario.OpenedScenario;
+import tellosimulator.scenario.Scenario;
+import tellosimulator.sim.SimConfig;
+import tellosimulator.video.camera.DroneOptics;
+import tellosimulator.view.layout.WindowState;
+import tellosimulator.view.settings.Settings;
+
+/**
+ * The program with its window, in which scenarios are opened and saved: one drone that is off, at a
+ * free port of 127.0.0.1, and settings that nobody has changed.
+ */
+final class AppFixture implements BeforeEachCallback, AfterEachCallback {
+
+  static final InetAddress LOOPBACK = InetAddress.getLoopbackAddress();
+
+  private final Supplier<Stage> stageMaker;
+  private final FxRobot robot = new FxRobot();
+  private Path settingsFile;
+  private SimulatorApp app;
+  private Stage stage;
+
+  /**
+   * @param stageMaker makes the window's stage, on the JavaFX thread
+   */
+  AppFixture(Supplier<Stage> stageMaker) {
+    this.stageMaker = stageMaker;
+  }
+
+  @Override
+  public void beforeEach(ExtensionContext test) throws IOException, TimeoutException {
+    FxToolkit.registerPrimaryStage();
+    settingsFile = Files.createTempDirectory("settings").resolve("settings");
+    Settings settings = Settings.load(settingsFile);
+    app =
+        new SimulatorApp(
+            OpenedScenario.once(
+                Scenario.of(SimConfig.DEFAULT.withOutlets(new SimConfig.Outlets(9, 10)))),
+            new SimulatorApp.Rules(
+                UnaryOperator.identity(),
+                scenario ->
+                    AddressPlan.portPerDrone(
+                        scenario.config().drones().size(), List.of(LOOPBACK), 0),
+                OptionalInt.empty()),
+            DroneOptics.DEFAULT);
+    change(
+        () -> {
+          stage = stageMaker.get();
+          app.show(stage, settings, WindowState.remembered(settings));
+        });
+  }
+
+  @Override
+  public void afterEach(ExtensionContext test) throws IOException {
+    change(stage::hide);
+    app.close();
+    Files.deleteIfExists(settingsFile);
+    Files.delete(settingsFile.getParent());
+  }
+
+  SimulatorApp app() {
+    return app;
+  }
+
+  Stage stage() {
+    return stage;
+  }
+
+  FxRobot robot() {
+    return robot;
+  }
+
+  /** The text of a label. */
+  String label(String id) {
+    return robot.lookup("#" + id).queryAs(Label.class).getText();
+  }
+
+  /** What the window's log shows. */
+  String log() {
+    return stage.getScene().lookup("#log-list").lookupAll(".log-words").stream()
+        .map(words -> ((Labeled) words).getText())
+        .toList()
+        .toString();
+  }
+
+  /** Does something on the JavaFX thread, and waits until the window has taken it. */
+  static void change(Runnable work) {
+    onFxThread(
+        () -> {
+          work.run();
+          return true;
+        });
+    WaitForAsyncUtils.waitForFxEvents();
+  }
+}

@@ -1,0 +1,228 @@
+package tellosimulator.view.app;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static tellosimulator.view.testing.WindowFixture.onFxThread;
+import static tellosimulator.view.testing.WindowFixture.waitUntil;
+
+import java.awt.image.BufferedImage;
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import javafx.scene.image.WritableImage;
+import javafx.scene.input.KeyCode;
+import javax.imageio.IIOImage;
+import javax.imageio.ImageIO;
+import javax.imageio.ImageWriteParam;
+import javax.imageio.ImageWriter;
+import javax.imageio.stream.ImageOutputStream;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.testfx.api.FxRobot;
+import tellosimulator.math.Attitude;
+import tellosimulator.math.Pose;
+import tellosimulator.math.Vec3;
+import tellosimulator.sim.SimConfig;
+import tellosimulator.time.TimeFactor;
+import tellosimulator.view.layout.Theme;
+import tellosimulator.view.testing.NeedsDisplay;
+import tellosimulator.view.world.ViewCamera;
+import tellosimulator.world.Room;
+
+/**
+ * Takes the pictures that the README shows. With {@code -Dupdate.docs=true} it writes them anew:
+ *
+ * <pre>{@code mvn test -Dtest=ReadmePicturesDisplayTest -Dupdate.docs=true}</pre>
+ */
+@NeedsDisplay
+class ReadmePicturesDisplayTest {
+
+  /** Size of the pictures [px], which is that of the window at first. */
+  private static final int WIDTH = 1280;
+
+  private static final int HEIGHT = 800;
+  private static final TimeFactor FAST = new TimeFactor(2);
+  private static final boolean UPDATE = Boolean.getBoolean("update.docs");
+
+  /** What users see; other tests are not disturbed when only these pictures are taken. */
+  private static final int PORT = 8879;
+
+  private static final Path IMAGES = Path.of("docs", "images");
+  private static final Pattern IMAGE_LINK = Pattern.compile("!\\[[^]]*]\\(([^):]+)\\)");
+
+  /** Largest file [bytes]. Measured: the patterns of the room take up to 640,000. */
+  private static final int LARGEST = 700_000;
+
+  @TempDir private Path folder;
+  private WholeWindow window;
+
+  @AfterEach
+  void close() {
+    if (window != null) {
+      window.close();
+    }
+  }
+
+  @Test
+  void theWindowInFlight() throws IOException {
+    open(SimConfig.DEFAULT);
+    window.fly("command", "takeoff", "up 30", "left 60", "curve 60 -60 20 120 0 40 30", "cw 20");
+    window.tell(1, "back 60");
+    window.tell(1, "flip f");
+    assertThat(window.reply(1)).isEqualTo("error Not joystick");
+    assertThat(window.reply(1)).isEqualTo("ok");
+    take("window.png");
+
+    window.choose("language", "language-de");
+    window.change(() -> window.state().themeProperty().set(Theme.DARK));
+    take("dark-german.png");
+  }
+
+  @Test
+  void throughTheDronesCamera() throws IOException {
+    open(SimConfig.DEFAULT);
+    window.fly("command", "takeoff", "up 60", "ccw 30", "back 60");
+    window.change(() -> window.scene().viewCameraProperty().set(ViewCamera.DRONE));
+    take("drone-camera.png");
+  }
+
+  @Test
+  void severalDrones() throws IOException {
+    List<Pose> starts = new ArrayList<>();
+    for (double y : new double[] {0.6, 0, -0.6}) {
+      starts.add(new Pose(new Vec3(0, y, 0), Attitude.LEVEL));
+    }
+    open(SimConfig.DEFAULT.withRoom(Room.DEFAULT, starts));
+    window.change(() -> window.scene().camera().zoomBy(0.75));
+    window.change(
+        () ->
+            window
+                .context()
+                .simulation()
+                .selectedProperty()
+                .set(window.context().simulation().drones().get(1)));
+    all("command", "command", "command");
+    all("takeoff", "takeoff", "takeoff");
+    all("up 40", "forward 90", "up 60");
+    all("forward 60", "cw 30", "back 50");
+    take("several-drones.png");
+  }
+
+  @Test
+  void helpOverTheWindow() throws IOException {
+    open(SimConfig.DEFAULT);
+    new FxRobot().type(KeyCode.F1);
+    take("help.png");
+  }
+
+  @Test
+  void theDroneNearby() throws IOException {
+    open(SimConfig.DEFAULT);
+    window.fly("command", "takeoff", "up 40");
+    window.change(
+        () -> {
+          window.scene().camera().zoomBy(3.5);
+          window.scene().camera().turn(480, 30);
+        });
+    take("drone.png");
+  }
+
+  @Test
+  void allPicturesOfTheReadmeAreThere() throws IOException {
+    Matcher links = IMAGE_LINK.matcher(Files.readString(Path.of("README.md")));
+    List<String> images = new ArrayList<>();
+    while (links.find()) {
+      images.add(links.group(1));
+    }
+    assertThat(images).isNotEmpty().allMatch(image -> Files.isRegularFile(Path.of(image)));
+  }
+
+  private void open(SimConfig config) {
+    SimConfig fast = config.withTimeFactor(FAST);
+    Path settings = folder.resolve("settings");
+    window = UPDATE ? WholeWindow.open(fast, settings, PORT) : WholeWindow.open(fast, settings);
+    window.switchOn();
+    waitUntil(() -> window.stage().getWidth() == WIDTH && window.stage().getHeight() == HEIGHT);
+    new FxRobot().moveTo("#scene-3d"); // where the pointer lights up no button
+  }
+
+  private void all(String first, String second, String third) {
+    List<String> commands = List.of(first, second, third);
+    for (int drone = 1; drone <= 3; drone++) {
+      window.tell(drone, commands.get(drone - 1));
+    }
+    for (int drone = 1; drone <= 3; drone++) {
+      assertThat(window.reply(drone)).isEqualTo("ok");
+    }
+  }
+
+  /** Takes a picture when the camera has caught up with the drone. */
+  private void take(String name) throws IOException {
+    awaitRestOfTheCamera();
+    BufferedImage picture = coarse(window.picture());
+    assertThat(picture.getWidth()).isEqualTo(WIDTH);
+    assertThat(picture.getHeight()).isEqualTo(HEIGHT);
+    assertThat(colours(picture)).as("colours in the middle").isGreaterThan(50);
+    byte[] file = png(picture);
+    assertThat(file.length).as("size of %s", name).isLessThan(LARGEST);
+    if (UPDATE) {
+      Files.createDirectories(IMAGES);
+      Files.write(IMAGES.resolve(name), file);
+    }
+  }
+
+  private void awaitRestOfTheCamera() {
+    window.passFrames(10);
+    Vec3 before;
+    Vec3 now = eye();
+    do {
+      before = now;
+      window.passFrames(5);
+      now = eye();
+    } while (now.minus(before).norm() > 0.003);
+  }
+
+  private Vec3 eye() {
+    return onFxThread(() -> window.scene().camera().pose().position());
+  }
+
+  private static int colours(BufferedImage picture) {
+    int[] middle = picture.getRGB(WIDTH / 4, HEIGHT / 4, WIDTH / 2, HEIGHT / 3, null, 0, WIDTH / 2);
+    return (int) Arrays.stream(middle).distinct().count();
+  }
+
+  /** The picture with 128 shades of each colour, of which a small file can be made. */
+  private static BufferedImage coarse(WritableImage picture) {
+    int width = (int) picture.getWidth();
+    int height = (int) picture.getHeight();
+    BufferedImage image = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);
+    for (int y = 0; y < height; y++) {
+      for (int x = 0; x < width; x++) {
+        int color = picture.getPixelReader().getArgb(x, y) & 0xfefefe;
+        image.setRGB(x, y, color | ((color >> 7) & 0x010101));
+      }
+    }
+    return image;
+  }
+
+  private static byte[] png(BufferedImage picture) throws IOException {
+    ImageWriter writer = ImageIO.getImageWritersByFormatName("png").next();
+    ImageWriteParam smallest = writer.getDefaultWriteParam();
+    smallest.setCompressionMode(ImageWriteParam.MODE_EXPLICIT);
+    smallest.setCompressionQuality(0);
+    ByteArrayOutputStream bytes = new ByteArrayOutputStream();
+    try (ImageOutputStream out = ImageIO.createImageOutputStream(bytes)) {
+      writer.setOutput(out);
+      writer.write(null, new IIOImage(picture, null, null), smallest);
+    } finally {
+      writer.dispose();
+    }
+    return bytes.toByteArray();
+  }
+}

@@ -1,0 +1,297 @@
+package tellosimulator.view.app;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+import static tellosimulator.view.app.AppFixture.change;
+import static tellosimulator.view.testing.WindowFixture.waitUntil;
+
+import java.io.IOException;
+import java.net.DatagramPacket;
+import java.net.DatagramSocket;
+import java.net.InetSocketAddress;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.attribute.FileTime;
+import java.util.List;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import javafx.scene.control.CheckBox;
+import javafx.scene.control.Label;
+import javafx.scene.control.ToggleButton;
+import javafx.scene.input.KeyCode;
+import javafx.stage.Stage;
+import javafx.stage.StageStyle;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.extension.RegisterExtension;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.testfx.api.FxRobot;
+import tellosimulator.math.Vec3;
+import tellosimulator.scenario.Scenario;
+import tellosimulator.scenario.ScenarioException;
+import tellosimulator.scenario.ScenarioFile;
+
+/** Scenarios that are opened, saved and read again in the window. */
+class ScenarioWindowFxTest {
+
+  private static final String SLALOM =
+      """
+      name: Small slalom
+      teaches: to fly around things
+      room: {width: 400, depth: 600, height: 250}
+      obstacles:
+        - cylinder: {name: pole, at: [100, 0], radius: 10, height: 200}
+      drones:
+        - {start: [-200, 50], heading: 90, state-port: 9, video-port: 10}
+        - {start: [-200, -50], state-port: 9, video-port: 10}
+      goals:
+        - reach: {at: [200, 0, 100], radius: 30}
+        - land: {at: [-200, 50], radius: 30}
+      in-order: true
+      time-limit: 60
+      """;
+
+  @RegisterExtension
+  final AppFixture window = new AppFixture(() -> new Stage(StageStyle.UNDECORATED));
+
+  private final FxRobot robot = window.robot();
+  @TempDir private Path folder;
+  private Path file;
+  private SimulatorApp app;
+  private Stage stage;
+
+  @BeforeEach
+  void open() throws IOException {
+    file = Files.writeString(folder.resolve("slalom.yaml"), SLALOM);
+    app = window.app();
+    stage = window.stage();
+  }
+
+  @Test
+  void anotherScenarioTakesThePlaceOfTheFirst() {
+    double width = stage.getWidth();
+    assertThat(robot.lookup("#goal-panel").query().isVisible()).isFalse();
+    waitUntil(() -> window.log().contains("Welcome"));
+
+    change(() -> app.open(file));
+
+    assertThat(stage.getTitle()).isEqualTo("slalom.yaml – Tello Simulator");
+    assertThat(stage.getWidth()).isEqualTo(width);
+    assertThat(window.label("scenario-name")).isEqualTo("Small slalom");
+    assertThat(window.label("scenario-teaches")).isEqualTo("to fly around things");
+    assertThat(window.label("goal-time")).isEqualTo("0.0 of 60.0 s");
+    assertThat(robot.lookup("#drone-list").query().isVisible()).isTrue();
+    assertThat(robot.lookup(".goal").queryAll()).hasSize(2);
+    waitUntil(
+        () -> window.log().contains("Welcome") && window.log().contains("slalom.yaml is open"));
+    assertThat(robot.lookup("#start-x-value").queryTextInputControl().getText()).isEqualTo("-200");
+  }
+
+  @Test
+  void aScenarioThatAsksAndSaysNothingHasNoCard() throws IOException {
+    Files.writeString(file, "name: Bare\ndrones:\n  - {start: [0, 0], state-port: 9}\n");
+
+    change(() -> app.open(file));
+
+    assertThat(robot.lookup("#goal-panel").query().isVisible()).isFalse();
+  }
+
+  @Test
+  void dronesThatWereOnAreOnAgainAndKeysActOnTheNewOnes() {
+    robot.clickOn("#power");
+    change(() -> app.open(file));
+
+    waitUntil(() -> app.ready().contains("drone 2"));
+    waitUntil(() -> window.label("drones-heading").equals("2 of 2 on"));
+    robot.type(KeyCode.F10);
+    assertThat(robot.lookup("#plan-pane").query().isVisible()).isTrue();
+  }
+
+  @Test
+  void anotherScenarioIsReachedFromWhereTheFirstOneWas() {
+    robot.interact(() -> robot.lookup("#reachable").queryAs(CheckBox.class).fire());
+
+    change(() -> app.open(file));
+
+    assertThat(robot.lookup("#reachable").queryAs(CheckBox.class).isSelected()).isTrue();
+  }
+
+  @Test
+  void whatIsRememberedStays() {
+    boolean shown = trailButton();
+    robot.clickOn("#show-trail");
+    assertThat(trailButton()).isEqualTo(!shown);
+
+    change(() -> app.open(file));
+
+    assertThat(trailButton()).isEqualTo(!shown);
+  }
+
+  @Test
+  void aFileWithMistakesLeavesTheSceneAndAllAreShown() throws IOException {
+    Path wrong = folder.resolve("wrong.yaml");
+    Files.writeString(wrong, "rooms: {}\ndrones:\n  - {start: [0, abc]}\n");
+
+    change(() -> app.open(wrong));
+
+    assertThat(robot.lookup("#mistakes-page").tryQuery()).isPresent();
+    List<String> lines =
+        robot.lookup(".lines .label").queryAllAs(Label.class).stream().map(Label::getText).toList();
+    assertThat(lines).hasSize(2);
+    assertThat(lines.get(0)).contains("wrong.yaml:1:1:");
+    assertThat(lines.get(1)).contains("wrong.yaml:3:17:").contains("abc");
+    assertThat(stage.getTitle()).isEqualTo("Tello Simulator");
+    waitUntil(() -> window.log().contains("wrong.yaml:3:17:"));
+
+    robot.clickOn("#mistakes-close");
+    assertThat(robot.lookup("#mistakes-page").tryQuery()).isEmpty();
+  }
+
+  @Test
+  void aChangedFileIsReadAgain() throws IOException {
+    change(() -> app.open(file));
+    Files.writeString(file, SLALOM.replace("Small slalom", "Larger slalom"));
+    Files.setLastModifiedTime(file, FileTime.fromMillis(1_000_000_000));
+
+    waitUntil(() -> window.label("scenario-name").equals("Larger slalom"));
+    waitUntil(() -> window.log().contains("has changed and is read again"));
+  }
+
+  @Test
+  void whatWasMovedIsSavedWithTheGoals() throws ScenarioException {
+    change(() -> app.open(file));
+    robot.type(KeyCode.F10).clickOn("#plan-add-box");
+    Path copy = folder.resolve("copy.yaml");
+
+    change(() -> app.save(copy));
+
+    Scenario saved = ScenarioFile.read(copy);
+    assertThat(saved.name()).isEqualTo("Small slalom");
+    assertThat(saved.challenge().goals()).hasSize(2);
+    assertThat(saved.config().arena().obstacles()).extracting("name").contains("pole", "box 1");
+    assertThat(saved.config().starts().get(0).position()).isEqualTo(new Vec3(-2, 0.5, 0));
+    assertThat(saved.config().starts().get(0).attitude().heading())
+        .isCloseTo(Math.PI / 2, within(1e-9));
+    assertThat(stage.getTitle()).isEqualTo("copy.yaml – Tello Simulator");
+  }
+
+  @Test
+  void aFileThatCannotBeWrittenIsToldInTheLog() {
+    change(() -> app.save(folder.resolve("missing").resolve("room.yaml")));
+
+    waitUntil(() -> window.log().contains("could not be saved"));
+    assertThat(window.log()).contains("there is no folder for");
+    assertThat(stage.getTitle()).isEqualTo("Tello Simulator");
+  }
+
+  @Test
+  void goalsAreTickedAndBeginAnew() throws IOException {
+    Files.writeString(
+        file,
+        """
+        name: First flight
+        time-factor: max
+        drones:
+          - {start: [0, 0], state-port: 9, video-port: 10}
+        goals:
+          - reach: {at: [0, 0, 30], radius: 10}
+          - land: {at: [0, 0], radius: 20}
+        in-order: true
+        """);
+    change(() -> app.open(file));
+    robot.clickOn("#power");
+    assertThat(robot.lookup("#goal-banner").query().isVisible()).isFalse();
+
+    assertThat(fly("command", "takeoff", "land")).isEqualTo("ok");
+
+    waitUntil(() -> window.label("goal-banner").startsWith("Reached in "));
+    assertThat(robot.lookup("#goal-banner").query().isVisible()).isTrue();
+    assertThat(ticked()).isEqualTo(2);
+
+    robot.clickOn("#goal-again");
+    waitUntil(() -> ticked() == 0);
+    assertThat(robot.lookup("#goal-banner").query().isVisible()).isFalse();
+    assertThat(window.label("goal-time")).isEqualTo("0.0 s");
+  }
+
+  @Test
+  void aFailureIsToldWithItsReason() throws IOException {
+    Files.writeString(
+        file,
+        SLALOM
+            .replace("time-limit: 60", "touch: forbidden")
+            .replace("drones:", "time-factor: max\ndrones:")
+            .replace("heading: 90", "heading: 0")
+            .replace("at: [100, 0]", "at: [-150, 50]"));
+    change(() -> app.open(file));
+    robot.clickOn("#power");
+
+    fly("command", "takeoff", "forward 100");
+
+    waitUntil(
+        () -> window.label("goal-banner").equals("Failed: drone 1 touched the obstacle pole"));
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      textBlock =
+          """
+          gate: {name: a, at: [0, 0], shape: ring, diameter: 90, centre: 99} | pass: {gate: a}
+          id: 3, at: [0, 0]                                                  | land-on: {pad: 3}
+          """)
+  void whatAGoalNamesIsNotRemovedAndTheStatusSaysWhy(String piece, String goal) throws Exception {
+    String there = (piece.startsWith("gate") ? "obstacles" : "pads") + ": [{" + piece + "}]";
+    Files.writeString(
+        file, there + "\ndrones: [{start: [-200, 0], state-port: 9}]\ngoals: [{" + goal + "}]\n");
+    change(() -> app.open(file));
+    robot.type(KeyCode.F10).clickOn("#plan-add-box").clickOn("#plan");
+
+    robot.type(KeyCode.DELETE);
+
+    assertThat(window.label("plan-status"))
+        .isEqualTo("A goal names this: take the goal out of the scenario file first.");
+    change(() -> app.save(file));
+    assertThat(ScenarioFile.read(file).challenge().goals()).hasSize(1);
+
+    robot.press(KeyCode.CONTROL).type(KeyCode.Z).release(KeyCode.CONTROL);
+    assertThat(window.label("plan-status")).doesNotStartWith("A goal");
+    change(() -> app.save(file));
+    assertThat(Files.readString(file)).doesNotContain("box 1").contains(goal);
+  }
+
+  private long ticked() {
+    return robot.lookup(".goal").queryAll().stream()
+        .filter(goal -> goal.getPseudoClassStates().toString().contains("reached"))
+        .count();
+  }
+
+  /** Sends the first drone commands, one after the other, and returns the last reply. */
+  private String fly(String... commands) throws IOException {
+    Pattern listening = Pattern.compile("drone 1 at 127.0.0.1:([1-9]\\d*)");
+    waitUntil(() -> listening.matcher(app.ready()).find()); // the switch works beside the window
+    Matcher port = listening.matcher(app.ready());
+    assertThat(port.find()).isTrue();
+    InetSocketAddress drone =
+        new InetSocketAddress(AppFixture.LOOPBACK, Integer.parseInt(port.group(1)));
+    try (DatagramSocket socket = new DatagramSocket(0, AppFixture.LOOPBACK)) {
+      socket.setSoTimeout(20_000);
+      String reply = "";
+      for (String command : commands) {
+        byte[] bytes = command.getBytes(StandardCharsets.US_ASCII);
+        socket.send(new DatagramPacket(bytes, bytes.length, drone));
+        DatagramPacket answer = new DatagramPacket(new byte[2048], 2048);
+        socket.receive(answer);
+        reply = new String(answer.getData(), 0, answer.getLength(), StandardCharsets.US_ASCII);
+      }
+      return reply;
+    }
+  }
+
+  private boolean trailButton() {
+    return robot.lookup("#show-trail").queryAs(ToggleButton.class).isSelected();
+  }
+}

@@ -1,0 +1,57 @@
+package tellosimulator.view.app;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.nio.file.Path;
+import javafx.scene.input.KeyCode;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.testfx.api.FxRobot;
+import tellosimulator.math.Vec3;
+import tellosimulator.sim.SimConfig;
+import tellosimulator.sim.Swarm;
+import tellosimulator.world.Room;
+
+/** What the window has for several drones. */
+class SeveralDronesFxTest {
+
+  private final FxRobot robot = new FxRobot();
+  @TempDir private Path folder;
+  private WholeWindow window;
+
+  @BeforeEach
+  void open() {
+    window =
+        WholeWindow.open(
+            SimConfig.DEFAULT.withRoom(Room.DEFAULT, Swarm.row(3, Vec3.ZERO, Room.DEFAULT)),
+            folder.resolve("settings"));
+  }
+
+  @AfterEach
+  void close() {
+    window.close();
+  }
+
+  @Test
+  void keysGoFromDroneToDrone() {
+    robot.type(KeyCode.PAGE_DOWN);
+    assertThat(selected()).isEqualTo(2);
+    robot.type(KeyCode.PAGE_UP, KeyCode.PAGE_UP);
+    assertThat(selected()).isEqualTo(3);
+  }
+
+  @Test
+  void theListIsHiddenAndShownAgain() {
+    assertThat(window.shows("drone-list")).isTrue();
+    robot.type(KeyCode.F5);
+    assertThat(window.shows("drone-list")).isFalse();
+    robot.clickOn("#show-drones");
+    assertThat(window.shows("drone-list")).isTrue();
+  }
+
+  private int selected() {
+    return window.context().simulation().selected().number();
+  }
+}

@@ -1,0 +1,237 @@
+package tellosimulator.view.app;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatCode;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static tellosimulator.view.testing.WindowFixture.onFxThread;
+import static tellosimulator.view.testing.WindowFixture.waitUntil;
+
+import java.net.BindException;
+import java.net.DatagramSocket;
+import java.net.InetAddress;
+import java.net.InetSocketAddress;
+import java.net.SocketException;
+import java.nio.file.Path;
+import java.util.concurrent.atomic.AtomicInteger;
+import javafx.scene.control.ToggleButton;
+import javafx.scene.input.KeyCode;
+import javafx.scene.input.MouseButton;
+import javafx.scene.layout.Region;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.testfx.api.FxRobot;
+import tellosimulator.command.Peer;
+import tellosimulator.sim.Control;
+import tellosimulator.sim.SimConfig;
+import tellosimulator.time.TimeFactor;
+import tellosimulator.view.layout.Theme;
+import tellosimulator.view.world.ViewCamera;
+
+/** The window as a whole: what its buttons and keys do to its parts, and what it remembers. */
+class SimulatorWindowFxTest {
+
+  private final FxRobot robot = new FxRobot();
+  @TempDir private Path folder;
+  private WholeWindow window;
+
+  @BeforeEach
+  void open() {
+    window = WholeWindow.open(SimConfig.DEFAULT, folder.resolve("settings"));
+  }
+
+  @AfterEach
+  void close() {
+    window.close();
+  }
+
+  @ParameterizedTest
+  @CsvSource({
+    "show-controls, F2, simulator-controls",
+    "show-network, F3, network-controls",
+    "show-log, F4, log"
+  })
+  void buttonAndKeyHideAPartAndShowItAgain(String button, KeyCode key, String part) {
+    double before = sceneArea();
+
+    robot.clickOn("#" + button);
+    assertThat(window.shows(part)).isFalse();
+    waitUntil(() -> sceneArea() > before);
+    robot.type(key);
+    assertThat(window.shows(part)).isTrue();
+    assertThat(selected(button)).isTrue();
+    waitUntil(() -> sceneArea() == before);
+    robot.type(key);
+    assertThat(window.shows(part)).isFalse();
+    assertThat(selected(button)).isFalse();
+  }
+
+  @Test
+  void thePlanLiesOverTheSceneAndTakesTheKeys() {
+    robot.type(KeyCode.F10);
+    assertThat(window.shows("plan-pane")).isTrue();
+    assertThat(window.shows("demo-flight")).isFalse();
+
+    robot.clickOn("#plan-add-box");
+    assertThat(window.snapshot().arena().obstacles()).hasSize(1);
+    robot.type(KeyCode.DELETE);
+    assertThat(window.snapshot().arena().obstacles()).isEmpty();
+
+    robot.type(KeyCode.ESCAPE);
+    assertThat(window.shows("plan-pane")).isFalse();
+    assertThat(selected("show-plan")).isFalse();
+    assertThat(window.shows("demo-flight")).isTrue();
+  }
+
+  @Test
+  void helpAndAboutOpenAndClose() {
+    robot.clickOn("#power").type(KeyCode.F1);
+    assertThat(window.shows("help-page")).isTrue();
+    waitUntil(() -> window.simulation().addresses(1).get(0).getPort() > 0);
+    String drone = "127.0.0.1:" + window.simulation().addresses(1).get(0).getPort();
+    waitUntil(() -> window.text("help-step-2").contains(drone));
+    robot.type(KeyCode.ESCAPE);
+    assertThat(window.shows("page-overlay")).isFalse();
+
+    robot.clickOn("#help").clickOn("#help-close");
+    assertThat(window.shows("page-overlay")).isFalse();
+
+    robot.clickOn("#settings").clickOn("#about");
+    assertThat(window.shows("about-page")).isTrue();
+    robot.clickOn("#about-close");
+    assertThat(window.shows("page-overlay")).isFalse();
+  }
+
+  @Test
+  void atFirstNoButtonHasTheFocusSoSpacePressesNone() {
+    robot.type(KeyCode.SPACE, KeyCode.ENTER);
+
+    assertThat(window.text("demo-flight")).isEqualTo("Demo flight");
+    assertThat(window.context().simulation().selected().onProperty().get()).isFalse();
+  }
+
+  @Test
+  void cameraButtonsAndKeyAgree() {
+    robot.clickOn("#view-drone");
+    assertLooksThrough(ViewCamera.DRONE);
+    robot.clickOn("#camera-switch");
+    assertLooksThrough(ViewCamera.SIMULATOR);
+    robot.type(KeyCode.DIGIT5);
+    assertLooksThrough(ViewCamera.DRONE);
+    robot.type(KeyCode.DIGIT5);
+    assertLooksThrough(ViewCamera.SIMULATOR);
+    robot.clickOn("#camera-switch").type(KeyCode.DIGIT0);
+    assertLooksThrough(ViewCamera.SIMULATOR);
+  }
+
+  private void assertLooksThrough(ViewCamera camera) {
+    boolean drones = camera == ViewCamera.DRONE;
+    assertThat(window.scene().viewCameraProperty().get()).isEqualTo(camera);
+    assertThat(selected("view-drone")).isEqualTo(drones);
+    assertThat(selected("camera-switch")).isEqualTo(drones);
+    assertThat(window.text("camera-switch")).isEqualTo(drones ? "Room camera" : "Drone camera");
+  }
+
+  @Test
+  void pausingStopsTheCore() {
+    robot.type(KeyCode.F9);
+    assertThat(window.snapshot().clock().paused()).isTrue();
+    waitUntil(() -> window.text("pause").equals("Go on"));
+
+    robot.type(KeyCode.F9);
+    assertThat(window.snapshot().clock().paused()).isFalse();
+  }
+
+  @Test
+  void theLogIsAsHighAsItsHandleIsPulled() {
+    double before = height("log");
+
+    robot.drag("#log-handle", MouseButton.PRIMARY).moveBy(0, -100).drop();
+    waitUntil(() -> height("log") > before + 80);
+    assertThat(height("log")).isBetween(before + 90, before + 110);
+    robot.drag("#log-handle", MouseButton.PRIMARY).moveBy(0, -450).drop();
+    waitUntil(() -> height("log") > before + 110);
+    assertThat(height("scene-3d")).isGreaterThan(100);
+    robot.doubleClickOn("#log-handle");
+    waitUntil(() -> height("log") == before);
+  }
+
+  @Test
+  void whatWasSwitchedIsThereInTheNextWindow() {
+    robot.clickOn("#theme").type(KeyCode.F3, KeyCode.F7).clickOn("#log-timestamps");
+    window.choose("language", "language-de");
+    robot.drag("#log-handle", MouseButton.PRIMARY).moveBy(0, -60).drop();
+    double logHeight = window.state().logHeightProperty().get();
+    window.close();
+
+    open();
+
+    assertThat(window.state().themeProperty().get()).isEqualTo(Theme.DARK);
+    assertThat(window.shows("network-controls")).isFalse();
+    assertThat(window.shows("simulator-controls")).isTrue();
+    assertThat(selected("show-trail")).isFalse();
+    assertThat(selected("log-timestamps")).isFalse();
+    assertThat(window.text("reset")).isEqualTo("Zurücksetzen");
+    assertThat(window.state().logHeightProperty().get()).isEqualTo(logHeight).isGreaterThan(200);
+  }
+
+  @Test
+  void aTakenPortIsExplainedInThePanelAndInTheLog() throws SocketException {
+    try (DatagramSocket other = new DatagramSocket(0, InetAddress.getLoopbackAddress())) {
+      window.change(
+          () -> window.context().actions().setCommandPort(1, other.getLocalPort(), () -> {}));
+
+      robot.clickOn("#power");
+
+      String port = "ort " + other.getLocalPort() + " of 127.0.0.1 is taken";
+      waitUntil(() -> window.text("power-error").contains(port));
+      waitUntil(() -> window.log().stream().anyMatch(line -> line.contains(port)));
+      assertThat(window.text("power")).isEqualTo("Start Drone");
+      assertThat(selected("power")).isFalse();
+    }
+  }
+
+  @Test
+  void closingWhileFlyingEndsTheOperatorsSocketAndTheBeat() {
+    AtomicInteger beats = new AtomicInteger();
+    window.change(() -> window.context().pulse().onBeat(nanos -> beats.incrementAndGet()));
+    window.carryOut(new Control.SetTimeFactor(new TimeFactor(5)));
+    robot.clickOn("#demo-flight");
+    waitUntil(() -> window.context().simulation().selected().phaseProperty().get().flying());
+    InetSocketAddress operator =
+        onFxThread(
+            () ->
+                window
+                    .context()
+                    .simulation()
+                    .selected()
+                    .operatorProperty()
+                    .get()
+                    .map(Peer::address)
+                    .orElseThrow());
+    assertThatThrownBy(() -> new DatagramSocket(operator).close())
+        .isInstanceOf(BindException.class);
+
+    window.closeWindow();
+
+    assertThatCode(() -> new DatagramSocket(operator).close()).doesNotThrowAnyException();
+    int last = beats.get();
+    window.passFrames(5);
+    assertThat(beats).hasValue(last);
+  }
+
+  private boolean selected(String id) {
+    return window.find(id, ToggleButton.class).isSelected();
+  }
+
+  private double height(String id) {
+    return window.find(id, Region.class).getHeight();
+  }
+
+  private double sceneArea() {
+    return window.scene().getWidth() * window.scene().getHeight();
+  }
+}

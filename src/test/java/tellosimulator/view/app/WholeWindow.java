@@ -1,0 +1,311 @@
+package tellosimulator.view.app;
+
+import static tellosimulator.view.testing.WindowFixture.onFxThread;
+import static tellosimulator.view.testing.WindowFixture.waitUntil;
+
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.net.DatagramPacket;
+import java.net.DatagramSocket;
+import java.net.InetAddress;
+import java.net.InetSocketAddress;
+import java.net.SocketException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.OptionalInt;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.TimeoutException;
+import javafx.animation.AnimationTimer;
+import javafx.scene.Node;
+import javafx.scene.control.Labeled;
+import javafx.scene.control.Menu;
+import javafx.scene.control.MenuButton;
+import javafx.scene.control.MenuItem;
+import javafx.scene.image.WritableImage;
+import javafx.stage.Stage;
+import javafx.stage.StageStyle;
+import org.testfx.api.FxToolkit;
+import org.testfx.util.WaitForAsyncUtils;
+import tellosimulator.network.AddressPlan;
+import tellosimulator.network.OnlineSimulation;
+import tellosimulator.network.PortTakenException;
+import tellosimulator.sim.Control;
+import tellosimulator.sim.SimConfig;
+import tellosimulator.sim.SimConfig.Outlets;
+import tellosimulator.sim.SimSnapshot;
+import tellosimulator.video.camera.DroneOptics;
+import tellosimulator.view.layout.WindowState;
+import tellosimulator.view.log.LogQueue;
+import tellosimulator.view.model.FxDroneModel;
+import tellosimulator.view.model.ViewContext;
+import tellosimulator.view.settings.Settings;
+import tellosimulator.view.settings.WindowPlacement;
+import tellosimulator.view.testing.WindowFixture;
+import tellosimulator.view.text.Language;
+import tellosimulator.view.video.MediaFolder;
+import tellosimulator.view.video.WindowVideo;
+import tellosimulator.view.world.Simulator3DScene;
+
+/**
+ * The whole window as the program opens it, on a simulation whose drones listen at free ports of
+ * 127.0.0.1 and send their state nowhere (unless a test says otherwise); without a frame, so that
+ * it is as large as is asked for. For a test's thread.
+ */
+final class WholeWindow implements AutoCloseable {
+
+  /** Longest wait for a reply, or for a first window on a slow machine [ms]. */
+  private static final int PATIENCE_MS = 30_000;
+
+  private static final Outlets NOWHERE = new Outlets(9, 9);
+
+  private final LogQueue logQueue = new LogQueue();
+  private final Map<Integer, DatagramSocket> operators = new HashMap<>();
+  private final OnlineSimulation simulation;
+  private final WindowVideo video;
+  private final Settings settings;
+  private WindowState state;
+  private ViewContext context;
+  private SimulatorWindow window;
+  private Stage stage;
+
+  private WholeWindow(SimConfig config, Path file, int firstPort) {
+    settings = Settings.load(file);
+    List<InetAddress> loopback = List.of(InetAddress.getLoopbackAddress());
+    simulation =
+        new OnlineSimulation(
+            config,
+            AddressPlan.portPerDrone(config.starts().size(), loopback, firstPort),
+            OptionalInt.empty(),
+            List.of(logQueue));
+    video = WindowVideo.of(simulation, DroneOptics.DEFAULT, new MediaFolder(file.getParent()));
+  }
+
+  /**
+   * Opens it.
+   *
+   * @param settings the file of what is remembered; need not be there
+   */
+  static WholeWindow open(SimConfig config, Path settings) {
+    return open(config.withOutlets(NOWHERE), settings, 0);
+  }
+
+  /**
+   * Opens it, with ports that are not free ones for a test.
+   *
+   * @param firstPort the command port of the first drone; the next ones have the next ones
+   */
+  static WholeWindow open(SimConfig config, Path settings, int firstPort) {
+    try {
+      FxToolkit.registerPrimaryStage();
+    } catch (TimeoutException e) {
+      throw new AssertionError("the toolkit does not start", e);
+    }
+    WholeWindow whole = new WholeWindow(config, settings, firstPort);
+    whole.change(whole::build);
+    waitUntil(() -> whole.stage.getWidth() > 1 && whole.find("log-list").getScene() != null);
+    return whole;
+  }
+
+  private void build() {
+    state = WindowState.remembered(settings);
+    Language language = new Language(Locale.ENGLISH);
+    settings.bind("language", language.localeProperty(), Language.codec());
+    context = ViewContext.of(simulation, language, video);
+    stage = new Stage(StageStyle.UNDECORATED);
+    window = new SimulatorWindow(stage, context, state, logQueue);
+    WindowPlacement.remember(stage, settings);
+    window.remember(settings);
+    stage.setOnHidden(
+        hidden -> {
+          window.close();
+          settings.save();
+        });
+    window.show();
+    stage.requestFocus();
+  }
+
+  OnlineSimulation simulation() {
+    return simulation;
+  }
+
+  /** What the simulation says when all that was done in the window has been carried out. */
+  SimSnapshot snapshot() {
+    WindowFixture.waitUntil(() -> !context.actions().pending());
+    return simulation.snapshot();
+  }
+
+  ViewContext context() {
+    return context;
+  }
+
+  Simulator3DScene scene() {
+    return find("scene-3d", Simulator3DScene.class);
+  }
+
+  WindowState state() {
+    return state;
+  }
+
+  Stage stage() {
+    return stage;
+  }
+
+  /** The node with this id; a failure if there is none. */
+  Node find(String id) {
+    Node found = onFxThread(() -> stage.getScene().lookup("#" + id));
+    if (found == null) {
+      throw new AssertionError("no node with the id " + id);
+    }
+    return found;
+  }
+
+  <N extends Node> N find(String id, Class<N> type) {
+    return type.cast(find(id));
+  }
+
+  /** What is written on a node. */
+  String text(String id) {
+    return onFxThread(() -> find(id, Labeled.class).getText());
+  }
+
+  /** Whether a part is there, itself and all in which it is. */
+  boolean shows(String id) {
+    return onFxThread(
+        () -> {
+          boolean shown = true;
+          for (Node node = find(id); node != null; node = node.getParent()) {
+            shown &= node.isVisible();
+          }
+          return shown;
+        });
+  }
+
+  /** What the log's lines say that are in sight, without their times. */
+  List<String> log() {
+    return onFxThread(
+        () ->
+            find("log-list").lookupAll(".log-words").stream()
+                .map(words -> ((Labeled) words).getText())
+                .toList());
+  }
+
+  /** Chooses something in a menu of the settings. */
+  void choose(String menu, String item) {
+    change(
+        () -> {
+          Menu opened = (Menu) withId(find("settings", MenuButton.class).getItems(), menu);
+          withId(opened.getItems(), item).fire();
+        });
+  }
+
+  private static MenuItem withId(List<MenuItem> items, String id) {
+    return items.stream().filter(item -> id.equals(item.getId())).findFirst().orElseThrow();
+  }
+
+  /** Does something on the JavaFX thread. */
+  void change(Runnable what) {
+    WaitForAsyncUtils.waitForAsyncFx(PATIENCE_MS, what);
+  }
+
+  void carryOut(Control control) {
+    try {
+      simulation.carryOut(control);
+    } catch (PortTakenException e) {
+      throw new AssertionError(e);
+    }
+  }
+
+  /** Switches all drones on; a failure if a port is taken, or else foreign drones would fly. */
+  void switchOn() {
+    for (FxDroneModel drone : context.simulation().drones()) {
+      carryOut(new Control.Power(drone.number(), true));
+    }
+    change(() -> context.pulse().wake());
+  }
+
+  /** Sends the first drone commands, one after the other, and returns the last reply. */
+  String fly(String... commands) {
+    String reply = "";
+    for (String command : commands) {
+      tell(1, command);
+      reply = reply(1);
+    }
+    return reply;
+  }
+
+  /** Sends a drone a command, and does not wait for the reply. */
+  void tell(int drone, String command) {
+    byte[] bytes = command.getBytes(StandardCharsets.US_ASCII);
+    InetSocketAddress address = simulation.addresses(drone).get(0);
+    try {
+      operator(drone).send(new DatagramPacket(bytes, bytes.length, address));
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+  }
+
+  /** The next reply of a drone. */
+  String reply(int drone) {
+    DatagramPacket packet = new DatagramPacket(new byte[2048], 2048);
+    try {
+      operator(drone).receive(packet);
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+    return new String(packet.getData(), 0, packet.getLength(), StandardCharsets.US_ASCII);
+  }
+
+  private DatagramSocket operator(int drone) throws SocketException {
+    DatagramSocket operator = operators.get(drone);
+    if (operator == null) {
+      operator = new DatagramSocket(0, InetAddress.getLoopbackAddress());
+      operator.setSoTimeout(PATIENCE_MS);
+      operators.put(drone, operator);
+    }
+    return operator;
+  }
+
+  /** Lets the window show some more frames. */
+  void passFrames(int frames) {
+    CountDownLatch left = new CountDownLatch(frames);
+    AnimationTimer counter =
+        new AnimationTimer() {
+          @Override
+          public void handle(long nanos) {
+            left.countDown();
+          }
+        };
+    change(counter::start);
+    try {
+      if (!left.await(PATIENCE_MS, TimeUnit.MILLISECONDS)) {
+        throw new AssertionError("the toolkit shows no frames");
+      }
+    } catch (InterruptedException e) {
+      throw new AssertionError(e);
+    } finally {
+      change(counter::stop);
+    }
+  }
+
+  WritableImage picture() {
+    return onFxThread(() -> stage.getScene().snapshot(null));
+  }
+
+  /** Closes the window as a user does; the simulation stays. */
+  void closeWindow() {
+    change(stage::hide);
+  }
+
+  @Override
+  public void close() {
+    closeWindow();
+    operators.values().forEach(DatagramSocket::close);
+    video.close();
+    simulation.close();
+  }
+}

@@ -1,0 +1,101 @@
+package tellosimulator.view.plan;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import tellosimulator.math.Attitude;
+import tellosimulator.math.Pose;
+import tellosimulator.math.Vec3;
+import tellosimulator.view.plan.PlanItem.ObstacleItem;
+import tellosimulator.view.plan.PlanItem.Pad;
+import tellosimulator.view.plan.PlanItem.Start;
+import tellosimulator.world.Arena;
+import tellosimulator.world.Cover;
+import tellosimulator.world.MissionPad;
+import tellosimulator.world.Obstacle;
+import tellosimulator.world.Shape;
+import tellosimulator.world.Surface;
+import tellosimulator.world.Wind;
+
+class FloorPlanTest {
+
+  private static final Obstacle BOX =
+      new Obstacle("box 1", new Shape.Box(0.4, 1, 0.5), new Vec3(1, 0, 0), 0, Cover.DEFAULT);
+
+  private final FloorPlan plan =
+      new FloorPlan(
+          Arena.DEFAULT
+              .withObstacles(List.of(BOX))
+              .withPads(
+                  List.of(
+                      MissionPad.onFloor(1, new Vec3(0.5, -1, 0), 0.3),
+                      new MissionPad(3, Surface.FRONT_WALL, 0, 1.2, 0))),
+          List.of(new Pose(Vec3.ZERO, Attitude.LEVEL)));
+
+  @Test
+  void everyPieceIsWhereItIsPut() {
+    Placement placement = new Placement(new Vec3(-1, 1.5, 0), 0.5);
+
+    for (PlanItem item : List.of(new Start(1), new Pad(1), new ObstacleItem(0))) {
+      Placement now = plan.with(item, placement).placement(item);
+      assertThat(now.place().distanceTo(placement.place())).as("%s", item).isLessThan(1e-12);
+      assertThat(now.heading()).as("%s", item).isCloseTo(0.5, within(1e-12));
+    }
+    assertThat(plan.items())
+        .containsExactly(new Pad(1), new Pad(3), new ObstacleItem(0), new Start(1));
+  }
+
+  /** The default room reaches from -2.5 to 2.5 m; right is as one sees it who looks at the wall. */
+  @ParameterizedTest
+  @CsvSource({
+    " 2.4,  1.0, FRONT_WALL, -1.0",
+    " 1.0,  2.4, LEFT_WALL,   1.0",
+    "-2.4,  1.0, BACK_WALL,   1.0",
+    " 1.0, -2.4, RIGHT_WALL, -1.0",
+    " 2.5, -2.45, FRONT_WALL, 2.4",
+  })
+  void aHangingPadGoesAlongTheWalls(double x, double y, Surface wall, double along) {
+    MissionPad moved = plan.with(new Pad(3), new Placement(new Vec3(x, y, 1.2), 0)).pad(new Pad(3));
+
+    assertThat(moved.surface()).isEqualTo(wall);
+    assertThat(moved.along()).isCloseTo(along, within(1e-9));
+    assertThat(moved.height()).isEqualTo(1.2);
+  }
+
+  @Test
+  void aHangingPadIsSeenAtItsWall() {
+    Placement placement = plan.placement(new Pad(3));
+
+    assertThat(placement.place().x()).isCloseTo(2.5 - PlanOutline.HANGING / 2, within(1e-9));
+    assertThat(Math.cos(placement.heading()))
+        .isCloseTo(-1, within(1e-9)); // looks back into the room
+  }
+
+  @Test
+  void newThingsGetNamesAndIdsThatAreFree() {
+    assertThat(plan.freeName("box")).isEqualTo("box 2");
+    assertThat(plan.freeName("ring")).isEqualTo("ring 1");
+    assertThat(plan.freePadId()).contains(2);
+  }
+
+  @Test
+  void piecesAreTakenAwayButNoStart() {
+    assertThat(plan.without(new ObstacleItem(0)).arena().obstacles()).isEmpty();
+    assertThat(plan.without(new Pad(1)).has(new Pad(1))).isFalse();
+    assertThat(plan.without(new Start(1))).isEqualTo(plan);
+  }
+
+  @Test
+  void inAnotherArenaTheWindIsThatOfTheArena() {
+    Wind wind = new Wind(new Vec3(1, 0, 0), 0);
+
+    FloorPlan there = plan.in(Arena.DEFAULT.withWind(wind));
+
+    assertThat(there.arena().wind()).isEqualTo(wind);
+    assertThat(there.arena().obstacles()).containsExactly(BOX);
+  }
+}
