@@ -4,24 +4,28 @@ import java.io.BufferedReader;
 import java.io.InputStreamReader;
 import java.io.PrintStream;
 import java.nio.charset.Charset;
-import java.util.List;
 import java.util.Optional;
 import picocli.CommandLine;
 import picocli.CommandLine.IVersionProvider;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.ParseResult;
 import picocli.CommandLine.UnmatchedArgumentException;
+import tellosimulator.cli.Launch;
+import tellosimulator.cli.Options;
+import tellosimulator.cli.ScenarioOptions;
+import tellosimulator.concurrent.FatalExit;
 import tellosimulator.goal.Progress.Status;
 import tellosimulator.headless.HeadlessSimulator;
+import tellosimulator.log.LogSetup;
+import tellosimulator.log.StandardErrorLog;
 import tellosimulator.network.PortTakenException;
 import tellosimulator.scenario.ScenarioException;
 import tellosimulator.video.SoftwareCameras;
-import tellosimulator.video.WarmUp;
-import tellosimulator.video.camera.DroneOptics;
-import tellosimulator.view.SimulatorApp;
-import tellosimulator.view.Toolkit;
+import tellosimulator.view.app.SimulatorApp;
+import tellosimulator.view.app.Toolkit;
 import tellosimulator.view.layout.WindowState;
 import tellosimulator.view.settings.Settings;
+import tellosimulator.words.Spelling;
 
 /** The command line: reads the options, then runs the simulator. */
 public final class Main {
@@ -31,7 +35,6 @@ public final class Main {
   private static final int GOALS_MISSED = 3;
 
   private final Options options = new Options();
-  private final SoftwareCameras cameras = new SoftwareCameras(DroneOptics.DEFAULT);
   private final PrintStream out;
   private final PrintStream err;
 
@@ -46,7 +49,7 @@ public final class Main {
    */
   public static void main(String[] args) {
     System.setProperty("java.awt.headless", "true"); // posters are read, nothing is drawn
-    FatalExit fatal = FatalExit.install();
+    FatalExit fatal = FatalExit.install(LogSetup::flush);
     int status = FatalExit.CODE;
     try {
       status = run(args, System.out, System.err);
@@ -59,11 +62,7 @@ public final class Main {
 
   /** Runs the program and returns its exit code. */
   static int run(String[] args, PrintStream out, PrintStream err) {
-    Main main = new Main(out, err);
-    if (List.of(args).contains(Options.HEADLESS)) {
-      WarmUp.start(main.cameras); // reading the options leaves a processor idle
-    }
-    return main.run(args);
+    return new Main(out, err).run(args);
   }
 
   private int run(String... args) {
@@ -85,7 +84,15 @@ public final class Main {
       LogSetup.setLevel(options.logLevel());
       return simulate();
     } catch (UnmatchedArgumentException e) {
-      err.println("There is no option " + e.getUnmatched().get(0) + ". Try --help.");
+      err.println(
+          "There is no option "
+              + e.getUnmatched().get(0)
+              + Spelling.meant(
+                      e.getUnmatched().get(0).replaceFirst("=.*", ""),
+                      commandLine.getCommandSpec().optionsMap().keySet())
+                  .map(meant -> ", did you mean " + meant + "?")
+                  .orElse(".")
+              + " Try --help.");
       return WRONG_OPTIONS;
     } catch (ParameterException | IllegalArgumentException e) {
       err.println(
@@ -103,26 +110,26 @@ public final class Main {
   }
 
   private int simulate() throws PortTakenException, InterruptedException {
-    options.check();
+    Launch launch = options.launch();
     if (!options.headless()) {
-      StrayOutput.intoTheLog();
+      StandardErrorLog.install();
       Settings settings = Settings.load(Settings.file());
       WindowState state = WindowState.remembered(settings);
       state.applyUiScale();
       Optional<String> obstacle = Toolkit.start();
       if (obstacle.isEmpty()) {
-        return simulateInWindow(settings, state);
+        return simulateInWindow(launch, settings, state);
       }
       err.println(obstacle.get());
     }
-    return simulateHeadless();
+    return simulateHeadless(launch);
   }
 
-  private int simulateInWindow(Settings settings, WindowState state)
+  private int simulateInWindow(Launch launch, Settings settings, WindowState state)
       throws InterruptedException, PortTakenException {
     SimulatorApp.Rules rules =
         new SimulatorApp.Rules(options::applied, options::addressPlan, options.replyPort());
-    try (SimulatorApp app = new SimulatorApp(options.openedScenario(), rules, options.optics())) {
+    try (SimulatorApp app = new SimulatorApp(launch.scenario(), rules, options.optics())) {
       Runtime.getRuntime().addShutdownHook(new Thread(app::close, "shutdown"));
       if (options.on()) {
         app.switchAllOn();
@@ -132,14 +139,17 @@ public final class Main {
     }
   }
 
-  private int simulateHeadless() throws PortTakenException, InterruptedException {
+  private int simulateHeadless(Launch launch) throws PortTakenException, InterruptedException {
     try (HeadlessSimulator simulator =
         new HeadlessSimulator(
-            options.scenario(),
-            options.addressPlan(),
+            launch.scenario().scenario(),
+            launch.addresses(),
             options.replyPort(),
-            cameras.withOptics(options.optics()))) {
+            new SoftwareCameras(options.optics()))) {
       Runtime.getRuntime().addShutdownHook(new Thread(simulator::close, "shutdown"));
+      if (options.control().isPresent()) {
+        simulator.openControl(options.control().get(), out);
+      }
       simulator.sayReady(out);
       Charset charset = Charset.defaultCharset();
       BufferedReader in = new BufferedReader(new InputStreamReader(System.in, charset));

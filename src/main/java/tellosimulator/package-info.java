@@ -1,8 +1,7 @@
 /**
- * The command line.
+ * The entry point.
  *
- * <p>{@link tellosimulator.Main} reads {@code Options} and chooses how to run; {@link
- * tellosimulator.LogSetup} sets up the log. The package may import everything, and nothing imports
- * it. What an option does is not its job.
+ * <p>{@link tellosimulator.Main} reads the options of {@code cli}, sets up the log and chooses how
+ * to run: in a window or without. The package may import everything, and nothing imports it.
  */
 package tellosimulator;

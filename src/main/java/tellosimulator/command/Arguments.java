@@ -1,11 +1,26 @@
 package tellosimulator.command;
 
 import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
 import tellosimulator.math.Frames;
 import tellosimulator.math.Vec3;
 
 /** The words after a verb, read as what the command's parameters say. */
 record Arguments(List<String> words) {
+
+  /** Directions of a flip: the guide's letters, and the words in full. */
+  private static final Map<String, Direction> DIRECTIONS =
+      new TreeMap<>(
+          Map.of(
+              "l", Direction.LEFT,
+              "r", Direction.RIGHT,
+              "f", Direction.FORWARD,
+              "b", Direction.BACK,
+              "left", Direction.LEFT,
+              "right", Direction.RIGHT,
+              "forward", Direction.FORWARD,
+              "back", Direction.BACK));
 
   String word(int index) {
     return words.get(index);
@@ -35,5 +50,28 @@ record Arguments(List<String> words) {
 
   PadChoice pad(int index) {
     return new PadChoice(Integer.parseInt(word(index).substring(1)));
+  }
+
+  /** All words for the direction of a flip. */
+  static String[] flips() {
+    return DIRECTIONS.keySet().toArray(String[]::new);
+  }
+
+  Direction flip(int index) {
+    return DIRECTIONS.get(word(index));
+  }
+
+  /** Pictures a second. Documented: SDK 3.0 User Guide. */
+  int framesPerSecond(int index) {
+    return switch (word(index)) {
+      case "high" -> 30;
+      case "middle" -> 15;
+      default -> 5;
+    };
+  }
+
+  /** Lines of a picture. Documented: SDK 3.0 User Guide. */
+  int lines(int index) {
+    return word(index).equals("high") ? 720 : 480;
   }
 }

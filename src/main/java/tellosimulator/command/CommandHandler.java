@@ -26,7 +26,7 @@ public final class CommandHandler {
   private final Retransmission retransmission = new Retransmission();
   private final CommandTarget target;
   private final OperatorSession session;
-  private final Outbox outbox;
+  private final ReplyPort replies;
   private final CommandObserver observer;
 
   private CommandHandler(Builder parts) {
@@ -35,7 +35,7 @@ public final class CommandHandler {
     this.parser = new CommandParser(profile);
     this.target = parts.target;
     this.session = parts.session;
-    this.outbox = parts.outbox;
+    this.replies = parts.replies;
     this.observer = parts.observer;
   }
 
@@ -45,7 +45,6 @@ public final class CommandHandler {
 
   /** Takes one datagram. */
   public void handle(Peer peer, String datagram, SimTime now) {
-    outbox.flush(now);
     boolean tooLong = datagram.length() > WireText.LONGEST;
     String header = profile.hasPads() && !tooLong ? Retransmission.header(datagram) : "";
     String text = tooLong ? datagram : WireText.trimmed(datagram.substring(header.length()));
@@ -65,13 +64,12 @@ public final class CommandHandler {
     if (original.isPresent()) {
       original.get().alsoAnswer(header);
     } else {
-      Responder responder = new Responder(peer, text, header, outbox, observer);
+      Responder responder = new Responder(peer, text, header, replies, observer);
       if (!header.isEmpty()) {
         retransmission.remember(header, text, responder);
       }
       carryOut(text, responder, admitted);
     }
-    outbox.flush(now);
   }
 
   /** Whether every host may send it: it asks something, and changes nothing. */
@@ -85,10 +83,9 @@ public final class CommandHandler {
     retransmission.forgetAll();
   }
 
-  /** Forgets SDK mode and everything that waits, as without power. */
+  /** Forgets SDK mode, as without power. */
   public void powerOff() {
     session.close();
-    outbox.clear();
     retransmission.forgetAll();
   }
 
@@ -157,7 +154,7 @@ public final class CommandHandler {
     private final Behaviour behaviour;
     private CommandTarget target;
     private OperatorSession session;
-    private Outbox outbox;
+    private ReplyPort replies;
     private CommandObserver observer;
 
     private Builder(Profile profile, Behaviour behaviour) {
@@ -175,8 +172,8 @@ public final class CommandHandler {
       return this;
     }
 
-    public Builder outbox(Outbox value) {
-      outbox = value;
+    public Builder replies(ReplyPort value) {
+      replies = value;
       return this;
     }
 

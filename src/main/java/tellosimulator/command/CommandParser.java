@@ -100,7 +100,7 @@ final class CommandParser {
   /** Which products would know a verb. */
   private static Optional<Phrase> otherProfiles(String verb) {
     return Stream.of(CommandSyntax.values())
-        .filter(syntax -> words(syntax.verb()).get(0).equals(verb))
+        .filter(syntax -> syntax.firstWord().equals(verb))
         .map(CommandSyntax::since)
         .min(Comparator.naturalOrder())
         .map(

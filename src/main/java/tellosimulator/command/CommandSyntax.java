@@ -1,24 +1,27 @@
 package tellosimulator.command;
 
-import static tellosimulator.command.DroneParameters.cm;
-import static tellosimulator.command.DroneParameters.colour;
-import static tellosimulator.command.DroneParameters.curveSpeed;
-import static tellosimulator.command.DroneParameters.hertz;
-import static tellosimulator.command.DroneParameters.pad;
-import static tellosimulator.command.DroneParameters.rgb;
-import static tellosimulator.command.DroneParameters.stick;
 import static tellosimulator.command.GeometryRules.CUBE;
 import static tellosimulator.command.Parameter.choice;
+import static tellosimulator.command.Parameter.cm;
+import static tellosimulator.command.Parameter.colour;
+import static tellosimulator.command.Parameter.curveSpeed;
+import static tellosimulator.command.Parameter.hertz;
 import static tellosimulator.command.Parameter.number;
+import static tellosimulator.command.Parameter.pad;
+import static tellosimulator.command.Parameter.rgb;
+import static tellosimulator.command.Parameter.stick;
 import static tellosimulator.command.Parameter.text;
 import static tellosimulator.command.Parameter.whole;
 import static tellosimulator.command.Parameter.word;
+import static tellosimulator.command.Row.board;
+import static tellosimulator.command.Row.move;
+import static tellosimulator.command.Row.read;
 import static tellosimulator.command.Row.row;
+import static tellosimulator.command.Row.turn;
 import static tellosimulator.profile.Sdk.SDK_1_3;
 import static tellosimulator.profile.Sdk.SDK_2_0;
 import static tellosimulator.profile.Sdk.SDK_3_0;
 
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
@@ -27,7 +30,6 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import tellosimulator.profile.Profile;
 import tellosimulator.profile.Sdk;
-import tellosimulator.words.Phrase;
 
 /**
  * The table of all commands: a row says how a command is written, when it is known, what its
@@ -70,10 +72,10 @@ public enum CommandSyntax {
   CCW(turn("ccw"), a -> new Command.Turn(-a.heading(0))),
   FLIP(
       row("flip", SDK_1_3)
-          .with(choice("direction", FlipWords.all()))
+          .with(choice("direction", Arguments.flips()))
           .flight()
           .from("FHNW report; DJITelloPy 224"),
-      a -> new Command.Flip(FlipWords.direction(a.word(0)))),
+      a -> new Command.Flip(a.flip(0))),
   GO(
       row("go", SDK_1_3)
           .with(cm("x"), cm("y"), cm("z"), number("speed", "cm/s", 10, 100))
@@ -187,13 +189,13 @@ public enum CommandSyntax {
       a -> new Command.SetPorts(a.integer(0), a.integer(1))),
   SET_FPS(
       row("setfps", SDK_3_0).with(choice("x", "high", "middle", "low")).from("SDK 3.0 guide"),
-      a -> new Command.SetVideo(VideoOption.FRAMES_PER_SECOND, VideoWords.fps(a.word(0)))),
+      a -> new Command.SetVideo(VideoOption.FRAMES_PER_SECOND, a.framesPerSecond(0))),
   SET_BIT_RATE(
       row("setbitrate", SDK_3_0).with(whole("n", 0, 5)).from("SDK 3.0 guide; DJITelloPy 144"),
       a -> new Command.SetVideo(VideoOption.BIT_RATE, a.integer(0))),
   SET_RESOLUTION(
       row("setresolution", SDK_3_0).with(choice("x", "high", "low")).from("SDK 3.0 guide"),
-      a -> new Command.SetVideo(VideoOption.LINES, VideoWords.lines(a.word(0)))),
+      a -> new Command.SetVideo(VideoOption.LINES, a.lines(0))),
   MULTI_WIFI(
       row("multiwifi", SDK_3_0).with(word("ssid"), word("password")).from("SDK 3.0 guide"),
       acknowledge("ok")),
@@ -242,23 +244,26 @@ public enum CommandSyntax {
 
   /** The first words of all commands of all products. */
   static final Set<String> FIRST_WORDS =
-      Stream.of(values())
-          .map(syntax -> syntax.verbWords.get(0))
-          .collect(Collectors.toUnmodifiableSet());
+      Stream.of(values()).map(CommandSyntax::firstWord).collect(Collectors.toUnmodifiableSet());
 
   private final Row row;
-  private final List<String> verbWords;
+  private final String verb;
   private final Function<Arguments, Command> record;
 
   CommandSyntax(Row row, Function<Arguments, Command> record) {
     this.row = row;
-    this.verbWords = List.of(row.verb().split(" ", -1));
+    this.verb = String.join(" ", row.verbWords());
     this.record = record;
+  }
+
+  /** The first word of the verb. */
+  String firstWord() {
+    return row.verbWords().get(0);
   }
 
   /** The fixed words that it begins with. */
   public String verb() {
-    return row.verb();
+    return verb;
   }
 
   /** The SDK that brought it. */
@@ -268,7 +273,7 @@ public enum CommandSyntax {
 
   /** Whether it changes nothing about the drone: a question, or {@code command}. */
   public boolean readOnly() {
-    return this == COMMAND || row.verb().endsWith("?");
+    return this == COMMAND || verb.endsWith("?");
   }
 
   /** What happens while another command runs. */
@@ -293,32 +298,19 @@ public enum CommandSyntax {
 
   /** How it is written, with the names of its parameters. */
   public String usage() {
-    StringBuilder usage = new StringBuilder(row.verb());
+    StringBuilder usage = new StringBuilder(verb);
     row.parameters().forEach(parameter -> usage.append(' ').append(parameter.name()));
     return usage.toString();
   }
 
   /** The parameters and their allowed values, for people; neighbours with the same in one. */
   public String ranges() {
-    StringBuilder ranges = new StringBuilder();
-    String before = "";
-    for (int i = row.parameters().size() - 1; i >= 0; i--) {
-      Parameter parameter = row.parameters().get(i);
-      String allowed = parameter.allowed().english();
-      boolean same = allowed.equals(before);
-      before = allowed;
-      String separator = ranges.isEmpty() ? "" : "; ";
-      ranges.insert(0, parameter.name() + (same ? ", " : ": " + before + separator));
-    }
-    if (!row.rule().words().isEmpty()) {
-      ranges.append("; ").append(row.rule().words());
-    }
-    return ranges.toString();
+    return row.ranges();
   }
 
   /** Whether there are values that are out of range. */
   public boolean limited() {
-    return !row.rule().words().isEmpty() || row.parameters().stream().anyMatch(Parameter::limited);
+    return row.limited();
   }
 
   /** The reply to a parameter out of its range. */
@@ -331,82 +323,23 @@ public enum CommandSyntax {
   }
 
   /** Whether these words are this command with the right number and form of parameters. */
-  boolean matches(List<String> separate) {
-    List<String> words = joined(separate);
-    int verbLength = verbWords.size();
-    if (words.size() != verbLength + row.parameters().size()
-        || !words.subList(0, verbLength).equals(verbWords)) {
-      return false;
-    }
-    for (int i = 0; i < row.parameters().size(); i++) {
-      if (!row.parameters().get(i).isForm(words.get(verbLength + i))) {
-        return false;
-      }
-    }
-    return true;
+  boolean matches(List<String> words) {
+    return row.matches(words);
   }
 
   /** The words after the verb. */
   Arguments arguments(List<String> words) {
-    List<String> joined = joined(words);
-    return new Arguments(joined.subList(verbWords.size(), joined.size()));
-  }
-
-  /** The words with those of a text that takes the rest as one. */
-  private List<String> joined(List<String> words) {
-    int count = verbWords.size() + row.parameters().size();
-    boolean text = row.parameters().stream().anyMatch(Parameter::takesRest);
-    if (!text || words.size() <= count || words.contains("")) {
-      return words;
-    }
-    List<String> joined = new ArrayList<>(words.subList(0, count - 1));
-    joined.add(String.join(" ", words.subList(count - 1, words.size())));
-    return joined;
+    return row.arguments(words);
   }
 
   /** What is wrong with the values; empty if nothing is. */
   Optional<Refusal> complaint(Arguments arguments, Profile profile) {
-    for (int i = 0; i < row.parameters().size(); i++) {
-      Optional<Phrase> complaint = row.parameters().get(i).complaint(arguments.word(i));
-      if (complaint.isPresent()) {
-        return complaint.map(reason -> new Refusal(outOfRange(), reason));
-      }
-    }
-    return row.rule().check().apply(arguments, profile);
+    return row.complaint(arguments, profile);
   }
 
   /** The command; the values must be without complaint. */
   Command command(Arguments arguments) {
     return record.apply(arguments);
-  }
-
-  private static Row move(String verb) {
-    return row(verb, SDK_1_3)
-        .with(number("x", "cm", 20, 500))
-        .flight()
-        .from("FHNW report; SDK 2.0 guide");
-  }
-
-  private static Row turn(String verb) {
-    return row(verb, SDK_1_3)
-        .with(number("x", "degrees"))
-        .flight()
-        .from("FHNW report: the range is not checked");
-  }
-
-  private static Row read(String verb, Sdk since, String reply) {
-    return row(verb, since)
-        .whileBusy(BusyRule.READ)
-        .answers(reply + ", then CR LF")
-        .from(since == SDK_3_0 ? "SDK 3.0 guide" : "FHNW report; TelloSwift");
-  }
-
-  private static Row board(String verb, String part) {
-    return row(verb, SDK_3_0)
-        .whileBusy(BusyRule.READ)
-        .outOfRange(new Reply(part + " error"))
-        .answers("`" + part + " ok` at once")
-        .from("SDK 3.0 guide; RoboMaster SDK");
   }
 
   private static Function<Arguments, Command> readOf(Reading reading) {

@@ -8,13 +8,19 @@ import tellosimulator.profile.Sdk;
 import tellosimulator.words.Phrase;
 
 /** What must hold of the points of {@code go} and {@code curve} taken together. */
-final class GeometryRules {
+public final class GeometryRules {
 
   /** For people: what {@link #go} checks. */
   static final String CUBE = "no point within ±20 cm in x, y and z";
 
   /** Half the edge of the cube in which a goal is too near [m], its faces included. Report. */
   private static final double TOO_NEAR = 0.20;
+
+  /** Smallest radius of a curve [m]. Report. */
+  private static final double SMALLEST_RADIUS = 0.5;
+
+  /** Largest radius of a curve [m]. Report. */
+  private static final double LARGEST_RADIUS = 10;
 
   private GeometryRules() {}
 
@@ -79,7 +85,25 @@ final class GeometryRules {
         : Optional.empty();
   }
 
+  /**
+   * Why a drone does not fly a curve, which it answers with {@link Reply#RADIUS}; empty if it does.
+   *
+   * @param arc metres; empty if the three points lie on one line
+   */
+  public static Optional<Phrase> radiusObjection(Optional<Arc> arc) {
+    if (arc.isEmpty()) {
+      return Optional.of(Phrase.of("the three points lie on one line, no circle passes them"));
+    }
+    double radius = arc.get().radius();
+    return radius >= SMALLEST_RADIUS && radius <= LARGEST_RADIUS
+        ? Optional.empty()
+        : Optional.of(
+            Phrase.of(
+                "the radius is %.2f m, allowed is %.1f to %.0f m",
+                radius, SMALLEST_RADIUS, LARGEST_RADIUS));
+  }
+
   private static Optional<Refusal> radius(Optional<Arc> arc) {
-    return CurveRadius.objection(arc).map(reason -> new Refusal(Reply.RADIUS, reason));
+    return radiusObjection(arc).map(reason -> new Refusal(Reply.RADIUS, reason));
   }
 }

@@ -83,8 +83,12 @@ public final class OperatorSession {
     String operator = link.operator().orElseThrow().host();
     return former.filter(lost -> lost.host().equals(peer.host())).isPresent()
         ? Phrase.of(
-            "the drone is operated by %s now, which took over from %s", operator, peer.host())
-        : Phrase.of("the drone is operated by %s", operator);
+            "the drone is operated by %s now, which took over from %s; release it to take it back",
+            operator, peer.host())
+        : Phrase.of(
+            "the drone is operated by %s until it is released or, on the ground, %s is silent for"
+                + " %.0f s",
+            operator, operator, FREE_AFTER);
   }
 
   /** Notes that something came from {@code peer}; the operator is shown as it commanded last. */

@@ -58,6 +58,36 @@ sealed interface Parameter {
     return new Word(name, true);
   }
 
+  // --- those that several commands share ---
+
+  static Parameter cm(String name) {
+    return number(name, "cm", -500, 500);
+  }
+
+  static Parameter curveSpeed() {
+    return number("speed", "cm/s", 10, 60);
+  }
+
+  static Parameter stick(String name) {
+    return number(name, "", -100, 100);
+  }
+
+  static Parameter pad(String name) {
+    return choice(name, "m1", "m2", "m3", "m4", "m5", "m6", "m7", "m8", "m-1", "m-2");
+  }
+
+  static Parameter rgb(String name) {
+    return whole(name, 0, 255);
+  }
+
+  static Parameter hertz() {
+    return number("t", "Hz", 0.1, 2.5);
+  }
+
+  static Parameter colour() {
+    return choice("colour", "r", "b", "p");
+  }
+
   /** A number in decimal digits. */
   record Numeric(String name, String unit, double least, double most) implements Parameter {
 

@@ -19,6 +19,12 @@ public record Reply(String text) {
   /** The command needs running motors. Report: FHNW 2020. */
   public static final Reply MOTOR_STOP = new Reply("error Motor stop");
 
+  /** It does not know where it is. Measured: DJITelloPy 42, 57, 76, 133, 196, 208, 216. */
+  public static final Reply NO_VALID_IMU = new Reply("error No valid imu");
+
+  /** It is too hot for a takeoff. Documented: RoboMaster SDK, which knows this reply. */
+  public static final Reply HIGH_TEMPERATURE = new Reply("error, high temp");
+
   /** A landing cut the command off. Measured: oh-tello, acceptance test B7. */
   public static final Reply AUTO_LAND = new Reply("error Auto land");
 

@@ -2,7 +2,6 @@ package tellosimulator.command;
 
 import java.util.ArrayList;
 import java.util.List;
-import tellosimulator.time.SimTime;
 import tellosimulator.words.Phrase;
 
 /**
@@ -16,9 +15,8 @@ public final class Responder {
 
   private final Peer peer;
   private final String text;
-  private final Outbox outbox;
+  private final ReplyPort replies;
   private final CommandObserver observer;
-  private final SimTime asked;
   private final List<String> headers = new ArrayList<>(1);
   private final List<Reply> given = new ArrayList<>(1);
 
@@ -26,12 +24,11 @@ public final class Responder {
    * @param text the command as sent, without header
    * @param header what each reply begins with; empty for an ordinary command
    */
-  Responder(Peer peer, String text, String header, Outbox outbox, CommandObserver observer) {
+  Responder(Peer peer, String text, String header, ReplyPort replies, CommandObserver observer) {
     this.peer = peer;
     this.text = text;
-    this.outbox = outbox;
+    this.replies = replies;
     this.observer = observer;
-    this.asked = outbox.now();
     headers.add(header);
   }
 
@@ -71,7 +68,7 @@ public final class Responder {
 
   /** Answers a copy of the same command under its own header, now and from now on. */
   void alsoAnswer(String header) {
-    given.forEach(reply -> outbox.add(peer, header + reply.text(), outbox.now()));
+    given.forEach(reply -> replies.reply(peer, header + reply.text()));
     if (headers.size() < MOST_COPIES) {
       headers.add(header);
     }
@@ -79,6 +76,6 @@ public final class Responder {
 
   private void send(Reply reply) {
     given.add(reply);
-    headers.forEach(header -> outbox.add(peer, header + reply.text(), asked));
+    headers.forEach(header -> replies.reply(peer, header + reply.text()));
   }
 }

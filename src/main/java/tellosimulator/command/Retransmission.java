@@ -42,6 +42,21 @@ final class Retransmission {
   }
 
   /**
+   * How long the header is that a datagram begins with, or 0 [bytes].
+   *
+   * @param bytes begin with the datagram
+   * @param length of the datagram [bytes]
+   */
+  static int headerLength(byte[] bytes, int length) {
+    boolean present =
+        length >= LENGTH
+            && bytes[0] == MARK.charAt(0)
+            && bytes[1] == MARK.charAt(1)
+            && bytes[LENGTH - 1] == ' ';
+    return present ? LENGTH : 0;
+  }
+
+  /**
    * The command of which this is a copy, if it is one.
    *
    * @param header empty for a text that came without

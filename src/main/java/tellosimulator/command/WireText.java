@@ -1,6 +1,7 @@
 package tellosimulator.command;
 
 import java.nio.charset.StandardCharsets;
+import java.util.Arrays;
 import java.util.Locale;
 import java.util.Set;
 
@@ -10,14 +11,14 @@ public final class WireText {
   /** Longest datagram that can be a command, and longest echo [bytes]. Decided, no source. */
   public static final int LONGEST = 1024;
 
-  /** In so many bytes the header and the first word of each command end [bytes]. */
-  public static final int LONGEST_BEGINNING = 32;
-
   private static final int LONGEST_SHOWN = 80;
 
   /** First words of commands that are never answered; see {@link CommandSyntax}. */
   private static final Set<String> UNANSWERED =
       Set.of(CommandSyntax.RC.verb(), CommandSyntax.EMERGENCY.verb());
+
+  private static final byte[][] FIRST_WORDS =
+      CommandSyntax.FIRST_WORDS.stream().map(WireText::encode).toArray(byte[][]::new);
 
   private WireText() {}
 
@@ -50,7 +51,27 @@ public final class WireText {
    * header; whether it is one is up to its other words.
    */
   public static boolean beginsLikeCommand(String datagram) {
-    return CommandSyntax.FIRST_WORDS.contains(firstWord(datagram));
+    return beginsLikeCommand(encode(datagram), datagram.length());
+  }
+
+  /**
+   * The same of a datagram as it came. Makes no garbage, as floods are looked at.
+   *
+   * @param bytes begin with the datagram
+   * @param length of the datagram [bytes]
+   */
+  public static boolean beginsLikeCommand(byte[] bytes, int length) {
+    int start = Retransmission.headerLength(bytes, length);
+    int end = start;
+    while (end < length && (bytes[end] & 0xff) > ' ') {
+      end++;
+    }
+    for (byte[] word : FIRST_WORDS) {
+      if (Arrays.equals(bytes, start, end, word, 0, word.length)) {
+        return true;
+      }
+    }
+    return false;
   }
 
   /** Whether a datagram is a command that is never answered, if it is a command. */

@@ -11,24 +11,26 @@ import org.slf4j.LoggerFactory;
  */
 public final class Verdict {
 
+  private static final Logger LOG = LoggerFactory.getLogger(Verdict.class);
+
   private static final String FULL =
       "memory is full; give the program more, such as java -Xmx256m -jar tello-simulator.jar";
 
   /** Made, and with it its class loaded, while there is memory. */
   private static final StandardError STANDARD_ERROR = new StandardError();
 
-  enum Course {
+  enum Action {
     GO_ON,
     RETRY,
     FINISH
   }
 
-  private final Course course;
+  private final Action action;
   private final String what;
   private final byte[] withoutMemory;
 
-  private Verdict(Course course, String what) {
-    this.course = course;
+  private Verdict(Action action, String what) {
+    this.action = action;
     this.what = what;
     withoutMemory = (what + ": " + FULL + '\n').getBytes(StandardCharsets.UTF_8);
   }
@@ -39,21 +41,21 @@ public final class Verdict {
    * @param what failed: the beginning of a sentence, such as "A picture could not be made"
    */
   public static Verdict goOn(String what) {
-    return new Verdict(Course.GO_ON, what);
+    return new Verdict(Action.GO_ON, what);
   }
 
   /** It goes on, but ends the program when most of its work fails. */
   public static Verdict retry(String what) {
-    return new Verdict(Course.RETRY, what);
+    return new Verdict(Action.RETRY, what);
   }
 
   /** It ends; the program does not need it. */
   public static Verdict finish(String what) {
-    return new Verdict(Course.FINISH, what);
+    return new Verdict(Action.FINISH, what);
   }
 
-  Course course() {
-    return course;
+  Action action() {
+    return action;
   }
 
   /** Says in one sentence what failed, and why; never throws. */
@@ -70,20 +72,15 @@ public final class Verdict {
     try {
       String often = untold == 0 ? what : what + " (" + untold + " times more since it was told)";
       if (failure instanceof OutOfMemoryError) {
-        log().error("{}: {}", often, FULL);
+        LOG.error("{}: {}", often, FULL);
       } else if (failure instanceof IOException) {
         String why = failure.getMessage();
-        log().warn("{}: {}", often, why == null ? "the system does not say why" : why);
+        LOG.warn("{}: {}", often, why == null ? "the system does not say why" : why);
       } else {
-        log().error("{}; please report this: {}", often, failure.toString(), failure);
+        LOG.error("{}; please report this: {}", often, failure.toString(), failure);
       }
     } catch (Throwable unsaid) { // most likely there is no memory for it
       STANDARD_ERROR.write(withoutMemory);
     }
-  }
-
-  /** Not a constant: logging takes long to start, and the first picture does not wait for it. */
-  private static Logger log() {
-    return LoggerFactory.getLogger(Verdict.class);
   }
 }

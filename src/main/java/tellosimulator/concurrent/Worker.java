@@ -15,6 +15,8 @@ import org.slf4j.LoggerFactory;
  */
 public final class Worker implements AutoCloseable {
 
+  private static final Logger LOG = LoggerFactory.getLogger(Worker.class);
+
   /**
    * Pause after a failure, so that work which fails again and again does not take a whole processor
    * [ns]. Decided.
@@ -129,7 +131,7 @@ public final class Worker implements AutoCloseable {
   @Override
   public void close() {
     if (!close(PATIENCE_MS)) {
-      log().warn("The thread {} has not ended after {} ms", thread.getName(), PATIENCE_MS);
+      LOG.warn("The thread {} has not ended after {} ms", thread.getName(), PATIENCE_MS);
     }
   }
 
@@ -183,10 +185,10 @@ public final class Worker implements AutoCloseable {
   private boolean survives(Throwable thrown) {
     Verdict verdict = verdict(thrown);
     tell(verdict, thrown);
-    if (verdict.course() == Verdict.Course.FINISH) {
+    if (verdict.action() == Verdict.Action.FINISH) {
       return false;
     }
-    if (verdict.course() == Verdict.Course.RETRY) {
+    if (verdict.action() == Verdict.Action.RETRY) {
       bucket += thrown instanceof OutOfMemoryError ? MEMORY_FULL : FAILURE;
     }
     if (bucket >= LIMIT) {
@@ -227,9 +229,5 @@ public final class Worker implements AutoCloseable {
     } finally {
       ended.countDown();
     }
-  }
-
-  private static Logger log() {
-    return LoggerFactory.getLogger(Worker.class);
   }
 }

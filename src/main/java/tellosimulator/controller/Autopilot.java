@@ -49,6 +49,7 @@ final class Autopilot {
   private double turn;
   private double leaning;
   private boolean touched;
+  private Vec3 drift = Vec3.ZERO;
 
   Autopilot(Behaviour behaviour, RcSteering rc) {
     this.behaviour = behaviour;
@@ -62,6 +63,16 @@ final class Autopilot {
     turn = 0;
     leaning = 0;
     settling.restart();
+  }
+
+  /** How the target moves away by itself from now on, room frame [m/s]. */
+  void drift(Vec3 velocity) {
+    drift = velocity;
+  }
+
+  /** Whether the target moves by itself. */
+  boolean drifts() {
+    return !drift.equals(Vec3.ZERO);
   }
 
   /** Motors off. */
@@ -115,7 +126,7 @@ final class Autopilot {
     boolean leans = lag(motion).dot(contactNormal) < -LEANING_LAG;
     leaning = leans ? leaning + SimTime.STEP : 0;
     if (maneuver.planned()) {
-      settling.observe(setpoint, motion, !rc.atRest(), pushed);
+      settling.observe(setpoint, motion, !rc.atRest() || drifts(), pushed);
     }
   }
 
@@ -142,6 +153,9 @@ final class Autopilot {
     if (maneuver.steerable() && !rc.atRest()) {
       follow(motion, track.heading().angle(), seconds);
     }
+    if (drifts()) {
+      move(drift, motion, seconds);
+    }
     Setpoint.Track wanted = shifted(track);
     return maneuver.leavesHoverHeights() ? wanted : withinHeights(wanted, motion, seconds);
   }
@@ -150,6 +164,11 @@ final class Autopilot {
   private void follow(Motion motion, double planned, double seconds) {
     turn += rc.yawRate() * seconds;
     Vec3 velocity = allowed(rc.velocity()).turned(planned + turn);
+    move(velocity, motion, seconds);
+  }
+
+  /** Moves the target, but not away from a drone that something holds. */
+  private void move(Vec3 velocity, Motion motion, double seconds) {
     Vec3 lag = lag(motion);
     boolean runsAway = touched && lag.norm() > LEASH && lag.dot(velocity) > 0;
     if (!runsAway) {
@@ -169,7 +188,7 @@ final class Autopilot {
     Setpoint.Track shifted =
         new Setpoint.Track(
             track.position().plus(shift),
-            track.velocity(),
+            track.velocity().plus(drift),
             track.acceleration(),
             new Setpoint.Heading(heading, track.heading().rate()));
     if (!maneuver.steerable() || rc.atRest()) {
@@ -177,7 +196,7 @@ final class Autopilot {
     }
     return new Setpoint.Track(
         shifted.position(),
-        track.velocity().plus(allowed(rc.velocity()).turned(heading)),
+        shifted.velocity().plus(allowed(rc.velocity()).turned(heading)),
         track.acceleration().plus(allowed(rc.acceleration()).turned(heading)),
         new Setpoint.Heading(heading, track.heading().rate() + rc.yawRate()));
   }

@@ -10,8 +10,8 @@ import tellosimulator.controller.FlightEvent.Parted;
 import tellosimulator.controller.FlightEvent.Touched;
 import tellosimulator.math.Vec3;
 import tellosimulator.time.SimTime;
+import tellosimulator.world.Collidable;
 import tellosimulator.world.Collision;
-import tellosimulator.world.Touchable;
 
 /**
  * What a drone touches in a step, and what people are told of it: one event for the beginning of a
@@ -46,7 +46,7 @@ final class Contacts {
   private final FlightObserver observer;
   private final double crashSpeed;
   private final List<Collision> present = new ArrayList<>(2);
-  private final Map<Touchable, Contact> contacts = new LinkedHashMap<>();
+  private final Map<Collidable, Contact> contacts = new LinkedHashMap<>();
   private SimTime now = SimTime.ZERO;
 
   /**
@@ -108,7 +108,7 @@ final class Contacts {
   }
 
   private void touch(Collision collision) {
-    Touchable touched = collision.touched();
+    Collidable touched = collision.touched();
     Contact before = contacts.get(touched);
     if (before == null) {
       observer.happened(new Touched(touched, collision.speed(), collision.position()));

@@ -32,6 +32,7 @@ public final class DroneController implements CommandTarget {
   private final OperatorSession session;
   private final FlightObserver observer;
   private final Flight flight;
+  private final Mishaps mishaps;
   private final Restart restart = new Restart();
   private final Courses courses;
   private final PadMissions padMissions;
@@ -45,6 +46,7 @@ public final class DroneController implements CommandTarget {
     this.session = wiring.session();
     this.observer = wiring.observer();
     this.flight = new Flight(wiring);
+    this.mishaps = new Mishaps(wiring, flight);
     this.courses = new Courses(wiring, flight);
     this.padMissions = new PadMissions(model, flight, courses);
     this.equipment = new Equipment(model, wiring.profile(), wiring.session(), observer);
@@ -56,6 +58,7 @@ public final class DroneController implements CommandTarget {
   public void plan(SimTime time) {
     now = time;
     if (model.phase() != FlightPhase.OFF) {
+      flight.drift(mishaps.drift(time));
       flight.plan(time);
     }
   }
@@ -77,6 +80,7 @@ public final class DroneController implements CommandTarget {
 
   /** Safety landing, low battery, restart. */
   public void watchOver() {
+    mishaps.advance(now, restart);
     flight.watchOver();
     restart.advance(now, this::powerOff, this::powerOn);
   }
@@ -168,11 +172,13 @@ public final class DroneController implements CommandTarget {
 
   @Override
   public void takeoff(Command.Takeoff command, Responder responder) {
-    Optional<Preflight.Objection> objection = Preflight.check(model);
+    Optional<Preflight.Objection> objection =
+        Preflight.check(model).or(mishaps::objectionToTakeoff);
     if (objection.isPresent()) {
       responder.refuse(objection.get().reply(), objection.get().reason());
     } else {
-      flight.takeoff(Task.of(responder));
+      double height = mishaps.takeoffHeight(wiring.behaviour().takeoffHeight());
+      flight.takeoff(height, Task.of(responder));
     }
   }
 
@@ -211,7 +217,7 @@ public final class DroneController implements CommandTarget {
 
   @Override
   public void move(Command.Move command, Responder responder) {
-    if (refusedForBattery(responder)) {
+    if (refused(responder)) {
       return;
     }
     boolean stoppedShort =
@@ -228,21 +234,21 @@ public final class DroneController implements CommandTarget {
 
   @Override
   public void go(Command.Go command, Responder responder) {
-    if (!refusedForBattery(responder)) {
+    if (!refused(responder)) {
       flight.fly(courses.by(command.way(), command.speed()), Task.of(responder));
     }
   }
 
   @Override
   public void curve(Command.Curve command, Responder responder) {
-    if (!refusedForBattery(responder)) {
+    if (!refused(responder)) {
       flight.fly(courses.along(command, flight.baseHeading()), Task.of(responder));
     }
   }
 
   @Override
   public void turn(Command.Turn command, Responder responder) {
-    if (!refusedForBattery(responder)) {
+    if (!refused(responder)) {
       flight.fly(courses.turn(command.angle()), Task.of(responder));
     }
   }
@@ -250,7 +256,7 @@ public final class DroneController implements CommandTarget {
   @Override
   public void flip(Command.Flip command, Responder responder) {
     int percent = model.battery().percent();
-    if (refusedForBattery(responder)) {
+    if (refused(responder)) {
       return;
     }
     if (percent < Battery.LEAST_FOR_FLIP) {
@@ -272,21 +278,21 @@ public final class DroneController implements CommandTarget {
 
   @Override
   public void goToPad(Command.GoToPad command, Responder responder) {
-    if (!refusedForBattery(responder)) {
+    if (!refused(responder)) {
       padMissions.go(command, responder);
     }
   }
 
   @Override
   public void curveOverPad(Command.CurveOverPad command, Responder responder) {
-    if (!refusedForBattery(responder)) {
+    if (!refused(responder)) {
       padMissions.curve(command, responder);
     }
   }
 
   @Override
   public void jump(Command.Jump command, Responder responder) {
-    if (!refusedForBattery(responder)) {
+    if (!refused(responder)) {
       padMissions.jump(command, responder);
     }
   }
@@ -367,6 +373,15 @@ public final class DroneController implements CommandTarget {
   @Override
   public void read(Command.Read command, Responder responder) {
     responder.reply(wiring.reads().reply(command.reading(), model, speed, now));
+  }
+
+  private boolean refused(Responder responder) {
+    if (refusedForBattery(responder)) {
+      return true;
+    }
+    Optional<Preflight.Objection> objection = mishaps.objectionToMove();
+    objection.ifPresent(found -> responder.refuse(found.reply(), found.reason()));
+    return objection.isPresent();
   }
 
   private boolean refusedForBattery(Responder responder) {

@@ -107,7 +107,7 @@ final class Flight {
 
   /** Why time must pass for it; sticks that are out of the centre steer without end. */
   Demand demand() {
-    boolean steered = flying() && !rc.sticks().centred();
+    boolean steered = flying() && (!rc.sticks().centred() || autopilot.drifts());
     boolean settled = (steered || rc.atRest()) && autopilot.maneuver().atRest();
     boolean falls = !flying() && !model.resting();
     if (answers() || (flying() && !settled) || falls || forcedStop.pending()) {
@@ -154,8 +154,13 @@ final class Flight {
     autopilot.fly(maneuver);
   }
 
-  void takeoff(Task newTask) {
-    fly(new Takeoff(model.motion().position(), baseHeading(), behaviour), newTask);
+  /**
+   * Starts the motors and climbs.
+   *
+   * @param height above where it stands [m]
+   */
+  void takeoff(double height, Task newTask) {
+    fly(new Takeoff(model.motion().position(), baseHeading(), height, behaviour), newTask);
     model.countTakeoff();
     model.setPhase(FlightPhase.TAKING_OFF);
     stands = true;
@@ -215,6 +220,11 @@ final class Flight {
   }
 
   // --- what happens in a step ---
+
+  /** How it drifts from now on, whatever it does, room frame [m/s]. */
+  void drift(Vec3 velocity) {
+    autopilot.drift(airborne() ? velocity : Vec3.ZERO);
+  }
 
   /** Sets the targets of the step that ends at {@code time}. */
   void plan(SimTime time) {
@@ -319,7 +329,8 @@ final class Flight {
     finished.done();
   }
 
-  private void gaveUp(Reply reply, Phrase reason) {
+  /** The maneuver ends here, with an answer. */
+  void gaveUp(Reply reply, Phrase reason) {
     Task failed = task;
     hover();
     failed.failed(reply, reason);

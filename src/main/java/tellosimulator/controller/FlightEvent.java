@@ -2,7 +2,7 @@ package tellosimulator.controller;
 
 import tellosimulator.math.Vec3;
 import tellosimulator.words.Phrase;
-import tellosimulator.world.Touchable;
+import tellosimulator.world.Collidable;
 
 /** Something that happened to a drone, other than a command or a reply. */
 public sealed interface FlightEvent {
@@ -72,7 +72,7 @@ public sealed interface FlightEvent {
    * @param fallen how deep it had fallen [m]; 0 if its motors carried it
    * @param position where, room frame [m]
    */
-  record Crashed(Touchable touched, double speed, double fallen, Vec3 position)
+  record Crashed(Collidable touched, double speed, double fallen, Vec3 position)
       implements FlightEvent {
     @Override
     public Phrase phrase() {
@@ -94,7 +94,7 @@ public sealed interface FlightEvent {
    * @param speed how fast it hit it [m/s]
    * @param fallen how deep it fell [m]
    */
-  record Dropped(Touchable touched, double speed, double fallen) implements FlightEvent {
+  record Dropped(Collidable touched, double speed, double fallen) implements FlightEvent {
     @Override
     public Phrase phrase() {
       return Phrase.of("fell %.1f m and hit %s at %.1f m/s", fallen, touched.phrase(), speed);
@@ -108,7 +108,7 @@ public sealed interface FlightEvent {
    * @param speed how fast [m/s]
    * @param position where, room frame [m]
    */
-  record Touched(Touchable touched, double speed, Vec3 position) implements FlightEvent {
+  record Touched(Collidable touched, double speed, Vec3 position) implements FlightEvent {
     @Override
     public Phrase phrase() {
       return Phrase.of("touched %s at %.1f m/s", touched.phrase(), speed);
@@ -120,7 +120,7 @@ public sealed interface FlightEvent {
    *
    * @param seconds since it began to touch it
    */
-  record Parted(Touchable touched, double seconds) implements FlightEvent {
+  record Parted(Collidable touched, double seconds) implements FlightEvent {
     @Override
     public Phrase phrase() {
       return Phrase.of("does not touch %s any more, after %.1f s", touched.phrase(), seconds);

@@ -2,9 +2,10 @@ package tellosimulator.controller;
 
 import java.util.Comparator;
 import java.util.Optional;
+import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import tellosimulator.command.Command;
-import tellosimulator.command.CurveRadius;
+import tellosimulator.command.GeometryRules;
 import tellosimulator.command.PadChoice;
 import tellosimulator.command.Reply;
 import tellosimulator.command.Responder;
@@ -13,6 +14,7 @@ import tellosimulator.math.Frames;
 import tellosimulator.math.Vec3;
 import tellosimulator.model.DroneModel;
 import tellosimulator.model.PadSighting;
+import tellosimulator.physics.Setpoint;
 import tellosimulator.words.Phrase;
 
 /** The commands that fly by mission pads. For one drone and the simulation thread. */
@@ -60,7 +62,7 @@ final class PadMissions {
     Vec3 here = flight.basePosition();
     Optional<Arc> arc =
         Arc.through(place(pad, command.via()).minus(here), place(pad, command.end()).minus(here));
-    Optional<Phrase> objection = CurveRadius.objection(arc);
+    Optional<Phrase> objection = GeometryRules.radiusObjection(arc);
     if (objection.isPresent()) {
       responder.refuse(Reply.RADIUS, objection.get());
       return;
@@ -154,5 +156,106 @@ final class PadMissions {
     return choice.id() < 0
         ? Phrase.of("the drone does not see any pad below it")
         : Phrase.of("the drone does not see the pad %s", choice.word());
+  }
+
+  /** Hovers until a mission pad is seen, or for as long as it looks for one. */
+  private static final class PadSearch implements Maneuver {
+
+    /** How long it looks [s]. Assumed: some pictures. */
+    private static final double PATIENCE = 1;
+
+    private final Setpoint.Track place;
+    private final BooleanSupplier seen;
+    private double time;
+    private boolean found;
+
+    /**
+     * @param position where it hovers, room frame [m]
+     * @param heading where the nose points [rad]
+     * @param seen whether the pad is seen now
+     */
+    PadSearch(Vec3 position, double heading, BooleanSupplier seen) {
+      this.place =
+          new Setpoint.Track(position, Vec3.ZERO, Vec3.ZERO, new Setpoint.Heading(heading, 0));
+      this.seen = seen;
+    }
+
+    @Override
+    public Setpoint advance(Sensed sensed, double seconds) {
+      time += seconds;
+      found = found || seen.getAsBoolean();
+      return place;
+    }
+
+    @Override
+    public boolean planned() {
+      return found || time >= PATIENCE;
+    }
+
+    @Override
+    public Phrase progress() {
+      return Phrase.of("it looks for the pad");
+    }
+  }
+
+  /**
+   * A maneuver by a mission pad, which gives up when the pad is out of sight for too long, or when
+   * its goal cannot be reached.
+   */
+  private static final class PadWatch implements Maneuver {
+
+    /** How long it flies without seeing the pad [s]. Measured: 15.2 (Tello-Python issue 88). */
+    private static final double PATIENCE = 15.2;
+
+    private final Maneuver maneuver;
+    private final BooleanSupplier seen;
+    private final boolean reachable;
+    private final Phrase reason;
+    private double unseen;
+
+    private PadWatch(Maneuver maneuver, BooleanSupplier seen, boolean reachable, Phrase reason) {
+      this.maneuver = maneuver;
+      this.seen = seen;
+      this.reachable = reachable;
+      this.reason = reason;
+    }
+
+    /**
+     * As long as a pad is in sight.
+     *
+     * @param pad its number
+     * @param seen whether the drone sees it below now
+     */
+    static PadWatch over(Maneuver maneuver, int pad, BooleanSupplier seen) {
+      Phrase reason = Phrase.of("it has not seen the pad m%d for %.1f s", pad, PATIENCE);
+      return new PadWatch(maneuver, seen, true, reason);
+    }
+
+    /** To a place below the lowest hover: the drone flies as far as it can, and waits there. */
+    static PadWatch inVain(Maneuver maneuver) {
+      Phrase reason = Phrase.of("the place is too low, and not reached after %.1f s", PATIENCE);
+      return new PadWatch(maneuver, () -> false, false, reason);
+    }
+
+    @Override
+    public Setpoint advance(Sensed sensed, double seconds) {
+      unseen = seen.getAsBoolean() ? 0 : unseen + seconds;
+      return maneuver.advance(sensed, seconds);
+    }
+
+    @Override
+    public boolean planned() {
+      return reachable && maneuver.planned();
+    }
+
+    @Override
+    public Phrase progress() {
+      return maneuver.progress();
+    }
+
+    @Override
+    public Optional<Phrase> lost() {
+      return unseen < PATIENCE || planned() ? Optional.empty() : Optional.of(reason);
+    }
   }
 }

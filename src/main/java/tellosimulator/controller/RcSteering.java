@@ -5,7 +5,6 @@ import java.util.Deque;
 import java.util.Iterator;
 import tellosimulator.command.Sticks;
 import tellosimulator.math.Vec3;
-import tellosimulator.model.DroneSpec;
 import tellosimulator.profile.Behaviour;
 import tellosimulator.time.SimTime;
 
@@ -14,9 +13,6 @@ import tellosimulator.time.SimTime;
  * constant. For one drone and the simulation thread.
  */
 final class RcSteering {
-
-  /** Time constant of the turning rate [s]. Measured: 0.1 to 0.2. */
-  private static final double YAW_TIME_CONSTANT = 0.15;
 
   /** Speeds below this count as none [m/s, rad/s]. Assumed. */
   private static final double NEGLIGIBLE = 1e-4;
@@ -82,13 +78,18 @@ final class RcSteering {
     }
     Sticks level = delayed(now, behaviour.rcLevelDelay());
     Vec3 wanted = wantedVelocity(level);
-    acceleration = wanted.minus(velocity).times(1 / behaviour.rcLevelTimeConstant());
+    Vec3 asked = wanted.minus(velocity).times(1 / behaviour.rcLevelTimeConstant());
+    double onset = behaviour.rcLevelOnset();
+    acceleration =
+        onset == 0 ? asked : acceleration.plusScaled(asked.minus(acceleration), seconds / onset);
     velocity = velocity.plusScaled(acceleration, seconds);
-    Sticks yaw = delayed(now, DroneSpec.TURN_DELAY);
+    Sticks yaw = delayed(now, behaviour.rcYawDelay());
     double wantedRate = -behaviour.rcYawRate(yaw.clockwise());
-    yawRate += (wantedRate - yawRate) * seconds / YAW_TIME_CONSTANT;
+    yawRate += (wantedRate - yawRate) * seconds / behaviour.rcYawTimeConstant();
     forgetOld(now);
-    if (wanted.equals(Vec3.ZERO) && velocity.norm() < NEGLIGIBLE) {
+    if (wanted.equals(Vec3.ZERO)
+        && velocity.norm() < NEGLIGIBLE
+        && acceleration.norm() * onset < NEGLIGIBLE) {
       velocity = Vec3.ZERO;
       acceleration = Vec3.ZERO;
     }
@@ -131,9 +132,10 @@ final class RcSteering {
   }
 
   private void forgetOld(SimTime now) {
+    double longest = Math.max(behaviour.rcLevelDelay(), behaviour.rcYawDelay());
     while (changes.size() > 1) {
       Change oldest = changes.removeFirst();
-      if (now.since(changes.getFirst().time()) < behaviour.rcLevelDelay()) {
+      if (now.since(changes.getFirst().time()) < longest) {
         changes.addFirst(oldest);
         return;
       }

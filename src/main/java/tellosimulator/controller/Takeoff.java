@@ -31,9 +31,10 @@ final class Takeoff implements Maneuver {
   /**
    * @param start where it stands, room frame [m]
    * @param heading where the nose points [rad]
+   * @param height to which it climbs [m]
    */
-  Takeoff(Vec3 start, double heading, Behaviour behaviour) {
-    this.path = new Path.Line(start, Vec3.UP, behaviour.takeoffHeight());
+  Takeoff(Vec3 start, double heading, double height, Behaviour behaviour) {
+    this.path = new Path.Line(start, Vec3.UP, height);
     this.profile =
         SpeedProfile.over(
             path.length(), behaviour.takeoffSpeed(), CLIMB_ACCELERATION, CLIMB_BRAKING);

@@ -1,7 +1,9 @@
 package tellosimulator.controller;
 
 import java.util.function.Consumer;
+import java.util.function.Supplier;
 import tellosimulator.command.OperatorSession;
+import tellosimulator.fault.ActiveFaults;
 import tellosimulator.model.DroneModel;
 import tellosimulator.profile.Behaviour;
 import tellosimulator.profile.Profile;
@@ -13,6 +15,7 @@ import tellosimulator.sensor.SeededNoise;
  * @param crashSpeed above which a touch is a crash [m/s]
  * @param landsWhenSilent whether it lands by itself when no command comes
  * @param observer is told what happens to the drone
+ * @param faults what goes wrong at the moment
  * @param operatorChanged is told when another operator has taken over, before it is answered
  * @param forgetLink called when the power goes
  */
@@ -26,5 +29,6 @@ public record Wiring(
     SeededNoise noise,
     ReadReplies reads,
     FlightObserver observer,
+    Supplier<ActiveFaults> faults,
     Consumer<OperatorSession.Takeover> operatorChanged,
     Runnable forgetLink) {}

@@ -8,6 +8,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.OptionalInt;
+import tellosimulator.goal.Observation.Course;
 import tellosimulator.goal.Progress.Status;
 import tellosimulator.model.DroneState;
 import tellosimulator.sim.SimSnapshot;
@@ -55,8 +56,9 @@ final class Attempt {
    * @return the goals that were reached in it
    */
   List<Won> advance(SimSnapshot snapshot) {
-    List<Sight> sights = look(snapshot);
-    if (takeoff.isEmpty() && sights.stream().anyMatch(sight -> sight.now().phase().flying())) {
+    List<Observation> observations = look(snapshot);
+    if (takeoff.isEmpty()
+        && observations.stream().anyMatch(observation -> observation.now().phase().flying())) {
       takeoff = Optional.of(snapshot.time());
     }
     if (takeoff.isEmpty()) {
@@ -64,7 +66,7 @@ final class Attempt {
     }
     SimTime now = snapshot.time();
     double elapsed = now.since(takeoff.get());
-    List<Won> won = judge(sights, now);
+    List<Won> won = judge(observations, now);
     List<OptionalDouble> reached = new ArrayList<>(progress.reached());
     won.forEach(win -> reached.set(win.index(), OptionalDouble.of(elapsed)));
     progress = new Progress(challenge, reached, elapsed, Optional.empty());
@@ -75,7 +77,7 @@ final class Attempt {
     return won;
   }
 
-  private List<Sight> look(SimSnapshot snapshot) {
+  private List<Observation> look(SimSnapshot snapshot) {
     Course present =
         course
             .map(known -> known.in(snapshot.arena()))
@@ -83,27 +85,27 @@ final class Attempt {
     course = Optional.of(present);
     List<DroneSnapshot> drones = snapshot.drones();
     List<DroneSnapshot> earlier = before.size() == drones.size() ? before : drones;
-    List<Sight> sights = new ArrayList<>(drones.size());
+    List<Observation> observations = new ArrayList<>(drones.size());
     for (int i = 0; i < drones.size(); i++) {
       DroneState now = drones.get(i).state();
       if (now.phase().flying()) {
         flown.set(i);
       }
-      sights.add(new Sight(present, earlier.get(i).state(), now, flown.get(i)));
+      observations.add(new Observation(present, earlier.get(i).state(), now, flown.get(i)));
     }
     before = drones;
-    return sights;
+    return observations;
   }
 
   /** In order, only the next goal can be reached. */
-  private List<Won> judge(List<Sight> sights, SimTime now) {
+  private List<Won> judge(List<Observation> observations, SimTime now) {
     List<Won> won = new ArrayList<>();
     for (int i = 0; i < challenge.goals().size(); i++) {
       if (progress.reached().get(i).isPresent()) {
         continue;
       }
       int index = i;
-      OptionalInt winner = winner(i, sights, now);
+      OptionalInt winner = winner(i, observations, now);
       winner.ifPresent(drone -> won.add(new Won(index, drone)));
       if (challenge.inOrder()) {
         break;
@@ -113,12 +115,12 @@ final class Attempt {
   }
 
   /** The first drone that reaches a goal. */
-  private OptionalInt winner(int index, List<Sight> sights, SimTime now) {
+  private OptionalInt winner(int index, List<Observation> observations, SimTime now) {
     Goal goal = challenge.goals().get(index);
     Map<Integer, SimTime> since = held.get(index);
-    for (Sight sight : sights) {
-      int drone = sight.drone();
-      if (!sight.reaches(goal)) {
+    for (Observation observation : observations) {
+      int drone = observation.drone();
+      if (!observation.reaches(goal)) {
         since.remove(drone);
       } else if (now.since(since.computeIfAbsent(drone, first -> now)) >= goal.lasting()) {
         return OptionalInt.of(drone);

@@ -17,7 +17,7 @@ import tellosimulator.words.Phrase;
  */
 public final class GoalWatch implements SimListener {
 
-  private final Consumer<SimEvent> news;
+  private final Consumer<GoalNews> news;
   private final AtomicReference<Challenge> asked = new AtomicReference<>();
   private volatile Progress progress;
   private Attempt attempt;
@@ -27,7 +27,7 @@ public final class GoalWatch implements SimListener {
    * @param news takes an event for each goal that is reached, and for the end; on the simulation
    *     thread, after all other events of the step
    */
-  public GoalWatch(Challenge challenge, Consumer<SimEvent> news) {
+  public GoalWatch(Challenge challenge, Consumer<GoalNews> news) {
     this.news = news;
     this.attempt = new Attempt(challenge);
     this.progress = attempt.progress();
@@ -45,17 +45,21 @@ public final class GoalWatch implements SimListener {
 
   @Override
   public void event(SimEvent event) {
+    if (event instanceof SimEvent.Restarted) {
+      now = event.time();
+      begin(challenge());
+    }
     if (!(event instanceof SimEvent.DroneFlight flight)) {
       return;
     }
     if (flight.event() instanceof FlightEvent.PutBack) {
       begin(challenge());
     } else if (running() && flight.event() instanceof FlightEvent.Crashed crash) {
-      fail(Phrase.of("drone %d crashed into %s", event.drone(), crash.touched().phrase()));
+      fail(Phrase.of("drone %d crashed into %s", flight.drone(), crash.touched().phrase()));
     } else if (running()
         && challenge().untouched()
         && flight.event() instanceof FlightEvent.Touched touch) {
-      fail(Phrase.of("drone %d touched %s", event.drone(), touch.touched().phrase()));
+      fail(Phrase.of("drone %d touched %s", flight.drone(), touch.touched().phrase()));
     }
   }
 
@@ -99,12 +103,9 @@ public final class GoalWatch implements SimListener {
       case RUNNING -> {}
       case REACHED ->
           news.accept(
-              new SimEvent.GoalNews(
-                  now,
-                  0,
-                  Phrase.of("all goals are reached after %.1f s", progress.elapsed()),
-                  false));
-      case FAILED -> news.accept(new SimEvent.GoalNews(now, 0, progress.phrase(), true));
+              new GoalNews.Over(
+                  now, Phrase.of("all goals are reached after %.1f s", progress.elapsed()), false));
+      case FAILED -> news.accept(new GoalNews.Over(now, progress.phrase(), true));
     }
   }
 
@@ -112,12 +113,11 @@ public final class GoalWatch implements SimListener {
     Progress present = attempt.progress();
     Goal goal = present.challenge().goals().get(won.index());
     news.accept(
-        new SimEvent.GoalNews(
+        new GoalNews.Reached(
             now,
             won.drone(),
             Phrase.of(
                 "reached goal %d of %d after %.1f s: %s",
-                won.index() + 1, present.reached().size(), present.elapsed(), goal.task()),
-            false));
+                won.index() + 1, present.reached().size(), present.elapsed(), goal.task())));
   }
 }

@@ -3,6 +3,7 @@ package tellosimulator.headless;
 import java.io.BufferedReader;
 import java.io.IOException;
 import java.io.PrintStream;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.function.IntFunction;
@@ -11,6 +12,8 @@ import java.util.regex.Pattern;
 import tellosimulator.command.WireText;
 import tellosimulator.concurrent.Agent;
 import tellosimulator.concurrent.Verdict;
+import tellosimulator.fault.Fault;
+import tellosimulator.fault.LinkPreset;
 import tellosimulator.math.Frames;
 import tellosimulator.math.Vec3;
 import tellosimulator.model.DroneState;
@@ -29,8 +32,8 @@ final class Console {
   private static final Pattern NUMBER = Pattern.compile("-?[0-9]+(\\.[0-9]+)?");
 
   private static final String HELP =
-      "type reset [N], release [N], power on|off [N], battery PERCENT [N], pause, resume, state, help"
-          + " or quit";
+      "type reset [N], release [N], power on|off [N], battery PERCENT [N], fault TEXT|clear, faults,"
+          + " link PRESET, pause, resume, state, help or quit";
 
   private static final String LONG_HELP =
       """
@@ -39,6 +42,10 @@ final class Console {
       release [N]       take drones from their operators: the next `command` decides
       power on [N]      use the power switch; also: power off [N]
       battery P [N]     charge or drain the battery to P percent
+      fault TEXT        let something go wrong, such as: fault loss state 20% for 10s
+      fault clear       end all faults
+      faults            see what goes wrong
+      link PRESET       how good the link is: ideal, lab, classroom or crowded
       pause, resume     let time stand still, and go on
       quit              end the simulator
       N is a drone's number; without it, all drones.
@@ -106,7 +113,7 @@ final class Console {
   private void take(String line) {
     List<String> words = List.of(line.split("\\s+", -1));
     try {
-      carryOut(words);
+      carryOut(words, line);
     } catch (IllegalArgumentException e) {
       out.println(notDone(line) + WireText.printable(e.getMessage()) + "; " + HELP + ".");
     } catch (PortTakenException e) {
@@ -119,12 +126,15 @@ final class Console {
     return "`" + WireText.printable(line) + "` was not done: ";
   }
 
-  private void carryOut(List<String> words) throws PortTakenException {
+  private void carryOut(List<String> words, String line) throws PortTakenException {
     switch (words.get(0)) {
       case "reset" -> forDrones(words, 1, Control.Reset::new);
       case "release" -> forDrones(words, 1, Control.Release::new);
       case "power" -> power(words);
       case "battery" -> battery(words);
+      case "fault" -> fault(words, line);
+      case "faults" -> faults(words);
+      case "link" -> link(words);
       case "pause" -> pause(words, true);
       case "resume" -> pause(words, false);
       case "state" -> state(words);
@@ -137,6 +147,27 @@ final class Console {
   private void pause(List<String> words, boolean paused) throws PortTakenException {
     checkEnd(words, 1);
     controls.carryOut(new Control.Pause(paused));
+  }
+
+  private void fault(List<String> words, String line) throws PortTakenException {
+    String text = line.substring(words.get(0).length()).strip();
+    controls.carryOut(
+        text.equals("clear") ? new Control.ClearFaults() : new Control.InjectFault(Fault.of(text)));
+  }
+
+  private void faults(List<String> words) {
+    checkEnd(words, 1);
+    for (DroneSnapshot drone : snapshots.get().drones()) {
+      List<String> texts = new ArrayList<>(List.of("link " + drone.faults().link().option()));
+      drone.faults().faults().forEach(fault -> texts.add(fault.text()));
+      out.println("drone " + drone.state().drone() + ": " + String.join("; ", texts));
+    }
+  }
+
+  private void link(List<String> words) throws PortTakenException {
+    String word = word(words, 1, "one of " + String.join(", ", LinkPreset.options()));
+    checkEnd(words, 2);
+    controls.carryOut(new Control.SetLink(LinkPreset.of(word)));
   }
 
   private void state(List<String> words) {

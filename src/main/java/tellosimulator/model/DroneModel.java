@@ -80,8 +80,8 @@ public final class DroneModel {
 
   /** The room changed: start and drone move inside. */
   public void moveInto(Room room) {
-    start = new Pose(room.nearestInside(start.position(), DroneSpec.HULL), start.attitude());
-    Vec3 inside = room.nearestInside(motion.position(), DroneSpec.HULL);
+    start = new Pose(room.nearestInside(start.position(), DroneSpec.COLLIDER), start.attitude());
+    Vec3 inside = room.nearestInside(motion.position(), DroneSpec.COLLIDER);
     if (!inside.equals(motion.position())) {
       motion = motion.heldAt(inside, Vec3.ZERO);
     }
@@ -99,6 +99,21 @@ public final class DroneModel {
     if (motorsOn) {
       motorTime += seconds;
     }
+  }
+
+  /** The gyro drifts: heading counts from elsewhere [rad]. */
+  public void turnReference(double angle) {
+    reference =
+        new Reference(
+            reference.poweredAt(),
+            reference.heading() + angle,
+            reference.takeoffs(),
+            reference.height());
+  }
+
+  /** It is at least so hot [°C]. */
+  public void heat(double celsius) {
+    temperature = Math.max(temperature, celsius);
   }
 
   /** A takeoff begins: height counts anew. */

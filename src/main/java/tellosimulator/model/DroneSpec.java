@@ -1,6 +1,6 @@
 package tellosimulator.model;
 
-import tellosimulator.world.Hull;
+import tellosimulator.world.Collider;
 
 /** The airframe's constants, the same in every profile and behaviour. */
 public final class DroneSpec {
@@ -12,7 +12,7 @@ public final class DroneSpec {
    * Height of the body [m] and radius around the propellers' circles [m]. Documented: 98 by 92.5 by
    * 41 mm between the motors, 3-inch propellers (Tello User Manual): (98 + 76) / 2 mm.
    */
-  public static final Hull HULL = new Hull(0.087, 0.041);
+  public static final Collider COLLIDER = new Collider(0.087, 0.041);
 
   /**
    * Linear drag [1/s] and quadratic drag [1/m] for each unit of mass. Documented: 9 degrees of tilt

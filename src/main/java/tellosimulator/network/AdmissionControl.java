@@ -108,7 +108,7 @@ final class AdmissionControl {
       return false;
     }
     boolean operates = !rule.exclusive() || operates(sender);
-    if (operates && beginsLikeCommand(bytes, length)) {
+    if (operates && WireText.beginsLikeCommand(bytes, length)) {
       return true;
     }
     Source source = source(sender);
@@ -117,11 +117,6 @@ final class AdmissionControl {
       source.dropped++;
     }
     return room;
-  }
-
-  private static boolean beginsLikeCommand(byte[] bytes, int length) {
-    String beginning = WireText.decode(bytes, Math.min(length, WireText.LONGEST_BEGINNING));
-    return WireText.beginsLikeCommand(beginning);
   }
 
   /** Tells the simulation how many datagrams were turned away since this was called last. */
@@ -140,7 +135,12 @@ final class AdmissionControl {
   }
 
   private Source source(InetAddress host) {
-    return sources.computeIfAbsent(host, unseen -> new Source(nanos));
+    Source known = sources.get(host); // computeIfAbsent would make an object for each datagram
+    if (known == null) {
+      known = new Source(nanos);
+      sources.put(host, known);
+    }
+    return known;
   }
 
   /** Written without a stream, as floods come through here. */

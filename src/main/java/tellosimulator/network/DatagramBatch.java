@@ -55,11 +55,14 @@ final class DatagramBatch {
     return !earlier.unanswered() && earlier.connection().drone() != later.connection().drone();
   }
 
-  /** Hands everything over; empty afterwards. */
+  /**
+   * Hands everything over; empty afterwards. If one cannot be taken, it is lost alone: the next
+   * call hands over those after it.
+   */
   void handOver(Simulation simulation) {
-    for (Entry entry : entries) {
+    while (!entries.isEmpty()) {
+      Entry entry = entries.remove(0);
       entry.connection().handOver(simulation, entry);
     }
-    entries.clear();
   }
 }

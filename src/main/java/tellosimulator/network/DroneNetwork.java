@@ -10,7 +10,7 @@ import java.util.Set;
 import java.util.TreeMap;
 import java.util.TreeSet;
 import java.util.function.IntFunction;
-import java.util.stream.IntStream;
+import java.util.function.Supplier;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 import tellosimulator.command.Link;
@@ -47,22 +47,39 @@ public final class DroneNetwork implements AutoCloseable {
   /** Each command may come from another port, and a socket and a thread for it are not free. */
   private final TokenBucket connecting = new TokenBucket(CONNECTS_PER_SECOND, MOST_CONNECTS);
 
-  private AddressPlan plan;
-  private volatile LocalNetworks networks = LocalNetworks.look();
+  private final Supplier<LocalNetworks> look;
+  private volatile AddressPlan plan;
+  private volatile LocalNetworks networks;
+
+  /** Where each drone listens or would listen, for those who do not wait for sockets. */
+  private volatile List<List<InetSocketAddress>> published = List.of();
+
   private volatile Optional<Simulation> simulation = Optional.empty();
   private Optional<Receiver> receiver = Optional.empty();
 
   /** Addresses that could not be opened when they appeared; told once. */
   private final List<InetSocketAddress> refused = new ArrayList<>();
 
-  private DroneNetwork(AddressPlan plan) {
+  private DroneNetwork(AddressPlan plan, Supplier<LocalNetworks> look) {
     this.plan = plan;
+    this.look = look;
+    networks = look.get();
     drones = plan.drones().stream().map(drone -> new DroneSockets()).toList();
+    publish();
   }
 
   /** Nothing is open yet. */
   public static DroneNetwork of(AddressPlan plan) {
-    return new DroneNetwork(plan);
+    return of(plan, LocalNetworks::look);
+  }
+
+  /**
+   * Nothing is open yet.
+   *
+   * @param look finds this machine's addresses
+   */
+  static DroneNetwork of(AddressPlan plan, Supplier<LocalNetworks> look) {
+    return new DroneNetwork(plan, look);
   }
 
   /**
@@ -117,10 +134,11 @@ public final class DroneNetwork implements AutoCloseable {
    */
   public synchronized void open(int drone) throws PortTakenException {
     if (!sockets(drone).isOpen()) {
-      networks = LocalNetworks.look();
+      networks = look.get();
       open(drone, planned(drone));
       on.add(drone);
     }
+    publish();
   }
 
   private void open(int drone, List<InetSocketAddress> addresses) throws PortTakenException {
@@ -145,6 +163,7 @@ public final class DroneNetwork implements AutoCloseable {
   public synchronized void close(int drone) {
     release(drone, List.of());
     on.remove(drone);
+    publish();
   }
 
   /**
@@ -152,11 +171,12 @@ public final class DroneNetwork implements AutoCloseable {
    * and no more at those that have gone.
    */
   public void refresh() {
-    LocalNetworks found = LocalNetworks.look(); // which takes a while
+    LocalNetworks found = look.get(); // which takes a while
     synchronized (this) {
       networks = found;
       on.forEach(this::adopt);
       Map.copyOf(links).forEach(this::connect);
+      publish();
     }
   }
 
@@ -191,13 +211,19 @@ public final class DroneNetwork implements AutoCloseable {
   }
 
   /** From where the drones that listen on the machine's own addresses can be reached. */
-  public synchronized Reach reach() {
+  public Reach reach() {
     return plan.reach();
   }
 
   /** Changes it at once, also for drones that are on. */
   public void setReach(Reach reach) {
     synchronized (this) {
+      if (plan.reach() != reach) {
+        LOG.info(
+            reach == Reach.NETWORK
+                ? "Other machines of this network can reach the drones now"
+                : "Only this machine can reach the drones now");
+      }
       plan = plan.withReach(reach);
     }
     refresh();
@@ -216,21 +242,40 @@ public final class DroneNetwork implements AutoCloseable {
   public synchronized void setPort(int drone, int port) {
     sockets(drone);
     plan = plan.withPort(drone, port);
+    publish();
   }
 
-  /** Where a drone listens while its sockets are open, or would listen. */
-  public synchronized List<InetSocketAddress> addresses(int drone) {
-    DroneSockets sockets = sockets(drone);
-    return sockets.isOpen() ? sockets.addresses() : planned(drone);
+  /** Where a drone listens while its sockets are open, or would listen; never waits. */
+  public List<InetSocketAddress> addresses(int drone) {
+    sockets(drone);
+    return published.get(drone - 1);
   }
 
-  /** Where each drone listens, in the order of their numbers. */
-  public synchronized List<List<InetSocketAddress>> addresses() {
-    return IntStream.rangeClosed(1, drones.size()).mapToObj(this::addresses).toList();
+  /** Where each drone listens, in the order of their numbers; never waits. */
+  public List<List<InetSocketAddress>> addresses() {
+    return published;
+  }
+
+  private void publish() {
+    List<List<InetSocketAddress>> all = new ArrayList<>();
+    for (int drone = 1; drone <= drones.size(); drone++) {
+      DroneSockets sockets = sockets(drone);
+      all.add(sockets.isOpen() ? sockets.addresses() : planned(drone));
+    }
+    published = List.copyOf(all);
   }
 
   private List<InetSocketAddress> planned(int drone) {
     return plan.addresses(drone, networks);
+  }
+
+  /** Waits until all that has come to the sockets is handed to the simulation. */
+  public void settle() {
+    Optional<Receiver> current;
+    synchronized (this) {
+      current = receiver;
+    }
+    current.ifPresent(Receiver::settle);
   }
 
   /** What a drone received and sent. */

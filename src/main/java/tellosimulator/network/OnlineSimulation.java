@@ -1,6 +1,7 @@
 package tellosimulator.network;
 
 import java.net.InetSocketAddress;
+import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.OptionalInt;
@@ -33,6 +34,7 @@ public final class OnlineSimulation implements AutoCloseable {
   private final SimulationLoop loop;
   private final Metronome clock = new Metronome();
   private final Worker watch;
+  private boolean closed;
 
   /**
    * Starts with all drones off and all sockets closed.
@@ -120,8 +122,34 @@ public final class OnlineSimulation implements AutoCloseable {
     loop.carryOut(new Control.PassTime(seconds));
   }
 
+  /**
+   * Begins anew with all drones on; the sockets stay as they are.
+   *
+   * @param config with as many drones as before
+   * @throws PortTakenException if a drone was off, and one of its addresses or ports cannot be had
+   */
+  public synchronized void restart(SimConfig config) throws PortTakenException {
+    loop.carryOut(new Control.Restart(config));
+    switchAllOn();
+  }
+
+  /** As {@link SimulationLoop#settle}; what programs have sent until now has arrived, too. */
+  public void settle() {
+    network.settle();
+    loop.settle();
+  }
+
+  /** As {@link SimulationLoop#awaitStill}; what programs have sent until now has arrived, too. */
+  public boolean awaitStill(Duration limit) throws InterruptedException {
+    network.settle();
+    return loop.awaitStill(limit);
+  }
+
   /** One at a time, so that whoever is last decides on drone and sockets. */
   private synchronized void switchPower(Control.Power power) throws PortTakenException {
+    if (closed) {
+      return; // or sockets would be opened that nobody closes
+    }
     if (power.on()) {
       network.open(power.drone());
       loop.carryOut(power);
@@ -178,7 +206,10 @@ public final class OnlineSimulation implements AutoCloseable {
     watch.end();
     clock.wake();
     watch.close();
-    network.close();
+    synchronized (this) {
+      closed = true;
+      network.close();
+    }
     loop.close();
   }
 }

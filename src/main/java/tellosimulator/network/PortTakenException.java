@@ -45,6 +45,26 @@ public final class PortTakenException extends IOException {
     return obstacle;
   }
 
+  /**
+   * Of a port that no drone needs.
+   *
+   * @param option with which another one is chosen
+   */
+  public static PortTakenException taken(
+      InetSocketAddress address, String option, IOException cause) {
+    return new PortTakenException(
+        address,
+        Obstacle.TAKEN,
+        String.format(
+            Locale.ROOT,
+            "Port %d of %s cannot be had (%s): choose another one with %s, or 0 for a free one.",
+            address.getPort(),
+            address.getAddress().getHostAddress(),
+            cause.getMessage(),
+            option),
+        cause);
+  }
+
   static PortTakenException taken(InetSocketAddress address, IOException cause) {
     int port = address.getPort();
     String who =

@@ -73,17 +73,20 @@ final class Receiver implements AutoCloseable {
   /** Receives from a socket until that is closed. */
   void add(UdpPort port, CommandConnection connection) {
     port.register(selector, new Source(port, connection));
-    selector.wakeup();
+    wakeUp();
   }
 
-  /** Lets go of sockets that have been closed; their ports are free when this returns. */
+  /**
+   * Waits until what has come to the sockets is handed over and sockets that have been closed are
+   * let go of, so that their ports are free. Does not wait after the end.
+   */
   void settle() {
     CountDownLatch settled = new CountDownLatch(1);
     settling.add(settled);
-    selector.wakeup();
+    wakeUp();
     try {
       while (!worker.hasEnded() && !settled.await(PATIENCE_MS, TimeUnit.MILLISECONDS)) {
-        selector.wakeup();
+        wakeUp();
       }
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
@@ -92,17 +95,26 @@ final class Receiver implements AutoCloseable {
 
   /** As {@link #settle}, soon. */
   void settleSoon() {
-    selector.wakeup();
+    wakeUp();
+  }
+
+  /** A selector that is closed must not be woken: its descriptor may be another's by then. */
+  private synchronized void wakeUp() {
+    if (selector.isOpen()) {
+      selector.wakeup();
+    }
   }
 
   /** Ends it after what it does now. Sockets are closed by whoever opened them. */
   @Override
   public void close() {
     closed = true;
-    selector.wakeup();
+    wakeUp();
     worker.close();
     try {
-      selector.close();
+      synchronized (this) {
+        selector.close();
+      }
     } catch (IOException e) {
       LOG.debug("Closing the selector failed: {}", e.toString());
     }
@@ -123,7 +135,7 @@ final class Receiver implements AutoCloseable {
     public Outcome doWork() throws IOException {
       int settled = settling.size();
       try {
-        receive(settled > 0);
+        receive(settled > 0 || batch.size() > 0);
       } finally {
         batch.handOver(simulation);
       }

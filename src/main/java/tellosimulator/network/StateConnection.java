@@ -27,6 +27,7 @@ public final class StateConnection implements StatePort {
 
   private void send(Peer operator, int statePort, StateReport report) {
     InetSocketAddress to = new InetSocketAddress(operator.address().getAddress(), statePort);
-    ports.send(operator.via(), WireText.encode(StateLine.format(report)), to);
+    ports.send(
+        operator.via(), WireText.encode(report.corruption().applied(StateLine.format(report))), to);
   }
 }

@@ -9,14 +9,20 @@ import tellosimulator.model.Motion;
 final class Integrator {
 
   /**
+   * Deceleration for each unit of speed [1/s], by linear and quadratic drag, at an airspeed [m/s].
+   */
+  static double drag(Vec3 airspeed) {
+    return DroneSpec.LINEAR_DRAG + DroneSpec.QUADRATIC_DRAG * airspeed.norm();
+  }
+
+  /**
    * The motion a step later.
    *
    * @param seconds length of the step
    */
   Motion step(Motion motion, Forces forces, double seconds) {
     Vec3 airspeed = motion.velocity().minus(forces.wind());
-    Vec3 felt =
-        motion.attitude().up().times(forces.thrust()).plusScaled(airspeed, -Drag.factor(airspeed));
+    Vec3 felt = motion.attitude().up().times(forces.thrust()).plusScaled(airspeed, -drag(airspeed));
     Vec3 acceleration = felt.plusScaled(Vec3.UP, -DroneSpec.GRAVITY);
     Vec3 velocity = motion.velocity().plusScaled(acceleration, seconds);
     Vec3 position = motion.position().plusScaled(velocity, seconds);

@@ -44,7 +44,7 @@ final class PositionLoop {
         Math.max(
             -FASTEST_CORRECTION, Math.min(FASTEST_CORRECTION, error.z() * VERTICAL_POSITION_GAIN));
     Vec3 missing = target.velocity().plus(level.withZ(vertical)).minus(motion.velocity());
-    Vec3 drag = target.velocity().times(Drag.factor(target.velocity()));
+    Vec3 drag = target.velocity().times(Integrator.drag(target.velocity()));
     Vec3 wanted = target.acceleration().plus(drag).minus(push);
     double lift = DroneSpec.GRAVITY + wanted.z() + missing.z() * VERTICAL_VELOCITY_GAIN;
     lift = Math.max(LEAST_LIFT, Math.min(GREATEST_LIFT, lift));

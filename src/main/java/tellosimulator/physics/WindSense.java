@@ -39,7 +39,7 @@ final class WindSense {
     }
     Vec3 airspeed = velocity.minus(wind);
     Vec3 present =
-        velocity.times(Drag.factor(velocity)).plusScaled(airspeed, -Drag.factor(airspeed));
+        velocity.times(Integrator.drag(velocity)).plusScaled(airspeed, -Integrator.drag(airspeed));
     push = push.plusScaled(present.minus(push), seconds / LAG);
     if (push.norm() < NOTHING) {
       push = Vec3.ZERO;

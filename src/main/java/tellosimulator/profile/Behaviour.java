@@ -13,6 +13,15 @@ public enum Behaviour {
   REPORT,
   MEASURED;
 
+  /**
+   * Values of {@code rc} and rates of yaw [degrees/s], with straight lines between them. Measured:
+   * pgminin/tello-vision-telemetry-lab, three flights; full stick from a calibrated ROS controller
+   * (1.55 rad/s).
+   */
+  private static final double[] YAW_VALUES = {0, 3, 5, 10, 20, 40, 45, 100};
+
+  private static final double[] YAW_RATES = {0, 0, 1, 4.5, 11, 25, 30, 89};
+
   private <T> T pick(T report, T measured) {
     return this == REPORT ? report : measured;
   }
@@ -62,14 +71,38 @@ public enum Behaviour {
     return pick(0.010, 0.015);
   }
 
-  /** From a level {@code rc} to the first motion [s]. */
+  /**
+   * From a level {@code rc} until the drone begins to lean [s]. Measured: TelloPy 0.7.0,
+   * docs/sensor_time.md: a tenth of the angle after 165 ms, half of it after 249 to 266 ms.
+   */
   public double rcLevelDelay() {
-    return pick(0.35, 0.50);
+    return pick(0.35, 0.10);
+  }
+
+  /**
+   * Time constant with which a level {@code rc} begins to accelerate the drone [s]; 0 for at once.
+   * Measured: as for the delay, of which it is the part that is no dead time.
+   */
+  public double rcLevelOnset() {
+    return pick(0.0, 0.06);
   }
 
   /** Time constant of the level response to {@code rc} [s]. */
   public double rcLevelTimeConstant() {
     return 0.6;
+  }
+
+  /**
+   * From a turning {@code rc} until the drone begins to turn [s]. Measured: as above: a tenth of
+   * the rate after 64 to 77 ms, half of it after 91 to 135 ms.
+   */
+  public double rcYawDelay() {
+    return pick(0.15, 0.05);
+  }
+
+  /** Time constant of the turning rate [s]. Measured: 0.1 to 0.2, and as above. */
+  public double rcYawTimeConstant() {
+    return pick(0.15, 0.02);
   }
 
   /** Vertical speed for each unit of {@code rc} [m/s]. */
@@ -82,7 +115,18 @@ public enum Behaviour {
    * second for each unit. Measured: a progressive curve through published points.
    */
   public double rcYawRate(double value) {
-    return StrictMath.toRadians(pick(value, YawCurve.degreesPerSecond(value)));
+    return StrictMath.toRadians(pick(value, measuredYawRateDeg(value)));
+  }
+
+  private static double measuredYawRateDeg(double value) {
+    double size = Math.abs(value);
+    for (int i = 1; i < YAW_VALUES.length; i++) {
+      if (size <= YAW_VALUES[i]) {
+        double part = (size - YAW_VALUES[i - 1]) / (YAW_VALUES[i] - YAW_VALUES[i - 1]);
+        return Math.copySign(YAW_RATES[i - 1] + part * (YAW_RATES[i] - YAW_RATES[i - 1]), value);
+      }
+    }
+    return Math.copySign(YAW_RATES[YAW_RATES.length - 1], value);
   }
 
   /** The lowest height at which it hovers [m]. Measured: 27 to 28 cm. */
@@ -115,16 +159,6 @@ public enum Behaviour {
   /** Whether reads and {@code command} are answered while another command runs. */
   public boolean readsWhileBusy() {
     return pick(false, true);
-  }
-
-  /** Shortest time to an immediate reply [s]. Measured: 28 to 90 ms, of which the link is part. */
-  public double shortestReplyDelay() {
-    return pick(0.0, 0.030);
-  }
-
-  /** Longest time to an immediate reply [s]. */
-  public double longestReplyDelay() {
-    return pick(0.0, 0.050);
   }
 
   /** Whether {@code ap} and {@code wifi} restart the drone as they do a real one. */

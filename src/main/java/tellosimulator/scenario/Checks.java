@@ -40,9 +40,9 @@ final class Checks {
   }
 
   /** Whether the names are different. */
-  void names(List<Item<ObstacleCodecs.Entry>> obstacles) {
+  void names(List<Item<ObstacleCodecs.NotedObstacle>> obstacles) {
     Set<String> names = new HashSet<>();
-    for (Item<ObstacleCodecs.Entry> obstacle : obstacles) {
+    for (Item<ObstacleCodecs.NotedObstacle> obstacle : obstacles) {
       String name = obstacle.value().obstacle().name();
       if (!name.isEmpty() && !names.add(name)) {
         mistakes.add(obstacle.place(), Phrase.of("there are two obstacles of the name %s", name));
@@ -86,22 +86,22 @@ final class Checks {
   }
 
   /** Where the drones stand. */
-  void starts(List<Item<DroneCodec.Entry>> drones, List<Obstacle> obstacles) {
+  void starts(List<Item<DroneCodec.StationedDrone>> drones, List<Obstacle> obstacles) {
     Obstacles around = Obstacles.of(Arena.empty(room, Decor.DEFAULT).withObstacles(obstacles));
     for (int i = 0; i < drones.size(); i++) {
-      Item<DroneCodec.Entry> drone = drones.get(i);
+      Item<DroneCodec.StationedDrone> drone = drones.get(i);
       Vec3 start = start(drone);
-      if (!room.contains(start, DroneSpec.HULL)) {
+      if (!room.contains(start, DroneSpec.COLLIDER)) {
         mistakes.add(
             drone.place(), Phrase.of("drone %d does not fit into the room there", drone.number()));
       }
-      Optional<Obstacle> obstacle = around.around(start, DroneSpec.HULL);
+      Optional<Obstacle> obstacle = around.around(start, DroneSpec.COLLIDER);
       if (obstacle.isPresent()) {
         mistakes.add(
             drone.place(), Phrase.of("drone %d is in %s", drone.number(), obstacle.get().phrase()));
       }
-      for (Item<DroneCodec.Entry> other : drones.subList(0, i)) {
-        if (start.distanceTo(start(other)) < 2 * DroneSpec.HULL.radius()) {
+      for (Item<DroneCodec.StationedDrone> other : drones.subList(0, i)) {
+        if (start.distanceTo(start(other)) < 2 * DroneSpec.COLLIDER.radius()) {
           mistakes.add(
               drone.place(), Phrase.of("drone %d is in drone %d", drone.number(), other.number()));
         }
@@ -109,14 +109,14 @@ final class Checks {
     }
   }
 
-  private static Vec3 start(Item<DroneCodec.Entry> drone) {
+  private static Vec3 start(Item<DroneCodec.StationedDrone> drone) {
     return drone.value().setup().start().position();
   }
 
   /** Where the drones take commands; drone 1 is taken to be at 127.0.0.1 if nothing is said. */
-  void addresses(List<Item<DroneCodec.Entry>> drones) {
+  void addresses(List<Item<DroneCodec.StationedDrone>> drones) {
     Map<String, Integer> taken = new HashMap<>();
-    for (Item<DroneCodec.Entry> drone : drones) {
+    for (Item<DroneCodec.StationedDrone> drone : drones) {
       Station station = drone.value().station();
       String host =
           station.address().map(InetAddress::getHostAddress).orElse("127.0.0." + drone.number());

@@ -15,6 +15,12 @@ final class ChoiceCodec<T> extends RecordCodec<T> {
 
   ChoiceCodec(String name, Phrase phrase, String description) {
     super(name, phrase, description);
+    made(
+        in -> {
+          @SuppressWarnings("unchecked") // all keys have values of this type
+          T only = (T) in.only();
+          return only;
+        });
   }
 
   /**
@@ -37,12 +43,6 @@ final class ChoiceCodec<T> extends RecordCodec<T> {
               Phrase.of("expected one of %s, found %d of them", String.join(", ", keys()), found));
     }
     return found == 1;
-  }
-
-  @Override
-  @SuppressWarnings("unchecked") // all keys have values of this type
-  T make(Entries in) {
-    return (T) in.only();
   }
 
   @Override

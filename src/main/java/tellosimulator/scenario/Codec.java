@@ -15,8 +15,23 @@ import tellosimulator.scenario.Field.Usual;
  */
 interface Codec<T> {
 
-  /** The value of a node; empty if it has none, which is told to the mistakes of the reading. */
-  Optional<T> read(Node node, Reading reading);
+  /**
+   * What codecs need to know of the file that they read.
+   *
+   * @param mistakes to which they tell what is wrong
+   * @param folder from which the file names its pictures
+   * @param looked whether a picture that is not there is a mistake
+   * @param drones how many there are
+   */
+  record Context(Mistakes mistakes, Path folder, boolean looked, int drones) {
+
+    Context withDrones(int newDrones) {
+      return new Context(mistakes, folder, looked, newDrones);
+    }
+  }
+
+  /** The value of a node; empty if it has none, which is told to the mistakes of the context. */
+  Optional<T> read(Node node, Context context);
 
   /**
    * The node of a value.
@@ -47,8 +62,8 @@ interface Codec<T> {
     Codec<T> codec = this;
     return new Codec<>() {
       @Override
-      public Optional<U> read(Node node, Reading reading) {
-        return codec.read(node, reading).map(to);
+      public Optional<U> read(Node node, Context context) {
+        return codec.read(node, context).map(to);
       }
 
       @Override

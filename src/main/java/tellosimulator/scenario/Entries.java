@@ -4,6 +4,7 @@ import java.util.HashMap;
 import java.util.HashSet;
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalInt;
 import java.util.Set;
 import org.snakeyaml.engine.v2.nodes.Node;
 import tellosimulator.words.Phrase;
@@ -12,39 +13,39 @@ import tellosimulator.words.Phrase;
 final class Entries {
 
   private final Node node;
-  private final Reading reading;
+  private final Codec.Context context;
   private final int mistakesBefore;
   private final Map<String, Node> nodes = new HashMap<>();
   private final Map<String, Object> values = new HashMap<>();
   private final Set<String> unsound = new HashSet<>();
 
-  Entries(Node node, Reading reading) {
+  Entries(Node node, Codec.Context context) {
     this.node = node;
-    this.reading = reading;
-    this.mistakesBefore = reading.mistakes().count();
+    this.context = context;
+    this.mistakesBefore = context.mistakes().count();
   }
 
   /** Reads the value of a key. */
   <V> void read(Field<?, V> field, Phrase phrase) {
-    int before = reading.mistakes().count();
+    int before = context.mistakes().count();
     Node value = nodes.get(field.key());
     Optional<V> read = field.usual().map(Field.Usual::value);
     if (value != null) {
-      read = field.codec().read(value, reading);
+      read = field.codec().read(value, context);
     } else if (field.needed()) {
       need(field.key(), phrase);
     }
     if (read.isPresent()) {
       values.put(field.key(), read.get());
     }
-    if (reading.mistakes().count() != before) {
+    if (context.mistakes().count() != before) {
       unsound.add(field.key());
     }
   }
 
   /** Tells that a key is missing. */
   void need(String key, Phrase phrase) {
-    reading.mistakes().add(node, Phrase.of("%s needs the key %s", phrase, key));
+    context.mistakes().add(node, Phrase.of("%s needs the key %s", phrase, key));
   }
 
   /** Takes the node of a key; false if there is one already. */
@@ -54,7 +55,7 @@ final class Entries {
 
   /** Whether nothing was wrong so far. */
   boolean sound() {
-    return reading.mistakes().count() == mistakesBefore;
+    return context.mistakes().count() == mistakesBefore;
   }
 
   /** Whether nothing was wrong with the value of a key. */
@@ -73,7 +74,7 @@ final class Entries {
   }
 
   Mistakes mistakes() {
-    return reading.mistakes();
+    return context.mistakes();
   }
 
   /** A value that is there, or its usual one; to be called for what is sound. */
@@ -92,8 +93,14 @@ final class Entries {
     return Optional.ofNullable((V) values.get(field.key()));
   }
 
+  /** The same of a number. */
+  OptionalInt findInt(Field<?, Integer> field) {
+    Optional<Integer> found = find(field);
+    return found.isPresent() ? OptionalInt.of(found.get()) : OptionalInt.empty();
+  }
+
   /** Tells that a value is wrong that is there. */
   void mistake(Field<?, ?> field, Phrase phrase) {
-    reading.mistakes().add(nodes.get(field.key()), phrase);
+    context.mistakes().add(nodes.get(field.key()), phrase);
   }
 }

@@ -3,6 +3,7 @@ package tellosimulator.scenario;
 import java.nio.file.Path;
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalInt;
 import java.util.function.Consumer;
 import java.util.function.Function;
 import org.snakeyaml.engine.v2.nodes.Node;
@@ -65,6 +66,16 @@ record Field<T, V>(
     /** It can be there. */
     <V> Field<T, V> optional(Codec<V> codec, Function<T, Optional<V>> getter) {
       return added(codec, getter, Optional.empty(), false);
+    }
+
+    /** It can be there; of a number. */
+    Field<T, Integer> optionalInt(Codec<Integer> codec, Function<T, OptionalInt> getter) {
+      return optional(
+          codec,
+          described -> {
+            OptionalInt value = getter.apply(described);
+            return value.isPresent() ? Optional.of(value.getAsInt()) : Optional.empty();
+          });
     }
 
     private <V> Field<T, V> added(

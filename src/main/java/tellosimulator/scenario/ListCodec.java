@@ -51,21 +51,21 @@ record ListCodec<T>(Codec<T> codec, int most) implements Codec<List<ListCodec.It
   }
 
   @Override
-  public Optional<List<Item<T>>> read(Node node, Reading reading) {
+  public Optional<List<Item<T>>> read(Node node, Context context) {
     if (!(node instanceof SequenceNode sequence)) {
-      return reading
+      return context
           .mistakes()
           .add(node, Phrase.of("expected a list, found %s", Mistakes.found(node)));
     }
     List<Node> nodes = sequence.getValue();
     if (nodes.size() > most) {
-      return reading
+      return context
           .mistakes()
           .add(node, Phrase.of("expected a list of at most %d, found %d", most, nodes.size()));
     }
     List<Item<T>> items = new ArrayList<>(nodes.size());
     for (int i = 0; i < nodes.size(); i++) {
-      Optional<T> value = codec.read(nodes.get(i), reading);
+      Optional<T> value = codec.read(nodes.get(i), context);
       if (value.isPresent()) {
         items.add(new Item<>(value.get(), i + 1, Mistakes.place(nodes.get(i))));
       }

@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.function.Function;
 import java.util.stream.IntStream;
+import tellosimulator.fault.Fault;
 import tellosimulator.sim.DroneSetup;
 import tellosimulator.world.Arena;
 import tellosimulator.world.MissionPad;
@@ -32,6 +33,7 @@ final class Matching {
             "pads", matched(old.pads(), arena.pads(), MissionPad::id),
             "posters", inOrder(old.decor().posters(), arena.decor().posters()),
             "drones", inOrder(drones(before), drones(now)),
+            "faults", inOrder(faults(before), faults(now)),
             "goals", inOrder(before.challenge().goals(), now.challenge().goals())));
   }
 
@@ -43,6 +45,10 @@ final class Matching {
    */
   List<Integer> of(String key) {
     return byKey.get(key);
+  }
+
+  private static List<Fault> faults(Scenario scenario) {
+    return scenario.config().rules().faults().faults();
   }
 
   private static <T> List<Integer> matched(List<T> before, List<T> now, Function<T, ?> identity) {

@@ -2,12 +2,18 @@ package tellosimulator.scenario;
 
 import java.math.BigDecimal;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.regex.Pattern;
+import org.snakeyaml.engine.v2.common.FlowStyle;
 import org.snakeyaml.engine.v2.nodes.Node;
 import org.snakeyaml.engine.v2.nodes.ScalarNode;
+import org.snakeyaml.engine.v2.nodes.SequenceNode;
+import org.snakeyaml.engine.v2.nodes.Tag;
 import tellosimulator.math.Frames;
+import tellosimulator.math.Vec3;
 import tellosimulator.words.Phrase;
 
 /**
@@ -59,12 +65,12 @@ record NumberCodec(Unit unit, Phrase expected, double least, double most) implem
   }
 
   @Override
-  public Optional<Double> read(Node node, Reading reading) {
+  public Optional<Double> read(Node node, Context context) {
     double value = number(node);
     if (value >= least && value <= most) {
       return Optional.of(inSi(value));
     }
-    return reading.mistakes().expected(expected, node);
+    return context.mistakes().expected(expected, node);
   }
 
   @Override
@@ -116,5 +122,52 @@ record NumberCodec(Unit unit, Phrase expected, double least, double most) implem
   /** Without decimals that say nothing. */
   static String plain(double value) {
     return new BigDecimal(Double.toString(rounded(value))).stripTrailingZeros().toPlainString();
+  }
+
+  /**
+   * A vector of lengths: {@code [x, y]}, whose z is 0, or {@code [x, y, z]}.
+   *
+   * @param size 2 or 3
+   */
+  record Vector(int size, NumberCodec length) implements Codec<Vec3> {
+
+    @Override
+    public Optional<Vec3> read(Node node, Context context) {
+      if (!(node instanceof SequenceNode sequence) || sequence.getValue().size() != size) {
+        String names = size == 2 ? "[x, y]" : "[x, y, z]";
+        return context
+            .mistakes()
+            .expected(
+                Phrase.of(
+                    "%s in cm, each from %s to %s",
+                    names, NumberCodec.plain(length.least()), NumberCodec.plain(length.most())),
+                node);
+      }
+      double[] lengths = new double[3];
+      boolean sound = true;
+      for (int i = 0; i < size; i++) {
+        Optional<Double> read = length.read(sequence.getValue().get(i), context);
+        sound &= read.isPresent();
+        lengths[i] = read.orElse(0.0);
+      }
+      return sound ? Optional.of(new Vec3(lengths[0], lengths[1], lengths[2])) : Optional.empty();
+    }
+
+    @Override
+    public Node write(Vec3 value, Path folder) {
+      List<Node> lengths = new ArrayList<>();
+      lengths.add(length.write(value.x(), folder));
+      lengths.add(length.write(value.y(), folder));
+      if (size == 3) {
+        lengths.add(length.write(value.z(), folder));
+      }
+      return new SequenceNode(Tag.SEQ, lengths, FlowStyle.FLOW);
+    }
+
+    @Override
+    public Map<String, Object> schema(Map<String, Object> definitions) {
+      return Codec.object(
+          "type", "array", "minItems", size, "maxItems", size, "items", length.schema(definitions));
+    }
   }
 }

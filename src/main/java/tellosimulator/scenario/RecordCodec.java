@@ -6,6 +6,8 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.Consumer;
+import java.util.function.Function;
 import org.snakeyaml.engine.v2.common.FlowStyle;
 import org.snakeyaml.engine.v2.nodes.MappingNode;
 import org.snakeyaml.engine.v2.nodes.Node;
@@ -16,18 +18,20 @@ import tellosimulator.words.Phrase;
 import tellosimulator.words.Spelling;
 
 /**
- * A mapping with known keys. A subclass declares them as {@link Field}s, in the order in which they
- * are written, and makes the value of what was read.
+ * A mapping with known keys. They are declared as {@link Field}s, in the order in which they are
+ * written; then it is said what is {@link #made} of what was read.
  *
  * @param <T> what the mapping describes
  */
-abstract class RecordCodec<T> implements Codec<T> {
+class RecordCodec<T> implements Codec<T> {
 
   private final String name;
   private final Phrase phrase;
   private final String description;
   private final Map<String, Field<T, ?>> fields = new LinkedHashMap<>();
   private final List<Case> cases = new ArrayList<>();
+  private Consumer<Entries> check = in -> {};
+  private Function<Entries, T> maker;
 
   /**
    * A codec without fields yet.
@@ -70,11 +74,16 @@ abstract class RecordCodec<T> implements Codec<T> {
     return List.copyOf(fields.keySet());
   }
 
-  /** Looks whether values go together that could all be read. */
-  void check(Entries in) {}
+  /** Declares what looks whether values go together that could all be read. */
+  final void checked(Consumer<Entries> newCheck) {
+    check = newCheck;
+  }
 
-  /** The value of entries without mistakes. */
-  abstract T make(Entries in);
+  /** Declares, as the last thing, how a value is made of entries without mistakes. */
+  final RecordCodec<T> made(Function<Entries, T> newMaker) {
+    maker = newMaker;
+    return this;
+  }
 
   /** How a mapping is written: in one line, unless said otherwise. */
   FlowStyle style() {
@@ -82,19 +91,19 @@ abstract class RecordCodec<T> implements Codec<T> {
   }
 
   @Override
-  public Optional<T> read(Node node, Reading reading) {
-    Entries in = entries(node, reading);
+  public Optional<T> read(Node node, Context context) {
+    Entries in = entries(node, context);
     if (in.sound()) {
-      check(in);
+      check.accept(in);
     }
-    return in.sound() ? Optional.of(make(in)) : Optional.empty();
+    return in.sound() ? Optional.of(maker.apply(in)) : Optional.empty();
   }
 
   /** Reads the values of all keys. */
-  final Entries entries(Node node, Reading reading) {
-    Entries in = new Entries(node, reading);
+  final Entries entries(Node node, Context context) {
+    Entries in = new Entries(node, context);
     if (!(node instanceof MappingNode mapping)) {
-      reading.mistakes().expected(phrase, node);
+      context.mistakes().expected(phrase, node);
       return in;
     }
     for (NodeTuple tuple : mapping.getValue()) {

@@ -5,39 +5,94 @@ import java.net.UnknownHostException;
 import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
-import java.util.NavigableMap;
 import java.util.Optional;
-import java.util.TreeMap;
+import java.util.function.Function;
+import java.util.function.UnaryOperator;
 import java.util.regex.Pattern;
-import org.snakeyaml.engine.v2.common.FlowStyle;
 import org.snakeyaml.engine.v2.nodes.Node;
 import org.snakeyaml.engine.v2.nodes.ScalarNode;
-import org.snakeyaml.engine.v2.nodes.SequenceNode;
 import org.snakeyaml.engine.v2.nodes.Tag;
 import org.snakeyaml.engine.v2.resolver.JsonScalarResolver;
 import org.snakeyaml.engine.v2.resolver.ScalarResolver;
 import tellosimulator.math.Vec3;
 import tellosimulator.network.AddressPlan;
 import tellosimulator.words.Phrase;
-import tellosimulator.words.Spelling;
 import tellosimulator.world.Room;
 
-/** Codecs of single values: texts, words, whole numbers, colours, addresses, places. */
+/** Codecs of single values: texts, whole numbers, colours, addresses, places. */
 final class Scalars {
 
+  /** Longest text [characters]. Decided: a line or two. */
+  private static final int LONGEST_LINE = 200;
+
+  /** What YAML's usual schema takes a text for. */
+  private static final ScalarResolver MEANING = new JsonScalarResolver();
+
+  private static final Pattern DIGITS = Pattern.compile("-?[0-9]{1,18}");
+  private static final Pattern HEX = Pattern.compile("#[0-9a-fA-F]{6}");
+  private static final Pattern DOTTED =
+      Pattern.compile("((25[0-5]|2[0-4][0-9]|1?[0-9]?[0-9])(\\.(?!$)|$)){4}");
+
+  /** Colours that have names. Decided: as loud as painted wood. */
+  private static final WordCodec<Integer> COLOUR_NAMES =
+      new WordCodec<>(
+          Map.of(
+              "red", 0xc0392b,
+              "orange", 0xd9772b,
+              "yellow", 0xe1b12c,
+              "green", 0x3d9a50,
+              "blue", 0x2e6db4,
+              "purple", 0x7d4fa0,
+              "brown", 0x8a5a36,
+              "white", 0xf2f2f2,
+              "grey", 0x8c8c8c,
+              "black", 0x262626));
+
+  private static final WordCodec<Boolean> TRUTH =
+      new WordCodec<>(Map.of("true", true, "false", false));
+
   /** A line of text that is not empty. */
-  static final Codec<String> LINE = new Line();
+  static final Codec<String> LINE =
+      new Scalar<>(
+          Phrase.of("a line of text of at most %d letters", LONGEST_LINE),
+          Scalars::line,
+          Yaml::text,
+          definitions -> Codec.object("type", "string", "minLength", 1, "maxLength", LONGEST_LINE));
 
   static final Codec<Boolean> YES_OR_NO = new YesOrNo();
-  static final Codec<Integer> COLOUR = new Colour();
-  static final Codec<InetAddress> ADDRESS = new Address();
+
+  /** A colour as #rrggbb, or by its name. */
+  static final Codec<Integer> COLOUR =
+      new Scalar<>(
+          Phrase.of(
+              "a colour such as \"#d9772b\", or one of %s",
+              String.join(", ", COLOUR_NAMES.words().keySet())),
+          scalar -> colour(scalar.getValue()),
+          rgb ->
+              COLOUR_NAMES.words().containsValue(rgb)
+                  ? COLOUR_NAMES.write(rgb, Path.of(""))
+                  : Yaml.text(String.format(Locale.ROOT, "#%06x", rgb)),
+          Scalars::colourSchema);
+
+  /** An IPv4 address of this machine. */
+  static final Codec<InetAddress> ADDRESS =
+      new Scalar<>(
+          Phrase.of("an address of this machine such as 127.0.0.2"),
+          scalar ->
+              Optional.of(scalar.getValue())
+                  .filter(word -> DOTTED.matcher(word).matches())
+                  .map(Scalars::address)
+                  .filter(AddressPlan::isOfOneHost),
+          address -> Yaml.text(address.getHostAddress()),
+          definitions ->
+              Codec.object(
+                  "type", "string", "format", "ipv4", "pattern", "^[0-9]{1,3}(\\.[0-9]{1,3}){3}$"));
 
   /** An image file, seen from the folder of the scenario. */
-  static final Codec<String> PICTURE = new Picture();
+  static final Codec<String> PICTURE = new PictureName();
 
   /** Longest length of anything [cm]. */
   static final double LONGEST_CM = Room.LONGEST * 100;
@@ -46,10 +101,10 @@ final class Scalars {
   static final NumberCodec OFFSET = NumberCodec.length(-LONGEST_CM, LONGEST_CM);
 
   /** A place on the floor. */
-  static final Codec<Vec3> FLOOR_POINT = new Vector(2, OFFSET);
+  static final Codec<Vec3> FLOOR_POINT = new NumberCodec.Vector(2, OFFSET);
 
   /** A place in the room. */
-  static final Codec<Vec3> POINT = new Vector(3, OFFSET);
+  static final Codec<Vec3> POINT = new NumberCodec.Vector(3, OFFSET);
 
   static final Codec<Integer> PORT =
       count(Phrase.of("a port from 1 to 65535"), 1, AddressPlan.HIGHEST_PORT);
@@ -58,86 +113,124 @@ final class Scalars {
 
   /** A small whole number. */
   static Codec<Integer> count(Phrase expected, int least, int most) {
-    return new Whole(expected, least, most).map(Math::toIntExact, Integer::longValue);
+    return whole(expected, least, most).map(Math::toIntExact, Integer::longValue);
   }
 
-  /** The values of an enum by their names in small letters. */
-  @SafeVarargs
-  static <E extends Enum<E>> Word<E> words(E... values) {
-    NavigableMap<String, E> words = new TreeMap<>();
-    for (E value : values) {
-      words.put(value.name().toLowerCase(Locale.ROOT), value);
-    }
-    return new Word<>(words);
+  /** A whole number. */
+  static Codec<Long> whole(Phrase expected, long least, long most) {
+    return new Scalar<>(
+        expected,
+        scalar ->
+            Optional.of(scalar)
+                .filter(ScalarNode::isPlain)
+                .map(ScalarNode::getValue)
+                .filter(word -> DIGITS.matcher(word).matches())
+                .map(Long::valueOf)
+                .filter(value -> value >= least && value <= most),
+        value -> Yaml.plain(Tag.INT, value.toString()),
+        definitions -> Codec.object("type", "integer", "minimum", least, "maximum", most));
   }
 
-  private static Optional<String> text(Node node) {
+  static Optional<String> text(Node node) {
     return node instanceof ScalarNode scalar ? Optional.of(scalar.getValue()) : Optional.empty();
   }
 
-  private record Line() implements Codec<String> {
-
-    /** What YAML's usual schema takes a text for. */
-    private static final ScalarResolver MEANING = new JsonScalarResolver();
-
-    /** Longest text [characters]. Decided: a line or two. */
-    private static final int LONGEST = 200;
+  /**
+   * A value that one scalar means.
+   *
+   * @param expected what is told of a node that has no meaning
+   * @param schema its JSON schema, for the definitions so far
+   */
+  private record Scalar<T>(
+      Phrase expected,
+      Function<ScalarNode, Optional<T>> meaning,
+      Function<T, Node> writer,
+      UnaryOperator<Map<String, Object>> schema)
+      implements Codec<T> {
 
     @Override
-    public Optional<String> read(Node node, Reading reading) {
-      if (node instanceof ScalarNode scalar && isText(scalar)) {
-        String text = scalar.getValue().strip();
-        if (oneLine(text)) {
-          return Optional.of(text);
-        }
-      }
-      Phrase expected = Phrase.of("a line of text of at most %d letters", LONGEST);
-      return reading.mistakes().expected(expected, node);
-    }
-
-    /** Whether it is in quotation marks, or would not be a number or the like to other programs. */
-    private static boolean isText(ScalarNode scalar) {
-      return !scalar.isPlain() || MEANING.resolve(scalar.getValue(), true).equals(Tag.STR);
-    }
-
-    private static boolean oneLine(String text) {
-      if (text.isEmpty() || text.length() > LONGEST) {
-        return false;
-      }
-      for (int i = 0; i < text.length(); i++) {
-        if (Character.isISOControl(text.charAt(i))) {
-          return false;
-        }
-      }
-      return true;
+    public Optional<T> read(Node node, Context context) {
+      Optional<T> value =
+          node instanceof ScalarNode scalar ? meaning.apply(scalar) : Optional.empty();
+      return value.isPresent() ? value : context.mistakes().expected(expected, node);
     }
 
     @Override
-    public Node write(String value, Path folder) {
-      return Yaml.text(value);
+    public Node write(T value, Path folder) {
+      return writer.apply(value);
     }
 
     @Override
     public Map<String, Object> schema(Map<String, Object> definitions) {
-      return Codec.object("type", "string", "minLength", 1, "maxLength", LONGEST);
+      return schema.apply(definitions);
     }
   }
 
-  private record Picture() implements Codec<String> {
+  /** In quotation marks, or what would not be a number or the like to other programs. */
+  private static Optional<String> line(ScalarNode scalar) {
+    boolean text = !scalar.isPlain() || MEANING.resolve(scalar.getValue(), true).equals(Tag.STR);
+    return Optional.of(scalar.getValue().strip())
+        .filter(line -> text && !line.isEmpty() && line.length() <= LONGEST_LINE)
+        .filter(line -> line.chars().noneMatch(Character::isISOControl));
+  }
+
+  private static Optional<Integer> colour(String word) {
+    return HEX.matcher(word).matches()
+        ? Optional.of(Integer.parseInt(word.substring(1), 16))
+        : Optional.ofNullable(COLOUR_NAMES.words().get(word));
+  }
+
+  private static Map<String, Object> colourSchema(Map<String, Object> definitions) {
+    List<Object> forms =
+        List.of(
+            COLOUR_NAMES.schema(definitions),
+            Codec.object("type", "string", "pattern", "^" + HEX.pattern() + "$"));
+    String description = "A colour: \"#rrggbb\" in quotation marks, or a name.";
+    definitions.put("colour", Codec.object("description", description, "anyOf", forms));
+    return Codec.object("$ref", "#/$defs/colour");
+  }
+
+  private static InetAddress address(String word) {
+    try {
+      return InetAddress.getByName(word);
+    } catch (UnknownHostException e) {
+      throw new IllegalArgumentException(word + " is no address", e);
+    }
+  }
+
+  private record YesOrNo() implements Codec<Boolean> {
 
     @Override
-    public Optional<String> read(Node node, Reading reading) {
-      Optional<String> written = LINE.read(node, reading);
+    public Optional<Boolean> read(Node node, Context context) {
+      return TRUTH.read(node, context);
+    }
+
+    @Override
+    public Node write(Boolean value, Path folder) {
+      return Yaml.plain(Tag.BOOL, value.toString());
+    }
+
+    @Override
+    public Map<String, Object> schema(Map<String, Object> definitions) {
+      return Codec.object("type", "boolean");
+    }
+  }
+
+  private record PictureName() implements Codec<String> {
+
+    @Override
+    public Optional<String> read(Node node, Context context) {
+      Optional<String> written = LINE.read(node, context);
       Optional<Path> file = Optional.empty();
       if (written.isPresent()) {
         try {
-          file = Optional.of(reading.folder().resolve(written.get()).normalize());
+          file = Optional.of(context.folder().resolve(written.get()).normalize());
         } catch (InvalidPathException e) {
           file = Optional.empty(); // it names no file
         }
-        if (file.isEmpty() || (reading.looked() && !Files.isRegularFile(file.get()))) {
+        if (file.isEmpty() || (context.looked() && !Files.isRegularFile(file.get()))) {
           Object found = Mistakes.found(node);
-          return reading
+          return context
               .mistakes()
               .add(node, Phrase.of("expected the name of an image file, found no file %s", found));
         }
@@ -156,250 +249,6 @@ final class Scalars {
     @Override
     public Map<String, Object> schema(Map<String, Object> definitions) {
       return LINE.schema(definitions);
-    }
-  }
-
-  /** One of some words. */
-  record Word<T>(NavigableMap<String, T> words) implements Codec<T> {
-
-    Word(Map<String, T> words) {
-      this(new TreeMap<>(words));
-    }
-
-    @Override
-    public Optional<T> read(Node node, Reading reading) {
-      Optional<String> written = text(node);
-      Optional<T> meant = written.map(words::get);
-      if (meant.isPresent()) {
-        return meant;
-      }
-      String known = String.join(", ", words.keySet());
-      Object found = Mistakes.found(node);
-      Phrase wrong =
-          written
-              .flatMap(word -> Spelling.meant(word, words.keySet()))
-              .map(
-                  guess ->
-                      Phrase.of(
-                          "expected one of %s, found %s, did you mean %s?", known, found, guess))
-              .orElseGet(() -> Phrase.of("expected one of %s, found %s", known, found));
-      return reading.mistakes().add(node, wrong);
-    }
-
-    /** The word for a value. */
-    String word(T value) {
-      for (Map.Entry<String, T> entry : words.entrySet()) {
-        if (entry.getValue().equals(value)) {
-          return entry.getKey();
-        }
-      }
-      throw new IllegalArgumentException("there is no word for " + value);
-    }
-
-    @Override
-    public Node write(T value, Path folder) {
-      return Yaml.text(word(value));
-    }
-
-    @Override
-    public Map<String, Object> schema(Map<String, Object> definitions) {
-      return Codec.object("enum", List.copyOf(words.keySet()));
-    }
-  }
-
-  private record YesOrNo() implements Codec<Boolean> {
-
-    private static final Word<Boolean> WORDS = new Word<>(Map.of("true", true, "false", false));
-
-    @Override
-    public Optional<Boolean> read(Node node, Reading reading) {
-      return WORDS.read(node, reading);
-    }
-
-    @Override
-    public Node write(Boolean value, Path folder) {
-      return Yaml.plain(Tag.BOOL, value.toString());
-    }
-
-    @Override
-    public Map<String, Object> schema(Map<String, Object> definitions) {
-      return Codec.object("type", "boolean");
-    }
-  }
-
-  /** A whole number. */
-  record Whole(Phrase expected, long least, long most) implements Codec<Long> {
-
-    private static final Pattern DIGITS = Pattern.compile("-?[0-9]{1,18}");
-
-    @Override
-    public Optional<Long> read(Node node, Reading reading) {
-      if (node instanceof ScalarNode scalar
-          && scalar.isPlain()
-          && DIGITS.matcher(scalar.getValue()).matches()) {
-        long value = Long.parseLong(scalar.getValue());
-        if (value >= least && value <= most) {
-          return Optional.of(value);
-        }
-      }
-      return reading.mistakes().expected(expected, node);
-    }
-
-    @Override
-    public Node write(Long value, Path folder) {
-      return Yaml.plain(Tag.INT, value.toString());
-    }
-
-    @Override
-    public Map<String, Object> schema(Map<String, Object> definitions) {
-      return Codec.object("type", "integer", "minimum", least, "maximum", most);
-    }
-  }
-
-  /** A colour as #rrggbb, or by its name. */
-  private record Colour() implements Codec<Integer> {
-
-    private static final Pattern HEX = Pattern.compile("#[0-9a-fA-F]{6}");
-
-    /** Decided: as loud as painted wood. */
-    private static final Word<Integer> NAMES =
-        new Word<>(
-            Map.of(
-                "red", 0xc0392b,
-                "orange", 0xd9772b,
-                "yellow", 0xe1b12c,
-                "green", 0x3d9a50,
-                "blue", 0x2e6db4,
-                "purple", 0x7d4fa0,
-                "brown", 0x8a5a36,
-                "white", 0xf2f2f2,
-                "grey", 0x8c8c8c,
-                "black", 0x262626));
-
-    @Override
-    public Optional<Integer> read(Node node, Reading reading) {
-      String word = text(node).orElse("");
-      if (HEX.matcher(word).matches()) {
-        return Optional.of(Integer.parseInt(word.substring(1), 16));
-      }
-      Optional<Integer> named = Optional.ofNullable(NAMES.words().get(word));
-      return named.isPresent()
-          ? named
-          : reading
-              .mistakes()
-              .expected(
-                  Phrase.of(
-                      "a colour such as \"#d9772b\", or one of %s",
-                      String.join(", ", NAMES.words().keySet())),
-                  node);
-    }
-
-    @Override
-    public Node write(Integer rgb, Path folder) {
-      return Yaml.text(
-          NAMES.words().containsValue(rgb)
-              ? NAMES.word(rgb)
-              : String.format(Locale.ROOT, "#%06x", rgb));
-    }
-
-    @Override
-    public Map<String, Object> schema(Map<String, Object> definitions) {
-      List<Object> forms =
-          List.of(
-              NAMES.schema(definitions),
-              Codec.object("type", "string", "pattern", "^" + HEX.pattern() + "$"));
-      definitions.put(
-          "colour",
-          Codec.object(
-              "description",
-              "A colour: \"#rrggbb\" in quotation marks, or a name.",
-              "anyOf",
-              forms));
-      return Codec.object("$ref", "#/$defs/colour");
-    }
-  }
-
-  /** An IPv4 address of this machine. */
-  private record Address() implements Codec<InetAddress> {
-
-    private static final Pattern DOTTED =
-        Pattern.compile("((25[0-5]|2[0-4][0-9]|1?[0-9]?[0-9])(\\.(?!$)|$)){4}");
-
-    @Override
-    public Optional<InetAddress> read(Node node, Reading reading) {
-      Optional<InetAddress> address =
-          text(node)
-              .filter(word -> DOTTED.matcher(word).matches())
-              .map(Address::parsed)
-              .filter(AddressPlan::isOfOneHost);
-      Phrase expected = Phrase.of("an address of this machine such as 127.0.0.2");
-      return address.isPresent() ? address : reading.mistakes().expected(expected, node);
-    }
-
-    private static InetAddress parsed(String word) {
-      try {
-        return InetAddress.getByName(word);
-      } catch (UnknownHostException e) {
-        throw new IllegalArgumentException(word + " is no address", e);
-      }
-    }
-
-    @Override
-    public Node write(InetAddress value, Path folder) {
-      return Yaml.text(value.getHostAddress());
-    }
-
-    @Override
-    public Map<String, Object> schema(Map<String, Object> definitions) {
-      return Codec.object(
-          "type", "string", "format", "ipv4", "pattern", "^[0-9]{1,3}(\\.[0-9]{1,3}){3}$");
-    }
-  }
-
-  /**
-   * A vector of lengths: {@code [x, y]}, whose z is 0, or {@code [x, y, z]}.
-   *
-   * @param size 2 or 3
-   */
-  record Vector(int size, NumberCodec length) implements Codec<Vec3> {
-
-    @Override
-    public Optional<Vec3> read(Node node, Reading reading) {
-      if (!(node instanceof SequenceNode sequence) || sequence.getValue().size() != size) {
-        String names = size == 2 ? "[x, y]" : "[x, y, z]";
-        return reading
-            .mistakes()
-            .expected(
-                Phrase.of(
-                    "%s in cm, each from %s to %s",
-                    names, NumberCodec.plain(length.least()), NumberCodec.plain(length.most())),
-                node);
-      }
-      double[] lengths = new double[3];
-      boolean sound = true;
-      for (int i = 0; i < size; i++) {
-        Optional<Double> read = length.read(sequence.getValue().get(i), reading);
-        sound &= read.isPresent();
-        lengths[i] = read.orElse(0.0);
-      }
-      return sound ? Optional.of(new Vec3(lengths[0], lengths[1], lengths[2])) : Optional.empty();
-    }
-
-    @Override
-    public Node write(Vec3 value, Path folder) {
-      List<Node> lengths = new ArrayList<>();
-      lengths.add(length.write(value.x(), folder));
-      lengths.add(length.write(value.y(), folder));
-      if (size == 3) {
-        lengths.add(length.write(value.z(), folder));
-      }
-      return new SequenceNode(Tag.SEQ, lengths, FlowStyle.FLOW);
-    }
-
-    @Override
-    public Map<String, Object> schema(Map<String, Object> definitions) {
-      return Codec.object(
-          "type", "array", "minItems", size, "maxItems", size, "items", length.schema(definitions));
     }
   }
 }

@@ -13,6 +13,9 @@ import org.snakeyaml.engine.v2.nodes.Node;
 import org.snakeyaml.engine.v2.nodes.NodeTuple;
 import org.snakeyaml.engine.v2.nodes.ScalarNode;
 import org.snakeyaml.engine.v2.nodes.SequenceNode;
+import tellosimulator.fault.Fault;
+import tellosimulator.fault.FaultPlan;
+import tellosimulator.fault.LinkPreset;
 import tellosimulator.goal.Challenge;
 import tellosimulator.goal.Goal;
 import tellosimulator.model.DroneSpec;
@@ -66,18 +69,18 @@ final class ScenarioCodec extends RecordCodec<ScenarioCodec.Noted> {
       return config().arena();
     }
 
-    private List<ObstacleCodecs.Entry> obstacles() {
-      List<ObstacleCodecs.Entry> entries = new ArrayList<>();
+    private List<ObstacleCodecs.NotedObstacle> obstacles() {
+      List<ObstacleCodecs.NotedObstacle> entries = new ArrayList<>();
       for (Obstacle obstacle : arena().obstacles()) {
-        entries.add(new ObstacleCodecs.Entry(notations.get(entries.size()), obstacle));
+        entries.add(new ObstacleCodecs.NotedObstacle(notations.get(entries.size()), obstacle));
       }
       return entries;
     }
 
-    private List<DroneCodec.Entry> drones() {
-      List<DroneCodec.Entry> entries = new ArrayList<>();
+    private List<DroneCodec.StationedDrone> drones() {
+      List<DroneCodec.StationedDrone> entries = new ArrayList<>();
       for (Station station : scenario.stations()) {
-        entries.add(new DroneCodec.Entry(config().drones().get(entries.size()), station));
+        entries.add(new DroneCodec.StationedDrone(config().drones().get(entries.size()), station));
       }
       return entries;
     }
@@ -94,8 +97,8 @@ final class ScenarioCodec extends RecordCodec<ScenarioCodec.Noted> {
   /** What stands for a room until the mistake is told; everything is in it. */
   private static final Room UNKNOWN = new Room(Room.LONGEST, Room.LONGEST, Room.LONGEST);
 
-  private static final DroneCodec.Entry USUAL_DRONE =
-      new DroneCodec.Entry(SimConfig.DEFAULT.drones().get(0), Station.USUAL);
+  private static final DroneCodec.StationedDrone USUAL_DRONE =
+      new DroneCodec.StationedDrone(SimConfig.DEFAULT.drones().get(0), Station.USUAL);
 
   /** Reads, writes and describes all scenario files. */
   static final ScenarioCodec CODEC = new ScenarioCodec();
@@ -108,7 +111,7 @@ final class ScenarioCodec extends RecordCodec<ScenarioCodec.Noted> {
           .optional(Scalars.LINE, noted -> line(noted.scenario().teaches()));
   private final Field<Noted, Room> room =
       key("room", "")
-          .usual(new RoomCodecs.RoomCodec().orWritten(Room.DEFAULT), noted -> noted.arena().room());
+          .usual(RoomCodecs.room().orWritten(Room.DEFAULT), noted -> noted.arena().room());
   private final Field<Noted, Double> grid =
       key("grid", "Distance between the lines on the floor in cm.")
           .usual(
@@ -118,14 +121,14 @@ final class ScenarioCodec extends RecordCodec<ScenarioCodec.Noted> {
   private final Field<Noted, Walls> walls =
       key("walls", "What floor, walls and ceiling are covered with.")
           .usual(
-              Scalars.words(Walls.values()).or(Decor.DEFAULT.walls()),
+              WordCodec.of(Walls.values()).or(Decor.DEFAULT.walls()),
               noted -> noted.arena().decor().walls());
   private final Field<Noted, List<Item<Poster>>> posters =
       key("posters", "Images on the walls.")
           .usual(
-              new ListCodec<>(new RoomCodecs.PosterCodec(), MOST_OTHERS).or(List.of()),
+              new ListCodec<>(RoomCodecs.poster(), MOST_OTHERS).or(List.of()),
               noted -> Item.of(noted.arena().decor().posters()));
-  private final Field<Noted, List<Item<ObstacleCodecs.Entry>>> obstacles =
+  private final Field<Noted, List<Item<ObstacleCodecs.NotedObstacle>>> obstacles =
       key("obstacles", "What stands and hangs in the room.")
           .usual(
               new ListCodec<>(ObstacleCodecs.obstacle(), MOST_OBSTACLES).or(List.of()),
@@ -133,16 +136,24 @@ final class ScenarioCodec extends RecordCodec<ScenarioCodec.Noted> {
   private final Field<Noted, List<Item<MissionPad>>> pads =
       key("pads", "Mission pads, each number once.")
           .usual(
-              new ListCodec<>(new RoomCodecs.PadCodec(), MOST_OTHERS).or(List.of()),
+              new ListCodec<>(RoomCodecs.pad(), MOST_OTHERS).or(List.of()),
               noted -> Item.of(noted.arena().pads()));
-  private final Field<Noted, List<Item<DroneCodec.Entry>>> drones =
+  private final Field<Noted, List<Item<DroneCodec.StationedDrone>>> drones =
       key("drones", "The drones; without them, one in the room's centre.")
           .usual(
               new ListCodec<>(new DroneCodec(), AddressPlan.MOST_DRONES).or(List.of()),
               noted -> Item.of(noted.drones()));
   private final Field<Noted, Wind> wind =
-      key("wind", "")
-          .usual(new RoomCodecs.WindCodec().or(Wind.CALM), noted -> noted.arena().wind());
+      key("wind", "").usual(RoomCodecs.wind().or(Wind.CALM), noted -> noted.arena().wind());
+  private final Field<Noted, LinkPreset> link =
+      key("link", "How good the link is; without it, as the behaviour of each drone has it.")
+          .optional(
+              WordCodec.of(LinkPreset.values()), noted -> noted.config().rules().faults().link());
+  private final Field<Noted, List<Item<Fault>>> faults =
+      key("faults", "What goes wrong.")
+          .usual(
+              new ListCodec<>(new FaultCodec(), MOST_OTHERS).or(List.of()),
+              noted -> Item.of(noted.config().rules().faults().faults()));
   private final Field<Noted, Double> crashSpeed =
       key("crash-speed", "How fast [cm/s] a drone may touch something before it is a crash.")
           .usual(
@@ -158,7 +169,7 @@ final class ScenarioCodec extends RecordCodec<ScenarioCodec.Noted> {
   private final Field<Noted, Long> seed =
       key("seed", "The same seed and the same commands give the same flight.")
           .usual(
-              new Scalars.Whole(
+              Scalars.whole(
                       Phrase.of("a whole number of at most 18 digits"),
                       -999_999_999_999_999_999L,
                       999_999_999_999_999_999L)
@@ -186,7 +197,7 @@ final class ScenarioCodec extends RecordCodec<ScenarioCodec.Noted> {
               "Whether a drone that touches anything in flight has failed. A crash always"
                   + " fails.")
           .usual(
-              new Scalars.Word<>(Map.of("forbidden", true, "allowed", false)).or(false),
+              new WordCodec<>(Map.of("forbidden", true, "allowed", false)).or(false),
               noted -> noted.scenario().challenge().untouched());
 
   private ScenarioCodec() {
@@ -195,6 +206,7 @@ final class ScenarioCodec extends RecordCodec<ScenarioCodec.Noted> {
         Phrase.of("a scenario"),
         "A room, what is in it, which drones fly there, and what they shall do. Lengths in cm,"
             + " angles in degrees, speeds in cm/s.");
+    made(this::make);
   }
 
   private static Optional<String> line(String text) {
@@ -212,8 +224,8 @@ final class ScenarioCodec extends RecordCodec<ScenarioCodec.Noted> {
 
   /** The scenario, even if its parts do not go together, which is told to the mistakes. */
   @Override
-  public Optional<Noted> read(Node node, Reading reading) {
-    Entries in = entries(node, reading.withDrones(drones(node)));
+  public Optional<Noted> read(Node node, Context context) {
+    Entries in = entries(node, context.withDrones(drones(node)));
     boolean sound = in.sound();
     checkParts(in);
     return sound ? Optional.of(make(in)) : Optional.empty();
@@ -236,7 +248,7 @@ final class ScenarioCodec extends RecordCodec<ScenarioCodec.Noted> {
 
   private void checkParts(Entries in) {
     Checks checks = new Checks(in.find(room).orElse(UNKNOWN), in.mistakes());
-    List<Item<ObstacleCodecs.Entry>> written = in.find(obstacles).orElse(List.of());
+    List<Item<ObstacleCodecs.NotedObstacle>> written = in.find(obstacles).orElse(List.of());
     List<Item<Obstacle>> named = named(written);
     List<Item<MissionPad>> placed = in.find(pads).orElse(List.of());
     checks.names(written);
@@ -255,25 +267,24 @@ final class ScenarioCodec extends RecordCodec<ScenarioCodec.Noted> {
     }
   }
 
-  private static List<Item<Obstacle>> named(List<Item<ObstacleCodecs.Entry>> written) {
+  private static List<Item<Obstacle>> named(List<Item<ObstacleCodecs.NotedObstacle>> written) {
     List<String> names = ObstacleCodecs.names(Item.values(written));
     List<Item<Obstacle>> named = new ArrayList<>();
-    for (Item<ObstacleCodecs.Entry> item : written) {
+    for (Item<ObstacleCodecs.NotedObstacle> item : written) {
       named.add(item.with(item.value().obstacle().named(names.get(named.size()))));
     }
     return named;
   }
 
   /** The drones of a file, or else the usual one, which is where the file begins. */
-  private List<Item<DroneCodec.Entry>> flying(Entries in) {
-    List<Item<DroneCodec.Entry>> written = in.find(drones).orElse(List.of());
+  private List<Item<DroneCodec.StationedDrone>> flying(Entries in) {
+    List<Item<DroneCodec.StationedDrone>> written = in.find(drones).orElse(List.of());
     return written.isEmpty() && in.sound(drones)
         ? List.of(new Item<>(USUAL_DRONE, 1, Mistakes.place(in.node())))
         : written;
   }
 
-  @Override
-  Noted make(Entries in) {
+  private Noted make(Entries in) {
     Map<Integer, MissionPad> padsById = new LinkedHashMap<>();
     in.get(pads).forEach(pad -> padsById.putIfAbsent(pad.value().id(), pad.value()));
     Arena arena =
@@ -283,14 +294,16 @@ final class ScenarioCodec extends RecordCodec<ScenarioCodec.Noted> {
             Item.values(named(in.get(obstacles))),
             List.copyOf(padsById.values()),
             in.get(wind));
-    List<DroneCodec.Entry> flying = Item.values(flying(in));
+    List<DroneCodec.StationedDrone> flying = Item.values(flying(in));
     SimConfig config =
         new SimConfig(
             arena,
-            flying.stream().map(DroneCodec.Entry::setup).toList(),
+            flying.stream().map(DroneCodec.StationedDrone::setup).toList(),
             in.get(timeFactor),
             in.get(seed),
-            Rules.DEFAULT.withCrashSpeed(in.get(crashSpeed)));
+            Rules.DEFAULT
+                .withCrashSpeed(in.get(crashSpeed))
+                .withFaults(new FaultPlan(in.find(link), Item.values(in.get(faults)))));
     Optional<Double> limit = in.find(timeLimit);
     Challenge challenge =
         new Challenge(
@@ -303,7 +316,7 @@ final class ScenarioCodec extends RecordCodec<ScenarioCodec.Noted> {
             in.find(name).orElse(""),
             in.find(teaches).orElse(""),
             config,
-            flying.stream().map(DroneCodec.Entry::station).toList(),
+            flying.stream().map(DroneCodec.StationedDrone::station).toList(),
             challenge);
     return new Noted(
         scenario, in.get(obstacles).stream().map(item -> item.value().notation()).toList());
@@ -337,10 +350,10 @@ final class ScenarioCodec extends RecordCodec<ScenarioCodec.Noted> {
             TimeFactor.LARGEST);
 
     @Override
-    public Optional<TimeFactor> read(Node node, Reading reading) {
+    public Optional<TimeFactor> read(Node node, Context context) {
       return node instanceof ScalarNode scalar && scalar.getValue().equals(MAX)
           ? Optional.of(TimeFactor.MAX)
-          : NUMBER.read(node, reading).map(TimeFactor::new);
+          : NUMBER.read(node, context).map(TimeFactor::new);
     }
 
     @Override

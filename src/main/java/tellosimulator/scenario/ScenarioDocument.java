@@ -124,8 +124,7 @@ public final class ScenarioDocument {
       this.syntax = SyntaxTree.of(old);
       this.matching = Matching.of(noted.scenario(), wanted);
       this.before = ScenarioCodec.CODEC.write(noted, folder);
-      List<Notation> notations =
-          Notations.kept(noted.notations(), matching.of("obstacles"), wanted);
+      List<Notation> notations = Notation.kept(noted.notations(), matching.of("obstacles"), wanted);
       this.now = ScenarioCodec.CODEC.write(new Noted(wanted, notations), newFolder);
     }
 
@@ -148,8 +147,7 @@ public final class ScenarioDocument {
               .filter(said -> ScenarioPatch.same(ScenarioCodec.CODEC.write(said, newFolder), now))
               .filter(
                   said ->
-                      Notations.gatesOfGoals(said.scenario())
-                          .equals(Notations.gatesOfGoals(wanted)));
+                      Notation.gatesOfGoals(said.scenario()).equals(Notation.gatesOfGoals(wanted)));
       return read.map(said -> new Changed(changed, said.of(wanted)));
     }
   }

@@ -62,8 +62,8 @@ public final class ScenarioFile {
     Optional<String> text = source.text(bytes);
     Optional<Node> root = text.isPresent() ? source.root(text.get()) : Optional.empty();
     mistakes.check();
-    Reading reading = new Reading(mistakes, folder, true, 1);
-    Optional<Noted> noted = ScenarioCodec.CODEC.read(root.orElseThrow(), reading);
+    Codec.Context context = new Codec.Context(mistakes, folder, true, 1);
+    Optional<Noted> noted = ScenarioCodec.CODEC.read(root.orElseThrow(), context);
     mistakes.check();
     return ScenarioDocument.read(
         noted.orElseThrow(), new String(bytes, StandardCharsets.UTF_8), folder);
@@ -76,10 +76,10 @@ public final class ScenarioFile {
    */
   static Optional<Noted> understood(String text, Path folder) {
     Mistakes mistakes = new Mistakes("");
-    Reading reading = new Reading(mistakes, folder, false, 1);
+    Codec.Context context = new Codec.Context(mistakes, folder, false, 1);
     return new Source("", mistakes)
         .root(text)
-        .flatMap(root -> ScenarioCodec.CODEC.read(root, reading));
+        .flatMap(root -> ScenarioCodec.CODEC.read(root, context));
   }
 
   /** The folder of a file. */

@@ -1,5 +1,6 @@
 package tellosimulator.sensor;
 
+import java.util.function.UnaryOperator;
 import tellosimulator.math.Attitude;
 import tellosimulator.math.Frames;
 import tellosimulator.math.Pose;
@@ -51,7 +52,7 @@ public final class Instruments {
   static final int BOARD_NONE_MM = 8192;
 
   /** Where that sensor is, body frame [m]. Assumed: on top, as far ahead as the camera. */
-  private static final Vec3 BOARD_SENSOR = new Vec3(0.035, 0, DroneSpec.HULL.height());
+  private static final Vec3 BOARD_SENSOR = new Vec3(0.035, 0, DroneSpec.COLLIDER.height());
 
   private static final double STANDARD_MILLI_G = 1000 / DroneSpec.GRAVITY;
 
@@ -59,12 +60,16 @@ public final class Instruments {
   private final SeededNoise noise;
   private final double boardRange;
   private final Echoes echoes;
+  private final UnaryOperator<SensorReadings> wrong;
 
   /**
    * @param echoes where the beams of the distance sensors come back from
+   * @param wrong what becomes of right readings
    */
-  public Instruments(Behaviour behaviour, SeededNoise noise, Echoes echoes) {
+  public Instruments(
+      Behaviour behaviour, SeededNoise noise, Echoes echoes, UnaryOperator<SensorReadings> wrong) {
     this.echoes = echoes;
+    this.wrong = wrong;
     this.boardRange = behaviour.boardRange();
     this.noisy = behaviour.noisySensors();
     this.noise = noise;
@@ -74,13 +79,14 @@ public final class Instruments {
   public SensorReadings read(DroneState state) {
     Sample sample = new Sample(state.time());
     Motion motion = state.motion();
-    return new SensorReadings(
-        attitude(state, sample),
-        velocity(state, sample),
-        new Range(tofMm(motion.pose(), sample), heightDm(state)),
-        barometer(state, sample),
-        acceleration(motion, sample),
-        health(state));
+    return wrong.apply(
+        new SensorReadings(
+            attitude(state, sample),
+            velocity(state, sample),
+            new Range(tofMm(motion.pose(), sample), heightDm(state)),
+            barometer(state, sample),
+            acceleration(motion, sample),
+            health(state)));
   }
 
   private int tofMm(Pose drone, Sample sample) {

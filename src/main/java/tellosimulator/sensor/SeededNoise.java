@@ -22,7 +22,13 @@ public final class SeededNoise {
     YAW_DRIFT,
     VELOCITY,
     STATE_PERIOD,
-    REPLY_DELAY,
+    DRIFT,
+    LINK_LOSS,
+    LINK_DELAY,
+    LINK_DUPLICATE,
+    LINK_REORDER,
+    LINK_CORRUPT,
+    LINK_BYTES,
     MOVE_X,
     MOVE_Y,
     MOVE_Z,
@@ -37,7 +43,16 @@ public final class SeededNoise {
    * @param drone its number, from 1
    */
   public SeededNoise(long seed, int drone) {
-    this.seed = mixed(mixed(seed) + drone);
+    this(mixed(mixed(seed) + drone));
+  }
+
+  private SeededNoise(long mixedSeed) {
+    this.seed = mixedSeed;
+  }
+
+  /** Other numbers for the same purposes, of a part of the drone that has a name. */
+  public SeededNoise of(String part) {
+    return new SeededNoise(mixed(seed + part.hashCode()));
   }
 
   /** A number of the standard normal distribution. */

@@ -1,16 +1,21 @@
 package tellosimulator.sim;
 
+import java.util.List;
+import tellosimulator.fault.Fault;
+import tellosimulator.fault.LinkPreset;
 import tellosimulator.math.Vec3;
 import tellosimulator.sim.SimConfig.Outlets;
 import tellosimulator.sim.SimConfig.Product;
 import tellosimulator.time.TimeFactor;
-import tellosimulator.world.Arena;
 import tellosimulator.world.Decor;
+import tellosimulator.world.MissionPad;
+import tellosimulator.world.Obstacle;
 import tellosimulator.world.Room;
+import tellosimulator.world.Wind;
 
 /**
- * What people do to the simulation, as opposed to what operator programs do. Takes effect at the
- * beginning of the next step, or at once while time stands still.
+ * What people do to the simulation, as opposed to what operator programs do. It is taken from the
+ * same queue as commands, in the order in which they came, between two steps.
  */
 public sealed interface Control {
 
@@ -72,15 +77,39 @@ public sealed interface Control {
    */
   record PassTime(double seconds) implements Control {}
 
+  /**
+   * Begins the simulation anew, at moment 0 and with all drones off, as if the program had just
+   * started; what came before it is forgotten. The same commands then have the same effects.
+   *
+   * @param config with as many drones as before
+   */
+  record Restart(SimConfig config) implements Control {}
+
   /** Another room; drones and starts that would be outside move in. */
   record SetRoom(Room room) implements Control {}
 
   /**
-   * Other obstacles, mission pads and wind, and with them other looks and another room. Drones and
-   * starts that would be outside the room move in; drones that would be in something move out of
-   * it.
+   * Other obstacles and mission pads; everything else stays. Drones that would be in something move
+   * out of it.
    */
-  record Furnish(Arena arena) implements Control {}
+  record Furnish(List<Obstacle> obstacles, List<MissionPad> pads) implements Control {
+    public Furnish {
+      obstacles = List.copyOf(obstacles);
+      pads = List.copyOf(pads);
+    }
+  }
+
+  /** One more fault, which begins at once unless it waits for something. */
+  record InjectFault(Fault fault) implements Control {}
+
+  /** No fault any more; the link stays as good as it is. */
+  record ClearFaults() implements Control {}
+
+  /** How good the link of all drones is from now on. */
+  record SetLink(LinkPreset link) implements Control {}
+
+  /** Another wind; everything else stays. */
+  record SetWind(Wind wind) implements Control {}
 
   /** Other looks of the room. */
   record Decorate(Decor decor) implements Control {}

@@ -5,9 +5,9 @@ import java.util.Optional;
 import tellosimulator.math.Vec3;
 import tellosimulator.model.DroneSpec;
 import tellosimulator.time.SimTime;
+import tellosimulator.world.Collidable.OtherDrone;
+import tellosimulator.world.Collider;
 import tellosimulator.world.Collision;
-import tellosimulator.world.Hull;
-import tellosimulator.world.Touchable.OtherDrone;
 
 /**
  * Drones that run into each other. They are equally heavy and do not bounce; one that stands is not
@@ -15,10 +15,10 @@ import tellosimulator.world.Touchable.OtherDrone;
  */
 final class Encounters {
 
-  private static final Hull HULL = DroneSpec.HULL;
+  private static final Collider COLLIDER = DroneSpec.COLLIDER;
 
   /** Farther apart than this they cannot touch within a step [m]: their size and fastest fall. */
-  private static final double FAR = 2 * HULL.radius() + 0.5;
+  private static final double FAR = 2 * COLLIDER.radius() + 0.5;
 
   /** Longest stretch of their way to each other [m]. Decided: a quarter of a drone's height. */
   private static final double STRETCH = 0.01;
@@ -29,7 +29,7 @@ final class Encounters {
   private Encounters() {}
 
   /** Keeps all pairs apart, in the order of their numbers. */
-  static void resolve(List<Drone> drones) {
+  static void resolve(List<SimDrone> drones) {
     int count = drones.size();
     if (count < 2) {
       return;
@@ -54,7 +54,7 @@ final class Encounters {
     }
   }
 
-  private static void resolve(Drone one, Drone other) {
+  private static void resolve(SimDrone one, SimDrone other) {
     if (one.resting() && other.resting()) {
       return;
     }
@@ -79,13 +79,13 @@ final class Encounters {
    */
   private static Optional<Vec3> push(Vec3 offset, Vec3 before) {
     double apart = offset.horizontal().norm();
-    double sidewards = 2 * HULL.radius() - apart;
-    double upwards = HULL.height() - Math.abs(offset.z());
+    double sidewards = 2 * COLLIDER.radius() - apart;
+    double upwards = COLLIDER.height() - Math.abs(offset.z());
     if (sidewards <= 0 || upwards <= 0) {
       return Optional.empty();
     }
-    boolean wasBeside = before.horizontal().norm() >= 2 * HULL.radius();
-    boolean wasOver = Math.abs(before.z()) >= HULL.height();
+    boolean wasBeside = before.horizontal().norm() >= 2 * COLLIDER.radius();
+    boolean wasOver = Math.abs(before.z()) >= COLLIDER.height();
     boolean vertical = !wasBeside && (wasOver || upwards < sidewards);
     if (vertical) {
       return Optional.of(Vec3.UP.times(offset.z() < 0 ? -upwards : upwards));
@@ -105,7 +105,7 @@ final class Encounters {
    * @param push from the other one to the one
    * @param passed what they went on after they touched; its part along the push is taken back
    */
-  private static void part(Drone one, Drone other, Vec3 push, Vec3 passed) {
+  private static void part(SimDrone one, SimDrone other, Vec3 push, Vec3 passed) {
     Vec3 normal = push.normalized();
     double closing = Math.max(0, -one.velocity().minus(other.velocity()).dot(normal));
     double back = push.norm() + Math.max(0, -passed.dot(normal));
@@ -127,7 +127,7 @@ final class Encounters {
    */
   private record Share(double way, double stop, double closing) {}
 
-  private static void push(Drone drone, Drone other, Vec3 normal, Share share) {
+  private static void push(SimDrone drone, SimDrone other, Vec3 normal, Share share) {
     if (drone.resting()) {
       return;
     }

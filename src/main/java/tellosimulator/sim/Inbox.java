@@ -8,9 +8,9 @@ import java.util.Queue;
 import tellosimulator.command.Peer;
 
 /**
- * Datagrams that wait for the simulation, in the order in which they came. Bounded in all and for
- * each sender, and with a part that only operators may fill, so that no flood keeps an operator
- * out. For any thread.
+ * The queue of all that waits for the simulation: datagrams, and calls of the program itself, in
+ * the order in which they came. Datagrams are bounded in all and for each sender, with a part that
+ * only operators may fill, so that no flood keeps an operator out. For any thread.
  */
 final class Inbox {
 
@@ -23,16 +23,29 @@ final class Inbox {
   /** Datagrams of one sender that may wait. Decided: some milliseconds of work. */
   private static final int MOST_OF_SENDER = 256;
 
+  /** Something that waits. */
+  sealed interface Item {}
+
   /**
    * A datagram.
    *
    * @param drone number of the drone that it came to
    * @param text one character a byte (ISO-8859-1)
    */
-  record Datagram(int drone, Peer peer, String text) {}
+  record Datagram(int drone, Peer peer, String text) implements Item {}
 
-  private final Queue<Datagram> waiting = new ArrayDeque<>();
+  /**
+   * Something that the program itself wants to be done.
+   *
+   * @param failure what is said if it fails: the beginning of a sentence
+   * @param work what is done
+   * @param shown run when the snapshot shows it, or when it never will be done; must not throw
+   */
+  record Call(String failure, Runnable work, Runnable shown) implements Item {}
+
+  private final Queue<Item> waiting = new ArrayDeque<>();
   private final Map<InetSocketAddress, Integer> senders = new HashMap<>();
+  private int datagrams;
 
   /**
    * Lets a datagram wait.
@@ -43,20 +56,32 @@ final class Inbox {
   synchronized boolean offer(Datagram datagram, boolean operator) {
     int room = operator ? CAPACITY : CAPACITY - RESERVED;
     InetSocketAddress sender = datagram.peer().address();
-    if (waiting.size() >= room || senders.getOrDefault(sender, 0) >= MOST_OF_SENDER) {
+    if (datagrams >= room || senders.getOrDefault(sender, 0) >= MOST_OF_SENDER) {
       return false;
     }
     senders.merge(sender, 1, Integer::sum);
+    datagrams++;
     waiting.add(datagram);
     return true;
   }
 
+  /** Lets a call wait; there is always room for it. */
+  synchronized void add(Call call) {
+    waiting.add(call);
+  }
+
+  /** The next one, which goes on waiting; null if there is none. */
+  synchronized Item peek() {
+    return waiting.peek();
+  }
+
   /** The next one, or null. */
-  synchronized Datagram poll() {
-    Datagram next = waiting.poll();
-    if (next != null) {
+  synchronized Item poll() {
+    Item next = waiting.poll();
+    if (next instanceof Datagram datagram) {
+      datagrams--;
       senders.computeIfPresent(
-          next.peer().address(), (sender, count) -> count == 1 ? null : count - 1);
+          datagram.peer().address(), (sender, count) -> count == 1 ? null : count - 1);
     }
     return next;
   }

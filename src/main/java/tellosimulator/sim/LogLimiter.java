@@ -93,12 +93,12 @@ public final class LogLimiter implements SimListener {
 
   @Override
   public void event(SimEvent event) {
-    if (event instanceof SimEvent.RepliesDropped dropped) {
+    if (event instanceof SimEvent.WaitingDropped dropped) {
       Account account = shared(new Key(dropped.drone(), Optional.empty(), Kind.DROPPED));
       account.omitted += dropped.count();
       if (account.tryTake()) {
         long count = account.takeOmitted();
-        log.event(new SimEvent.RepliesDropped(dropped.time(), dropped.drone(), count));
+        log.event(new SimEvent.WaitingDropped(dropped.time(), dropped.drone(), count));
       }
     } else if (event instanceof FromPeer sent && inVain(sent)) {
       Account account = account(sent);
@@ -163,7 +163,7 @@ public final class LogLimiter implements SimListener {
     long count = account.takeOmitted();
     log.event(
         key.kind() == Kind.DROPPED
-            ? new SimEvent.RepliesDropped(snapshot.time(), key.drone(), count)
+            ? new SimEvent.WaitingDropped(snapshot.time(), key.drone(), count)
             : new SimEvent.Omitted(snapshot.time(), key.drone(), key.host(), count));
   }
 }

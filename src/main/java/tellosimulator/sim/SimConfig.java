@@ -4,6 +4,9 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.function.UnaryOperator;
 import tellosimulator.command.OperatorRule;
+import tellosimulator.fault.Fault;
+import tellosimulator.fault.FaultPlan;
+import tellosimulator.fault.LinkPreset;
 import tellosimulator.math.Pose;
 import tellosimulator.math.Vec3;
 import tellosimulator.model.DroneSpec;
@@ -45,8 +48,9 @@ public record SimConfig(
    *
    * @param crashSpeed above which a touch is a crash [m/s]
    * @param operators who may operate them
+   * @param faults what goes wrong
    */
-  public record Rules(double crashSpeed, OperatorRule operators) {
+  public record Rules(double crashSpeed, OperatorRule operators, FaultPlan faults) {
 
     public Rules {
       if (!(crashSpeed >= 0)) {
@@ -55,12 +59,18 @@ public record SimConfig(
       }
     }
 
-    /** As real drones crash, operated by who comes first. */
-    public static final Rules DEFAULT = new Rules(DroneSpec.CRASH_SPEED, OperatorRule.FIRST);
+    /** As real drones crash, operated by who comes first, without faults. */
+    public static final Rules DEFAULT =
+        new Rules(DroneSpec.CRASH_SPEED, OperatorRule.FIRST, FaultPlan.NONE);
+
+    /** The same with something else that goes wrong. */
+    public Rules withFaults(FaultPlan newFaults) {
+      return new Rules(crashSpeed, operators, newFaults);
+    }
 
     /** The same with another crash speed. */
     public Rules withCrashSpeed(double newCrashSpeed) {
-      return new Rules(newCrashSpeed, operators);
+      return new Rules(newCrashSpeed, operators, faults);
     }
   }
 
@@ -137,7 +147,22 @@ public record SimConfig(
   }
 
   public SimConfig withOperators(OperatorRule newOperators) {
-    return withRules(new Rules(rules.crashSpeed(), newOperators));
+    return withRules(new Rules(rules.crashSpeed(), newOperators, rules.faults()));
+  }
+
+  /** The same with something else that goes wrong. */
+  public SimConfig withFaults(FaultPlan newFaults) {
+    return withRules(rules.withFaults(newFaults));
+  }
+
+  /** The same with faults and the link as it was. */
+  public SimConfig withFaults(List<Fault> newFaults) {
+    return withFaults(rules.faults().withFaults(newFaults));
+  }
+
+  /** The same with another link, whatever the behaviour of a drone is. */
+  public SimConfig withLink(LinkPreset newLink) {
+    return withFaults(rules.faults().withLink(newLink));
   }
 
   private SimConfig withRules(Rules newRules) {

@@ -7,27 +7,21 @@ import tellosimulator.command.Peer;
 import tellosimulator.command.Reply;
 import tellosimulator.command.WireText;
 import tellosimulator.controller.FlightEvent;
+import tellosimulator.fault.Fault;
 import tellosimulator.time.SimTime;
 import tellosimulator.words.Phrase;
 
 /**
- * Something that happened, with its simulated time and in plain words. Immutable; for any thread.
+ * Something that happened in the simulation, with its simulated time and in plain words. What is no
+ * {@link ForDrone} concerns all drones. Immutable; for any thread.
  */
-public sealed interface SimEvent {
+public interface SimEvent {
 
   /** The end of the last step before it happened, or of the step in which it happened. */
   SimTime time();
 
-  /** The drone's number, from 1; 0 for what concerns all of them. */
-  int drone();
-
   /** For people, one line. */
   Phrase phrase();
-
-  /** Whether the line is a clause about the drone, which lacks its subject: {@code took off}. */
-  default boolean ofDrone() {
-    return false;
-  }
 
   /** The same in English. */
   default String words() {
@@ -39,8 +33,20 @@ public sealed interface SimEvent {
     return Severity.INFORMATION;
   }
 
+  /** Something that concerns one drone. */
+  interface ForDrone extends SimEvent {
+
+    /** Its number, from 1. */
+    int drone();
+
+    /** Whether the line is a clause about the drone, which lacks its subject: {@code took off}. */
+    default boolean lacksSubject() {
+      return false;
+    }
+  }
+
   /** Something about a text that a host sent. */
-  sealed interface FromPeer extends SimEvent {
+  sealed interface FromPeer extends ForDrone {
     Peer peer();
 
     /** The text without header, one character a byte (ISO-8859-1). */
@@ -122,12 +128,9 @@ public sealed interface SimEvent {
     }
   }
 
-  /**
-   * Replies found no room among those that wait for their time.
-   *
-   * @param count how many, the oldest ones
-   */
-  record RepliesDropped(SimTime time, int drone, long count) implements SimEvent {
+  /** A command never arrived at the drone. */
+  record CommandLost(SimTime time, int drone, Peer peer, String text, Phrase cause)
+      implements FromPeer {
     @Override
     public Severity severity() {
       return Severity.WARNING;
@@ -135,7 +138,65 @@ public sealed interface SimEvent {
 
     @Override
     public Phrase phrase() {
-      return Phrase.of("%,d replies were dropped: too many wait for their time", count);
+      return Phrase.of("`%s` from %s was lost by %s", WireText.printable(text), peer, cause);
+    }
+  }
+
+  /**
+   * A reply never arrived where it was to go.
+   *
+   * @param text of the reply
+   */
+  record ReplyLost(SimTime time, int drone, Peer peer, String text, Phrase cause)
+      implements FromPeer {
+    @Override
+    public Severity severity() {
+      return Severity.WARNING;
+    }
+
+    @Override
+    public Phrase phrase() {
+      return Phrase.of(
+          "the answer `%s` to %s was lost by %s",
+          WireText.printable(text.stripTrailing()), peer, cause);
+    }
+  }
+
+  /** A fault acts on a drone from now on. */
+  record FaultBegan(SimTime time, int drone, Fault fault) implements ForDrone {
+    @Override
+    public Severity severity() {
+      return Severity.WARNING;
+    }
+
+    @Override
+    public Phrase phrase() {
+      return Phrase.of("the fault %s begins", fault.text());
+    }
+  }
+
+  /** A fault acts on a drone no more. */
+  record FaultEnded(SimTime time, int drone, Fault fault) implements ForDrone {
+    @Override
+    public Phrase phrase() {
+      return Phrase.of("the fault %s is over", fault.text());
+    }
+  }
+
+  /**
+   * Commands, replies or state lines found no room among those that wait for their time.
+   *
+   * @param count how many, the oldest ones
+   */
+  record WaitingDropped(SimTime time, int drone, long count) implements ForDrone {
+    @Override
+    public Severity severity() {
+      return Severity.WARNING;
+    }
+
+    @Override
+    public Phrase phrase() {
+      return Phrase.of("%,d datagrams were dropped: too many wait for their time", count);
     }
   }
 
@@ -159,7 +220,7 @@ public sealed interface SimEvent {
    * @param host the sender's address
    */
   record DatagramsDropped(SimTime time, int drone, String host, long count, Phrase reason)
-      implements SimEvent {
+      implements ForDrone {
     @Override
     public Severity severity() {
       return Severity.WARNING;
@@ -176,7 +237,7 @@ public sealed interface SimEvent {
    *
    * @param host the sender's address; empty if there are too many senders to name them
    */
-  record Omitted(SimTime time, int drone, Optional<String> host, long count) implements SimEvent {
+  record Omitted(SimTime time, int drone, Optional<String> host, long count) implements ForDrone {
     @Override
     public Severity severity() {
       return Severity.WARNING;
@@ -195,9 +256,9 @@ public sealed interface SimEvent {
    * @param before who operated the drone until then, if anybody
    */
   record OperatorChanged(SimTime time, int drone, Peer peer, int statePort, Optional<Peer> before)
-      implements SimEvent {
+      implements ForDrone {
     @Override
-    public boolean ofDrone() {
+    public boolean lacksSubject() {
       return true;
     }
 
@@ -217,9 +278,9 @@ public sealed interface SimEvent {
   }
 
   /** Something happened to a drone, other than a command or a reply. */
-  record DroneFlight(SimTime time, int drone, FlightEvent event) implements SimEvent {
+  record DroneFlight(SimTime time, int drone, FlightEvent event) implements ForDrone {
     @Override
-    public boolean ofDrone() {
+    public boolean lacksSubject() {
       return true;
     }
 
@@ -240,10 +301,13 @@ public sealed interface SimEvent {
   }
 
   /** The world or its clock was changed. */
-  record WorldChanged(SimTime time, Phrase phrase) implements SimEvent {
+  record WorldChanged(SimTime time, Phrase phrase) implements SimEvent {}
+
+  /** Everything began anew: time is 0, and no drone has been commanded yet. */
+  record Restarted(SimTime time) implements SimEvent {
     @Override
-    public int drone() {
-      return 0;
+    public Phrase phrase() {
+      return Phrase.of("the simulation begins anew");
     }
   }
 
@@ -254,11 +318,6 @@ public sealed interface SimEvent {
    * @param clock with all that was lost since the start
    */
   record TimeLost(SimTime time, double seconds, SimSnapshot.Clock clock) implements SimEvent {
-    @Override
-    public int drone() {
-      return 0;
-    }
-
     @Override
     public Severity severity() {
       return Severity.WARNING;
@@ -273,27 +332,9 @@ public sealed interface SimEvent {
     }
   }
 
-  /**
-   * A goal of the scenario was reached, or all were, or they cannot be any more.
-   *
-   * @param drone that reached it; 0 for what concerns all
-   * @param missed whether it is bad news
-   */
-  record GoalNews(SimTime time, int drone, Phrase phrase, boolean missed) implements SimEvent {
-    @Override
-    public boolean ofDrone() {
-      return drone > 0;
-    }
-
-    @Override
-    public Severity severity() {
-      return missed ? Severity.WARNING : Severity.INFORMATION;
-    }
-  }
-
   /** The event as a line of a log: simulated time, drone, words. */
   default String line() {
-    String who = drone() == 0 ? "all" : "drone " + drone();
+    String who = this instanceof ForDrone one ? "drone " + one.drone() : "all";
     return String.format(Locale.ROOT, "%9.3f s  %s: %s", time().seconds(), who, words());
   }
 

@@ -3,6 +3,7 @@ package tellosimulator.sim;
 import java.util.List;
 import java.util.OptionalInt;
 import tellosimulator.command.Link;
+import tellosimulator.fault.ActiveFaults;
 import tellosimulator.math.Pose;
 import tellosimulator.model.DroneState;
 import tellosimulator.sim.SimConfig.Product;
@@ -70,18 +71,24 @@ public record SimSnapshot(SimTime time, Clock clock, Arena arena, List<DroneSnap
    * @param product what it is
    * @param start where a reset puts it
    * @param rgb colour of its cover, as one writes #rrggbb; empty for that of its number
+   * @param faults what goes wrong with it
    */
   public record DroneSnapshot(
-      DroneState state, Link link, Product product, Pose start, OptionalInt rgb) {
+      DroneState state,
+      Link link,
+      Product product,
+      Pose start,
+      OptionalInt rgb,
+      ActiveFaults faults) {
 
-    /** In the colour of its number. */
+    /** Without faults, in the colour of its number. */
     public DroneSnapshot(DroneState state, Link link, Product product, Pose start) {
-      this(state, link, product, start, OptionalInt.empty());
+      this(state, link, product, start, OptionalInt.empty(), ActiveFaults.NONE);
     }
 
     /** The same drone in another state. */
     public DroneSnapshot withState(DroneState newState) {
-      return new DroneSnapshot(newState, link, product, start, rgb);
+      return new DroneSnapshot(newState, link, product, start, rgb, faults);
     }
   }
 }

@@ -5,8 +5,7 @@ import java.net.InetSocketAddress;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
-import java.util.Queue;
-import java.util.concurrent.ConcurrentLinkedQueue;
+import java.util.Optional;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.function.IntFunction;
 import org.slf4j.Logger;
@@ -16,8 +15,11 @@ import tellosimulator.command.Peer;
 import tellosimulator.command.ReplyPort;
 import tellosimulator.concurrent.Exceptions;
 import tellosimulator.controller.FlightEvent;
+import tellosimulator.fault.Fault;
+import tellosimulator.fault.FaultSchedule;
+import tellosimulator.fault.LinkPreset;
 import tellosimulator.math.Vec3;
-import tellosimulator.sim.Drone.Neighbourhood;
+import tellosimulator.sim.SimDrone.Neighbourhood;
 import tellosimulator.sim.SimSnapshot.Clock;
 import tellosimulator.sim.SimSnapshot.DroneSnapshot;
 import tellosimulator.time.Demand;
@@ -36,28 +38,41 @@ import tellosimulator.world.Room;
  */
 public final class Simulation {
 
+  private static final Logger LOG = LoggerFactory.getLogger(Simulation.class);
+
   /**
    * How long a datagram waits at the most for what earlier ones have caused [s]. Decided: longer
    * than a drone takes to restart; some things never end, such as a landing on a hovering drone.
    */
   private static final double LONGEST_DEBT = 20;
 
-  /** Commands that are taken between two steps at the most, so that a flood never stops time. */
+  /** Datagrams that are taken between two steps at the most, so that a flood never stops time. */
   private static final int MOST_AT_ONCE = 256;
 
+  private static final String COMMAND_FAILED = "A command could not be handled";
+
   private final Inbox inbox = new Inbox();
-  private final Queue<Runnable> notices = new ConcurrentLinkedQueue<>();
-  private final Queue<Control> controls = new ConcurrentLinkedQueue<>();
-  private final List<Drone> drones = new ArrayList<>();
+
+  /** Whom to tell that the snapshot shows what they wanted. */
+  private final List<Runnable> shown = new ArrayList<>();
+
+  private final List<SimDrone> drones = new ArrayList<>();
   private final List<SimEvent> events = new ArrayList<>();
   private final List<SimListener> listeners;
+  private final IntFunction<ReplyPort> replies;
   private final StatePort states;
-  private final Surroundings surroundings;
-  private final OperatorRule operators;
+
+  /** What is run once nothing is left that anybody waits for. */
+  private final List<Runnable> onceStill = new ArrayList<>();
+
+  private Surroundings surroundings;
+  private volatile OperatorRule operators;
+  private FaultSchedule faults;
+  private Optional<LinkPreset> link = Optional.empty();
   private Clock clock;
-  private SimTime now = SimTime.ZERO;
-  private SimTime lastTaken = SimTime.ZERO;
-  private SimTime passUntil = SimTime.ZERO;
+  private SimTime now;
+  private SimTime lastTaken;
+  private SimTime passUntil;
 
   /** Whether people were told why drones land by themselves as fast as possible. */
   private boolean explained;
@@ -75,18 +90,41 @@ public final class Simulation {
       IntFunction<ReplyPort> replies,
       StatePort states,
       List<SimListener> listeners) {
-    this.surroundings = new Surroundings(config.arena(), drones, config.seed());
-    this.clock = new Clock(config.timeFactor(), false);
+    this.replies = replies;
     this.states = states;
-    this.operators = config.rules().operators();
     this.listeners = new CopyOnWriteArrayList<>(listeners);
+    begin(config);
+    publish();
+  }
+
+  private void begin(SimConfig config) {
+    drones.clear();
+    surroundings = new Surroundings(config.arena(), drones, config.seed());
+    clock = new Clock(config.timeFactor(), false);
+    operators = config.rules().operators();
+    now = SimTime.ZERO;
+    lastTaken = SimTime.ZERO;
+    passUntil = SimTime.ZERO;
+    explained = false;
     Neighbourhood neighbourhood =
-        new Neighbourhood(config.seed(), config.rules(), surroundings, this::happened);
+        new Neighbourhood(config.seed(), config.rules(), surroundings, states, this::happened);
     for (DroneSetup setup : config.drones()) {
       int number = drones.size() + 1;
-      drones.add(new Drone(number, setup, replies.apply(number), neighbourhood));
+      drones.add(new SimDrone(number, setup, replies.apply(number), neighbourhood));
     }
-    publish();
+    link = config.rules().faults().link();
+    faults = new FaultSchedule(config.rules().faults(), drones.size(), new FaultNews());
+    drones.forEach(this::disturb);
+    faults.advance(now);
+  }
+
+  private void restart(SimConfig config) {
+    for (SimDrone drone : drones) {
+      drone.apply(new Control.Power(drone.number(), false), surroundings.arena().room());
+    }
+    events.clear();
+    begin(config);
+    events.add(new SimEvent.Restarted(now));
   }
 
   /**
@@ -111,17 +149,20 @@ public final class Simulation {
   /** Hands over that nothing receives where a drone had sent something. For any thread. */
   public void unreachable(int drone, InetSocketAddress destination) {
     checkNumber(drone);
-    notices.add(() -> drone(drone).unreachable(destination));
-    wake.run();
+    notice(() -> drone(drone).unreachable(destination));
   }
 
   /** Hands over that datagrams of a host were turned away before they came here. For any thread. */
   public void dropped(int drone, InetAddress host, long count, Phrase reason) {
     checkNumber(drone);
-    notices.add(
+    notice(
         () ->
             events.add(
                 new SimEvent.DatagramsDropped(now, drone, host.getHostAddress(), count, reason)));
+  }
+
+  private void notice(Runnable work) {
+    inbox.add(new Inbox.Call("What the network said could not be handled", work, () -> {}));
     wake.run();
   }
 
@@ -131,16 +172,74 @@ public final class Simulation {
   }
 
   /**
-   * Hands over what a person does. For any thread.
+   * Hands over what a person does; it is taken after the commands that came before it. For any
+   * thread.
    *
-   * @throws IllegalArgumentException if there is no such drone
+   * @throws IllegalArgumentException if there is no such drone, or another number of drones to
+   *     begin anew with
    */
   public void control(Control control) {
+    control(control, () -> {});
+  }
+
+  /**
+   * The same.
+   *
+   * @param shown run on the owning thread when the snapshot shows it, or never will; must not throw
+   */
+  void control(Control control, Runnable shown) {
     if (control instanceof Control.ForDrone forDrone) {
       checkNumber(forDrone.drone());
     }
-    controls.add(control);
+    if (control instanceof Control.InjectFault injected) {
+      injected.fault().target().drone().ifPresent(this::checkNumber);
+    }
+    int drones = snapshot.drones().size();
+    if (control instanceof Control.Restart restart && restart.config().drones().size() != drones) {
+      throw new IllegalArgumentException(
+          "config has " + restart.config().drones().size() + " drones, but must have " + drones);
+    }
+    inbox.add(new Inbox.Call("A control could not be carried out", () -> apply(control), shown));
     wake.run();
+  }
+
+  /**
+   * Hands over that somebody wants to know when everything is done and shown that came before it,
+   * events included. For any thread.
+   *
+   * @param done run on the owning thread; must not throw
+   */
+  void afterAll(Runnable done) {
+    inbox.add(new Inbox.Call("Nobody can wait for the simulation", () -> {}, done));
+    wake.run();
+  }
+
+  /**
+   * Hands over something that is to be done once, when all commands that have come are carried out,
+   * their answers are given and nothing moves any more. For any thread.
+   *
+   * @param work run on the owning thread; must be quick
+   */
+  void onceStill(Runnable work) {
+    inbox.add(new Inbox.Call("Nobody can wait for rest", () -> onceStill.add(work), () -> {}));
+    wake.run();
+  }
+
+  private void tellStill() {
+    if (!onceStill.isEmpty() && inbox.isEmpty() && demand() == Demand.NONE) {
+      List<Runnable> told = List.copyOf(onceStill);
+      onceStill.clear();
+      told.forEach(work -> guarded("Who waits for rest cannot be told", work));
+    }
+  }
+
+  /** Tells everybody whose control waits that it will not be taken. Makes nothing new. */
+  void abandon() {
+    for (Inbox.Item item = inbox.poll(); item != null; item = inbox.poll()) {
+      if (item instanceof Inbox.Call call) {
+        call.shown().run();
+      }
+    }
   }
 
   /** Tells one more listener what happens, after all others. For any thread. */
@@ -156,7 +255,7 @@ public final class Simulation {
   /** Why time must pass. For the owning thread. */
   public Demand demand() {
     Demand demand = now.isBefore(passUntil) ? Demand.DEBT : Demand.NONE;
-    for (Drone drone : drones) {
+    for (SimDrone drone : drones) {
       demand = demand.or(drone.demand());
     }
     return demand == Demand.DEBT && late() ? Demand.MOTION : demand;
@@ -168,7 +267,7 @@ public final class Simulation {
   }
 
   private boolean answers() {
-    for (Drone drone : drones) {
+    for (SimDrone drone : drones) {
       if (drone.answers()) {
         return true;
       }
@@ -205,72 +304,96 @@ public final class Simulation {
     events.add(new SimEvent.TimeLost(now, seconds, clock));
   }
 
-  /** Whether commands are left that {@link #drain} did not take. */
+  /** Whether something is left that {@link #drain} did not take. */
   boolean pending() {
     return !inbox.isEmpty();
   }
 
-  /** Takes what has arrived, between two steps; replies that need no time go out at once. */
+  /**
+   * Takes what has arrived, in its order, between two steps; replies that need no time go out at
+   * once.
+   */
   public void drain() {
-    boolean changed = false;
-    for (Control control = controls.poll(); control != null; control = controls.poll()) {
-      Control taken = control;
-      guarded("A control could not be carried out", () -> apply(taken));
-      changed = true;
+    try {
+      int datagrams = 0;
+      boolean changed = false;
+      Inbox.Item next = inbox.peek();
+      while (next instanceof Inbox.Call || (next != null && datagrams < MOST_AT_ONCE && open())) {
+        if (next instanceof Inbox.Call call) {
+          take(call);
+        } else {
+          take((Inbox.Datagram) next);
+          datagrams++;
+        }
+        changed = true;
+        next = inbox.peek();
+      }
+      if (changed) {
+        publish();
+        tellEvents();
+        tellStill();
+      }
+    } finally {
+      shown.forEach(Runnable::run);
+      shown.clear();
     }
-    for (Runnable notice = notices.poll(); notice != null; notice = notices.poll()) {
-      guarded("What the network said could not be handled", notice);
-      changed = true;
-    }
-    for (int i = 0; i < MOST_AT_ONCE && !inbox.isEmpty() && open(); i++) {
-      Inbox.Datagram datagram = inbox.poll();
-      lastTaken = now;
-      guarded(
-          "A command could not be handled",
-          () -> drone(datagram.drone()).handle(datagram.peer(), datagram.text()));
-      changed = true;
-    }
-    if (changed) {
-      publish();
-      tellEvents();
-    }
+  }
+
+  private void take(Inbox.Call call) {
+    shown.add(call.shown()); // which may fail for want of memory: then it waits on
+    inbox.poll();
+    guarded(call.failure(), call.work());
+  }
+
+  private void take(Inbox.Datagram datagram) {
+    inbox.poll();
+    lastTaken = now;
+    guarded(COMMAND_FAILED, () -> drone(datagram.drone()).receive(datagram));
   }
 
   /** Moves everything on by one step of {@link SimTime#STEP}. */
   public void step() {
     drain();
+    for (SimDrone drone : drones) {
+      if (drone.expectsCommands()) {
+        guarded(COMMAND_FAILED, drone::receiveDelayed);
+      }
+    }
     now = now.next();
-    for (Drone drone : drones) {
+    faults.advance(now);
+    for (SimDrone drone : drones) {
       drone.plan(now);
     }
     Vec3 wind = surroundings.wind(now);
-    for (Drone drone : drones) {
+    for (SimDrone drone : drones) {
       drone.integrate(wind);
     }
-    for (Drone drone : drones) {
+    for (SimDrone drone : drones) {
       drone.collide(surroundings);
     }
     Encounters.resolve(drones);
-    for (Drone drone : drones) {
+    for (SimDrone drone : drones) {
       drone.consume();
       drone.sense(surroundings);
     }
-    for (Drone drone : drones) {
+    for (SimDrone drone : drones) {
       drone.finish();
     }
     publish();
-    for (Drone drone : drones) {
-      drone.output(states);
+    for (SimDrone drone : drones) {
+      drone.output();
     }
     tellEvents();
     for (SimListener listener : listeners) {
       guarded("A listener failed", () -> listener.stepped(snapshot));
     }
+    tellStill();
   }
 
   private void apply(Control control) {
     if (control instanceof Control.Configure change) {
       drones.set(change.drone() - 1, drone(change.drone()).configured(change));
+      disturb(drone(change.drone()));
     } else if (control instanceof Control.ForDrone forDrone) {
       drone(forDrone.drone()).apply(forDrone, surroundings.arena().room());
     } else if (control instanceof Control.SetRoom change) {
@@ -281,9 +404,21 @@ public final class Simulation {
               "the room is %.0f cm wide, %.0f cm deep and %.0f cm high now",
               room.width() * 100, room.depth() * 100, room.height() * 100));
     } else if (control instanceof Control.Furnish change) {
-      furnish(change.arena());
+      furnish(surroundings.arena().withObstacles(change.obstacles()).withPads(change.pads()));
+    } else if (control instanceof Control.SetWind change) {
+      furnish(surroundings.arena().withWind(change.wind()));
     } else if (control instanceof Control.Decorate change) {
       furnish(surroundings.arena().withDecor(change.decor()));
+    } else if (control instanceof Control.InjectFault injected) {
+      faults.inject(injected.fault(), now);
+    } else if (control instanceof Control.ClearFaults) {
+      faults.clear();
+    } else if (control instanceof Control.SetLink change) {
+      link = Optional.of(change.link());
+      drones.forEach(this::disturb);
+      tell(Phrase.of("the link is %s now", change.link().option()));
+    } else if (control instanceof Control.Restart anew) {
+      restart(anew.config());
     } else if (control instanceof Control.PassTime passing) {
       passUntil = now.plus(passing.seconds());
     } else if (control instanceof Control.Pause pause) {
@@ -293,6 +428,26 @@ public final class Simulation {
       TimeFactor factor = change.factor();
       clock = clock.withFactor(factor);
       tell(Phrase.of("the time factor is %s now", factor));
+    }
+  }
+
+  private void disturb(SimDrone drone) {
+    drone.disturb(link, faults.acting(drone.number()));
+  }
+
+  /** Lets drones and people know what begins and ends. */
+  private final class FaultNews implements FaultSchedule.Observer {
+
+    @Override
+    public void began(int drone, Fault fault) {
+      events.add(new SimEvent.FaultBegan(now, drone, fault));
+      disturb(drone(drone));
+    }
+
+    @Override
+    public void ended(int drone, Fault fault) {
+      events.add(new SimEvent.FaultEnded(now, drone, fault));
+      disturb(drone(drone));
     }
   }
 
@@ -306,13 +461,13 @@ public final class Simulation {
       work.run();
     } catch (Throwable e) { // a stack that overflowed, too, concerns this work alone
       Exceptions.throwIfFatal(e);
-      log().error("{}; please report this: {}", failure, e.toString(), e);
+      LOG.error("{}; please report this: {}", failure, e.toString(), e);
     }
   }
 
   private void publish() {
     List<DroneSnapshot> states = new ArrayList<>(drones.size());
-    for (Drone drone : drones) {
+    for (SimDrone drone : drones) {
       states.add(drone.publish());
     }
     snapshot =
@@ -321,6 +476,15 @@ public final class Simulation {
 
   private void happened(SimEvent event) {
     events.add(event);
+    if (event instanceof SimEvent.CommandReceived command) {
+      faults.commanded(command.drone(), command.text(), now);
+    } else if (event instanceof SimEvent.DroneFlight flight) {
+      if (flight.event() instanceof FlightEvent.TookOff) {
+        faults.tookOff(now);
+      } else if (flight.event() instanceof FlightEvent.PutBack) {
+        faults.restart(now);
+      }
+    }
     boolean silence =
         event instanceof SimEvent.DroneFlight flight
             && flight.event() instanceof FlightEvent.LandsByItself landing
@@ -352,7 +516,7 @@ public final class Simulation {
     }
   }
 
-  private Drone drone(int number) {
+  private SimDrone drone(int number) {
     return drones.get(number - 1);
   }
 
@@ -362,10 +526,5 @@ public final class Simulation {
       throw new IllegalArgumentException(
           "there is no drone " + drone + ", the drones are 1 to " + most);
     }
-  }
-
-  /** Not a constant: logging takes long to start, and the first picture does not wait for it. */
-  private static Logger log() {
-    return LoggerFactory.getLogger(Simulation.class);
   }
 }

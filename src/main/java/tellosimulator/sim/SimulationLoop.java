@@ -1,7 +1,6 @@
 package tellosimulator.sim;
 
-import java.util.Queue;
-import java.util.concurrent.ConcurrentLinkedQueue;
+import java.time.Duration;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import org.slf4j.Logger;
@@ -22,7 +21,6 @@ public final class SimulationLoop implements AutoCloseable {
 
   private final Simulation simulation;
   private final Pacer pacer;
-  private final Queue<CountDownLatch> waiting = new ConcurrentLinkedQueue<>();
   private final Worker worker;
 
   /** Starts at once. */
@@ -56,17 +54,12 @@ public final class SimulationLoop implements AutoCloseable {
 
     @Override
     public void onClose() {
-      serve(waiting.size());
+      simulation.abandon();
     }
   }
 
   private boolean turn() {
-    int served = waiting.size(); // their controls lie in the inbox by now
-    try {
-      simulation.drain();
-    } finally {
-      serve(served);
-    }
+    simulation.drain();
     adopt(simulation.clock());
     if (pacer.stepDue(simulation::demand)) {
       tellLost();
@@ -74,13 +67,6 @@ public final class SimulationLoop implements AutoCloseable {
       return true;
     }
     return simulation.pending();
-  }
-
-  /** Makes nothing new: nobody may be forgotten where there is no memory left. */
-  private void serve(int count) {
-    for (int i = 0; i < count; i++) {
-      waiting.remove().countDown();
-    }
   }
 
   private void tellLost() {
@@ -107,13 +93,28 @@ public final class SimulationLoop implements AutoCloseable {
    * @throws IllegalStateException if the simulation has ended because of an error
    */
   public void carryOut(Control control) {
-    simulation.control(control);
-    CountDownLatch taken = new CountDownLatch(1);
-    waiting.add(taken);
-    worker.wake();
+    CountDownLatch shown = new CountDownLatch(1);
+    simulation.control(control, shown::countDown);
+    await(shown);
+  }
+
+  /**
+   * Waits until listeners know and the snapshot shows all that programs have seen of the drones
+   * until now: replies leave before listeners are told of them. For any thread but that of the
+   * simulation. Does not wait for a simulation that was closed.
+   *
+   * @throws IllegalStateException if the simulation has ended because of an error
+   */
+  public void settle() {
+    CountDownLatch done = new CountDownLatch(1);
+    simulation.afterAll(done::countDown);
+    await(done);
+  }
+
+  private void await(CountDownLatch done) {
     try {
-      while (!taken.await(PATIENCE_MS, TimeUnit.MILLISECONDS) && !worker.hasEnded()) {
-        LOG.debug("{} waits for the simulation", control);
+      while (!worker.hasEnded() && !done.await(PATIENCE_MS, TimeUnit.MILLISECONDS)) {
+        LOG.debug("Somebody waits for the simulation");
       }
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
@@ -121,6 +122,19 @@ public final class SimulationLoop implements AutoCloseable {
     if (worker.failure().isPresent()) {
       throw new IllegalStateException("the simulation has ended because of an error");
     }
+  }
+
+  /**
+   * Waits until all commands that have come are carried out, their answers are given and nothing
+   * moves any more. For any thread but that of the simulation.
+   *
+   * @param limit how long it waits at the most
+   * @return whether that came about
+   */
+  public boolean awaitStill(Duration limit) throws InterruptedException {
+    CountDownLatch still = new CountDownLatch(1);
+    simulation.onceStill(still::countDown);
+    return still.await(limit.toMillis(), TimeUnit.MILLISECONDS);
   }
 
   /** Stops the thread and waits until it has ended. */

@@ -1,6 +1,7 @@
 package tellosimulator.sim;
 
 import tellosimulator.command.Link;
+import tellosimulator.fault.Corruption;
 import tellosimulator.model.DroneState;
 import tellosimulator.model.PadReading;
 import tellosimulator.profile.Profile;
@@ -17,7 +18,24 @@ public interface StatePort {
    * What a state line is made of.
    *
    * @param link where it goes
+   * @param corruption which bytes arrive wrong
    */
   record StateReport(
-      DroneState state, SensorReadings sensors, PadReading pad, Profile profile, Link link) {}
+      DroneState state,
+      SensorReadings sensors,
+      PadReading pad,
+      Profile profile,
+      Link link,
+      Corruption corruption) {
+
+    /** One that arrives as it was sent. */
+    public StateReport(
+        DroneState state, SensorReadings sensors, PadReading pad, Profile profile, Link link) {
+      this(state, sensors, pad, profile, link, Corruption.NONE);
+    }
+
+    StateReport with(Corruption newCorruption) {
+      return new StateReport(state, sensors, pad, profile, link, newCorruption);
+    }
+  }
 }

@@ -9,17 +9,17 @@ import tellosimulator.sensor.Echoes;
 import tellosimulator.sensor.PadDetector.Card;
 import tellosimulator.time.SimTime;
 import tellosimulator.world.Arena;
+import tellosimulator.world.Collider;
 import tellosimulator.world.Collision;
-import tellosimulator.world.Hull;
 import tellosimulator.world.Obstacles;
 import tellosimulator.world.WindField;
 
 /** What is around each drone now: the room, what stands in it, and the others. For one thread. */
 final class Surroundings {
 
-  private static final Hull HULL = DroneSpec.HULL;
+  private static final Collider COLLIDER = DroneSpec.COLLIDER;
 
-  private final List<Drone> drones;
+  private final List<SimDrone> drones;
   private final long seed;
   private Arena arena;
   private Obstacles obstacles;
@@ -30,7 +30,7 @@ final class Surroundings {
    * @param drones in the order of their numbers; may change
    * @param seed of everything random
    */
-  Surroundings(Arena arena, List<Drone> drones, long seed) {
+  Surroundings(Arena arena, List<SimDrone> drones, long seed) {
     this.drones = drones;
     this.seed = seed;
     change(arena);
@@ -54,21 +54,21 @@ final class Surroundings {
   }
 
   /** The obstacle that stops a drone on its way through a step. */
-  Optional<Collision> obstacle(Drone drone) {
-    return obstacles.collide(drone.before(), drone.position(), drone.velocity(), HULL);
+  Optional<Collision> obstacle(SimDrone drone) {
+    return obstacles.collide(drone.before(), drone.position(), drone.velocity(), COLLIDER);
   }
 
   /** The side of the room that stops a drone. */
-  Optional<Collision> surface(Drone drone) {
-    return arena.room().collide(drone.position(), drone.velocity(), HULL);
+  Optional<Collision> surface(SimDrone drone) {
+    return arena.room().collide(drone.position(), drone.velocity(), COLLIDER);
   }
 
   /** Whether nothing carries a drone that rests, or something is where it is. */
-  boolean unsettles(Drone drone) {
+  boolean unsettles(SimDrone drone) {
     Vec3 place = drone.position();
     return place.z() > 0
-        || !arena.room().contains(place, HULL)
-        || obstacles.around(place, HULL).isPresent();
+        || !arena.room().contains(place, COLLIDER)
+        || obstacles.around(place, COLLIDER).isPresent();
   }
 
   /** Mission pads in the room. */
@@ -108,7 +108,7 @@ final class Surroundings {
   /** The distance along a ray to an obstacle or another drone, or {@code limit} [m]. */
   private double nearest(int number, Vec3 origin, Vec3 direction, double limit) {
     double nearest = obstacles.distance(origin, direction, limit);
-    for (Drone other : drones) {
+    for (SimDrone other : drones) {
       if (other.number() != number) {
         nearest = Math.min(nearest, other.distanceAlong(origin, direction));
       }

@@ -32,7 +32,7 @@ public final class Swarm {
       int inRow = Math.min(most, drones - row * most);
       double left = ((inRow - 1) / 2.0 - i % most) * DISTANCE;
       Vec3 start = middle.plus(new Vec3(-row * DISTANCE, left, 0));
-      if (!room.contains(start, DroneSpec.HULL)) {
+      if (!room.contains(start, DroneSpec.COLLIDER)) {
         throw new IllegalArgumentException(
             String.format(
                 Locale.ROOT,
@@ -47,7 +47,7 @@ public final class Swarm {
   }
 
   private static int mostSideBySide(Vec3 middle, Room room) {
-    double free = room.width() / 2 - DroneSpec.HULL.radius() - Math.abs(middle.y());
+    double free = room.width() / 2 - DroneSpec.COLLIDER.radius() - Math.abs(middle.y());
     return (int) Math.floor(2 * free / DISTANCE) + 1;
   }
 }

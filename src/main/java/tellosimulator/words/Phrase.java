@@ -1,6 +1,7 @@
 package tellosimulator.words;
 
 import java.util.List;
+import java.util.Locale;
 
 /**
  * Something to be said to people, in any language: a clause, or a part of one. Immutable; for any
@@ -33,17 +34,18 @@ public record Phrase(String template, List<Object> values) {
 
   /** Said in a language. */
   public String in(Translation translation) {
-    String translated = translation.of(template);
-    if (values.isEmpty()) {
-      return translated;
-    }
     Object[] said = values.toArray();
     for (int i = 0; i < said.length; i++) {
       if (said[i] instanceof Phrase part) {
         said[i] = part.in(translation);
       }
     }
-    return String.format(translation.locale(), translated, said);
+    return format(translation.locale(), translation.of(template), said);
+  }
+
+  /** Puts values into the places of a template; without values it is taken literally. */
+  public static String format(Locale locale, String template, Object... values) {
+    return values.length == 0 ? template : String.format(locale, template, values);
   }
 
   /** Said in English. */

@@ -1,7 +1,6 @@
 package tellosimulator.words;
 
 import java.util.Collection;
-import java.util.Comparator;
 import java.util.Locale;
 import java.util.Optional;
 
@@ -22,10 +21,19 @@ public final class Spelling {
       return Optional.empty();
     }
     String lower = written.toLowerCase(Locale.ROOT).replace('_', '-').replace(' ', '-');
-    return known.stream()
-        .filter(word -> word.length() <= LONGEST)
-        .filter(word -> slips(lower, word) <= (word.length() + 1) / LETTERS_PER_SLIP)
-        .min(Comparator.comparingInt(word -> slips(lower, word)));
+    Optional<String> meant = Optional.empty();
+    int fewest = Integer.MAX_VALUE;
+    for (String word : known) {
+      int most = Math.min((word.length() + 1) / LETTERS_PER_SLIP, fewest - 1);
+      boolean comparable =
+          word.length() <= LONGEST && Math.abs(word.length() - lower.length()) <= most;
+      int slips = comparable ? slips(lower, word) : Integer.MAX_VALUE;
+      if (slips <= most) {
+        fewest = slips;
+        meant = Optional.of(word);
+      }
+    }
+    return meant;
   }
 
   /**

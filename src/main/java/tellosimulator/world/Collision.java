@@ -12,7 +12,7 @@ import tellosimulator.math.Vec3;
  * @param velocity what is left of its velocity [m/s]
  */
 public record Collision(
-    Touchable touched, Vec3 normal, double speed, Vec3 position, Vec3 velocity) {
+    Collidable touched, Vec3 normal, double speed, Vec3 position, Vec3 velocity) {
 
   /** Steepest ground on which a drone stands, as the cosine of its slope. Assumed: 45 degrees. */
   private static final double STEEPEST_GROUND = 0.7;

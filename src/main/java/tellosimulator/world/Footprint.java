@@ -67,14 +67,12 @@ public final class Footprint {
    * @param place its middle along the surface and up, and half its size
    */
   private static boolean inside(Surface surface, Vec3 place, Room room) {
-    boolean acrossDepth = surface == Surface.LEFT_WALL || surface == Surface.RIGHT_WALL;
-    double width = acrossDepth ? room.depth() : room.width();
     double half = place.z() - TOLERANCE;
     boolean upInside =
         surface.wall()
             ? place.y() >= half && place.y() <= room.height() - half
             : Math.abs(place.y()) <= room.depth() / 2 - half;
-    return Math.abs(place.x()) <= width / 2 - half && upInside;
+    return Math.abs(place.x()) <= room.lengthOf(surface) / 2 - half && upInside;
   }
 
   /** Whether a place is in the room. */

@@ -52,22 +52,8 @@ public record MissionPad(int id, Surface surface, double along, double height, d
     if (surface == Surface.FLOOR) {
       return new Pose(new Vec3(height, -along, 0), turned);
     }
-    Attitude facing = Attitude.ofHeading(wallHeading());
-    double distance =
-        (surface == Surface.FRONT_WALL || surface == Surface.BACK_WALL
-                ? room.depth()
-                : room.width())
-            / 2;
-    Vec3 middle = facing.toRoom(new Vec3(distance, -along, height));
+    Attitude facing = Attitude.ofHeading(surface.heading());
+    Vec3 middle = facing.toRoom(new Vec3(room.distanceTo(surface), -along, height));
     return new Pose(middle, facing.after(HANGING).after(turned));
-  }
-
-  private double wallHeading() {
-    return switch (surface) {
-      case LEFT_WALL -> Math.PI / 2;
-      case BACK_WALL -> Math.PI;
-      case RIGHT_WALL -> -Math.PI / 2;
-      default -> 0;
-    };
   }
 }

@@ -14,7 +14,7 @@ import tellosimulator.words.Phrase;
  *     room's x
  */
 public record Obstacle(String name, Shape shape, Vec3 foot, double heading, Cover cover)
-    implements Touchable {
+    implements Collidable {
 
   @Override
   public Phrase phrase() {
@@ -24,6 +24,12 @@ public record Obstacle(String name, Shape shape, Vec3 foot, double heading, Cove
   /** Where its frame is. */
   public Pose pose() {
     return new Pose(foot, Attitude.ofHeading(heading));
+  }
+
+  /** Whether a body is in it. For one obstacle; {@link Obstacles} finds those nearby. */
+  public boolean intersects(Vec3 position, Collider collider) {
+    return Solid.of(this).stream()
+        .anyMatch(solid -> solid.penetration(position, position, collider).isPresent());
   }
 
   /** The same with another name. */

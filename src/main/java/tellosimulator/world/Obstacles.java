@@ -66,7 +66,7 @@ public final class Obstacles {
   public static Obstacles of(Arena arena) {
     List<Part> parts = new ArrayList<>();
     for (Obstacle obstacle : arena.obstacles()) {
-      for (Solid solid : Solids.of(obstacle)) {
+      for (Solid solid : Solid.of(obstacle)) {
         parts.add(new Part(solid, solid.bounds(), obstacle));
       }
     }
@@ -80,23 +80,23 @@ public final class Obstacles {
    * @param position where it would be [m]
    * @param velocity how it moves [m/s]
    */
-  public Optional<Collision> collide(Vec3 before, Vec3 position, Vec3 velocity, Hull hull) {
+  public Optional<Collision> collide(Vec3 before, Vec3 position, Vec3 velocity, Collider collider) {
     if (empty) {
       return Optional.empty();
     }
-    Vec3 grown = new Vec3(hull.radius(), hull.radius(), hull.height());
+    Vec3 grown = new Vec3(collider.radius(), collider.radius(), collider.height());
     Bounds swept = Bounds.around(before, grown).with(Bounds.around(position, grown));
     List<Part> near = near(swept);
     return near.isEmpty()
         ? Optional.empty()
-        : new Sweep(near, hull).along(before, position, velocity);
+        : new Sweep(near, collider).along(before, position, velocity);
   }
 
-  /** Whether a hull is in any of them, and in which. */
-  public Optional<Obstacle> around(Vec3 position, Hull hull) {
-    Vec3 grown = new Vec3(hull.radius(), hull.radius(), hull.height());
+  /** Whether a collider is in any of them, and in which. */
+  public Optional<Obstacle> around(Vec3 position, Collider collider) {
+    Vec3 grown = new Vec3(collider.radius(), collider.radius(), collider.height());
     for (Part part : near(Bounds.around(position, grown))) {
-      if (part.solid.exit(position, position, hull).isPresent()) {
+      if (part.solid.penetration(position, position, collider).isPresent()) {
         return Optional.of(part.obstacle);
       }
     }

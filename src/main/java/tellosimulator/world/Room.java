@@ -28,12 +28,26 @@ public record Room(double width, double depth, double height) {
     check("height", height);
   }
 
-  /** Whether the hull fits at {@code position} without touching a wall or the ceiling. */
-  public boolean contains(Vec3 position, Hull hull) {
-    return Math.abs(position.x()) <= depth / 2 - hull.radius()
-        && Math.abs(position.y()) <= width / 2 - hull.radius()
+  /** Whether the collider fits at {@code position} without touching a wall or the ceiling. */
+  public boolean contains(Vec3 position, Collider collider) {
+    return Math.abs(position.x()) <= depth / 2 - collider.radius()
+        && Math.abs(position.y()) <= width / 2 - collider.radius()
         && position.z() >= 0
-        && position.z() <= height - hull.height();
+        && position.z() <= height - collider.height();
+  }
+
+  /** How far it is from the room's middle to a wall [m]. */
+  public double distanceTo(Surface wall) {
+    return (alongDepth(wall) ? width : depth) / 2;
+  }
+
+  /** How long a wall is [m]; how wide floor and ceiling are. */
+  public double lengthOf(Surface surface) {
+    return alongDepth(surface) ? depth : width;
+  }
+
+  private static boolean alongDepth(Surface surface) {
+    return surface == Surface.LEFT_WALL || surface == Surface.RIGHT_WALL;
   }
 
   /**
@@ -56,12 +70,12 @@ public record Room(double width, double depth, double height) {
     return ((direction > 0 ? high : low) - origin) / direction;
   }
 
-  /** The position nearest to {@code position} at which the hull fits. */
-  public Vec3 nearestInside(Vec3 position, Hull hull) {
+  /** The position nearest to {@code position} at which the collider fits. */
+  public Vec3 nearestInside(Vec3 position, Collider collider) {
     return new Vec3(
-        clamp(position.x(), -(depth / 2 - hull.radius()), depth / 2 - hull.radius()),
-        clamp(position.y(), -(width / 2 - hull.radius()), width / 2 - hull.radius()),
-        clamp(position.z(), 0, height - hull.height()));
+        clamp(position.x(), -(depth / 2 - collider.radius()), depth / 2 - collider.radius()),
+        clamp(position.y(), -(width / 2 - collider.radius()), width / 2 - collider.radius()),
+        clamp(position.z(), 0, height - collider.height()));
   }
 
   /**
@@ -70,11 +84,11 @@ public record Room(double width, double depth, double height) {
    * @param position where it would be [m]
    * @param velocity how it moves [m/s]
    */
-  public Optional<Collision> collide(Vec3 position, Vec3 velocity, Hull hull) {
-    if (contains(position, hull)) {
+  public Optional<Collision> collide(Vec3 position, Vec3 velocity, Collider collider) {
+    if (contains(position, collider)) {
       return Optional.empty();
     }
-    Vec3 inside = nearestInside(position, hull);
+    Vec3 inside = nearestInside(position, collider);
     Vec3 push = inside.minus(position);
     Vec3 left = velocity;
     Hit worst = new Hit(Surface.FLOOR, Vec3.UP, Double.NEGATIVE_INFINITY);

@@ -1,5 +1,9 @@
 package tellosimulator.world;
 
+import java.util.ArrayList;
+import java.util.List;
+import tellosimulator.math.Vec3;
+
 /**
  * What an obstacle is made of. Its frame: origin in the middle of its foot, z up; x is its depth
  * and the way through a gate, y its width. All lengths in metres. Immutable; for any thread.
@@ -91,6 +95,11 @@ public sealed interface Shape {
       return middle + radius + tube;
     }
 
+    /** Height of its post, up to the ring; 0 if it needs none. */
+    public double post() {
+      return Math.max(0, middle - radius - tube);
+    }
+
     @Override
     public double reach() {
       return radius + tube;
@@ -127,6 +136,31 @@ public sealed interface Shape {
       return middle + opening / 2 + beam;
     }
 
+    /** Height of the frame's lower end, up to which its posts are no more than posts. */
+    public double post() {
+      return Math.max(0, sill());
+    }
+
+    private double sill() {
+      return middle - opening / 2 - beam;
+    }
+
+    /** What it is made of: the two sides from the foot on, the top, and the sill if it has one. */
+    public List<Beam> beams() {
+      double side = (width + beam) / 2;
+      double top = middle + opening / 2;
+      Vec3 upright = new Vec3(beam, beam, top + beam);
+      Vec3 crossbar = new Vec3(beam, width, beam);
+      List<Beam> beams = new ArrayList<>();
+      beams.add(new Beam(new Vec3(0, side, 0), upright));
+      beams.add(new Beam(new Vec3(0, -side, 0), upright));
+      beams.add(new Beam(new Vec3(0, 0, top), crossbar));
+      if (sill() >= 0) {
+        beams.add(new Beam(new Vec3(0, 0, sill()), crossbar));
+      }
+      return beams;
+    }
+
     @Override
     public double reach() {
       return StrictMath.hypot(width / 2 + beam, beam / 2);
@@ -137,6 +171,14 @@ public sealed interface Shape {
       return Math.abs(across) < width / 2 && Math.abs(up) < opening / 2;
     }
   }
+
+  /**
+   * A beam of a gate.
+   *
+   * @param base middle of its base, in the gate's frame
+   * @param size its depth, width and height
+   */
+  record Beam(Vec3 base, Vec3 size) {}
 
   private static void check(String name, double value) {
     if (!(value >= SHORTEST && value <= LONGEST)) {

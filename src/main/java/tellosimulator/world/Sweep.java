@@ -4,7 +4,7 @@ import java.util.List;
 import java.util.Optional;
 import tellosimulator.math.Vec3;
 import tellosimulator.world.Obstacles.Part;
-import tellosimulator.world.Solid.Exit;
+import tellosimulator.world.Solid.Penetration;
 
 /**
  * One body's way through one step, past the obstacles nearby. It goes in stretches that are shorter
@@ -19,14 +19,14 @@ final class Sweep {
   private static final int MOST_PUSHES = 4;
 
   private final List<Part> near;
-  private final Hull hull;
+  private final Collider collider;
   private Vec3 velocity = Vec3.ZERO;
   private Vec3 stretch = Vec3.ZERO;
   private Optional<Collision> worst = Optional.empty();
 
-  Sweep(List<Part> near, Hull hull) {
+  Sweep(List<Part> near, Collider collider) {
     this.near = near;
-    this.hull = hull;
+    this.collider = collider;
   }
 
   Optional<Collision> along(Vec3 from, Vec3 to, Vec3 atVelocity) {
@@ -48,10 +48,10 @@ final class Sweep {
     for (int push = 0; push < MOST_PUSHES; push++) {
       boolean free = true;
       for (Part part : near) {
-        Optional<Exit> exit = part.solid().exit(place, before, hull);
-        if (exit.isPresent()) {
-          place = place.plusScaled(exit.get().normal(), exit.get().depth());
-          stop(part.obstacle(), exit.get().normal(), place);
+        Optional<Penetration> inside = part.solid().penetration(place, before, collider);
+        if (inside.isPresent()) {
+          place = place.plusScaled(inside.get().normal(), inside.get().depth());
+          stop(part.obstacle(), inside.get().normal(), place);
           free = false;
         }
       }

@@ -1,0 +1,248 @@
+package tellosimulator.cli;
+
+import java.net.InetAddress;
+import java.net.UnknownHostException;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.OptionalInt;
+import java.util.function.Function;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import java.util.stream.Collectors;
+import picocli.CommandLine.TypeConversionException;
+import tellosimulator.command.OperatorRule;
+import tellosimulator.math.Frames;
+import tellosimulator.math.Vec3;
+import tellosimulator.network.AddressPlan;
+import tellosimulator.profile.Behaviour;
+import tellosimulator.profile.Profile;
+import tellosimulator.time.TimeFactor;
+import tellosimulator.video.camera.DroneOptics;
+import tellosimulator.world.Poster;
+import tellosimulator.world.Room;
+import tellosimulator.world.Surface;
+import tellosimulator.world.Walls;
+
+/** How words of the command line are read; each mistake is a sentence. */
+final class OptionTypes {
+
+  private static final String NUMBER = "(-?[0-9]+(?:\\.[0-9]+)?)";
+
+  private OptionTypes() {}
+
+  /** A place on the floor in centimetres. */
+  record Point(double x, double y) {
+    Vec3 inMetres() {
+      return new Vec3(Frames.metres(x), Frames.metres(y), 0);
+    }
+  }
+
+  /** One or more addresses, all different. */
+  record AddressList(List<InetAddress> addresses) {}
+
+  static Integer port(String word) {
+    return wholeNumber(word, 1, AddressPlan.HIGHEST_PORT, "a port from 1 to 65535");
+  }
+
+  /** One port for all drones, or one for each. */
+  record PortList(List<Integer> ports) {}
+
+  static PortList portsOfDrones(String words) {
+    List<Integer> ports = new ArrayList<>();
+    for (String word : words.split(",", -1)) {
+      ports.add(wholeNumber(word, 1, AddressPlan.HIGHEST_PORT, "a port from 1 to 65535"));
+    }
+    return new PortList(List.copyOf(ports));
+  }
+
+  static Integer portOrFree(String word) {
+    return wholeNumber(
+        word, 0, AddressPlan.HIGHEST_PORT, "a port from 1 to 65535, or 0 for a free one");
+  }
+
+  static OptionalInt replyPort(String word) {
+    return word.equals("sender")
+        ? OptionalInt.empty()
+        : OptionalInt.of(
+            wholeNumber(word, 1, AddressPlan.HIGHEST_PORT, "sender or a port from 1 to 65535"));
+  }
+
+  static Double fieldOfView(String word) {
+    return word.equals("manual")
+        ? Math.toDegrees(
+            DroneOptics.horizontalFieldOfView(Math.toRadians(DroneOptics.MANUALS_DIAGONAL_DEG)))
+        : degrees(word, 10, 150);
+  }
+
+  static Double tilt(String word) {
+    return degrees(word, -90, 90);
+  }
+
+  static Integer droneCount(String word) {
+    return wholeNumber(
+        word, 1, AddressPlan.MOST_DRONES, "a number from 1 to " + AddressPlan.MOST_DRONES);
+  }
+
+  static Long seed(String word) {
+    if (!word.matches("-?[0-9]{1,18}")) { // as in scenario files
+      throw mistake("a whole number of at most 18 digits", word);
+    }
+    return Long.valueOf(word);
+  }
+
+  private static final Pattern ADDRESSES_FORM = Pattern.compile("[0-9]{1,3}(\\.[0-9]{1,3}){3}");
+  private static final String EXPECTED = "an address of this machine such as 127.0.0.2";
+
+  static AddressList addresses(String words) throws UnknownHostException {
+    List<InetAddress> addresses = new ArrayList<>();
+    for (String word : words.split(",", -1)) {
+      InetAddress address = address(word, EXPECTED);
+      if (addresses.contains(address)) {
+        throw new TypeConversionException(
+            word + " is there twice, but each drone needs an address of its own");
+      }
+      addresses.add(address);
+    }
+    return new AddressList(List.copyOf(addresses));
+  }
+
+  private static InetAddress address(String word, String expected) throws UnknownHostException {
+    if (!ADDRESSES_FORM.matcher(word).matches()
+        || Arrays.stream(word.split("\\.", -1)).anyMatch(part -> Integer.parseInt(part) > 255)) {
+      throw mistake(expected, word);
+    }
+    InetAddress address = InetAddress.getByName(word);
+    if (!AddressPlan.isOfOneHost(address)) {
+      throw mistake(expected, word);
+    }
+    return address;
+  }
+
+  static OperatorRule operators(String word) throws UnknownHostException {
+    return switch (word) {
+      case "first" -> OperatorRule.FIRST;
+      case "anyone" -> OperatorRule.ANYONE;
+      default ->
+          OperatorRule.only(address(word, "first, anyone or an address such as 192.168.1.7"));
+    };
+  }
+
+  static Profile profileName(String word) {
+    return byName(word, List.of(Profile.values()), Profile::option);
+  }
+
+  static Behaviour behaviourName(String word) {
+    return byName(word, List.of(Behaviour.values()), Behaviour::option);
+  }
+
+  static String logLevel(String word) {
+    return byName(word, List.of("error", "warn", "info", "debug", "off"), Function.identity());
+  }
+
+  private static final Pattern ROOM_SIZE_FORM =
+      Pattern.compile(NUMBER + "x" + NUMBER + "x" + NUMBER);
+
+  static Room roomSize(String word) {
+    Matcher sizes = ROOM_SIZE_FORM.matcher(word);
+    if (!sizes.matches()) {
+      throw mistake("width, depth and height in cm such as 500x500x300", word);
+    }
+    try {
+      return new Room(metres(sizes, 1), metres(sizes, 2), metres(sizes, 3));
+    } catch (IllegalArgumentException e) {
+      throw mistake("width, depth and height from 100 to 20000 cm", word);
+    }
+  }
+
+  static Walls wallsName(String word) {
+    return byName(word, List.of(Walls.values()), Walls::option);
+  }
+
+  private static final Pattern POSTER_ON_WALL_FORM =
+      Pattern.compile("([a-z]+)," + NUMBER + "," + NUMBER + "," + NUMBER + ",(.+)");
+
+  static Poster posterOnWall(String word) {
+    Matcher parts = POSTER_ON_WALL_FORM.matcher(word);
+    if (!parts.matches()) {
+      throw mistake("WALL,ALONG,HEIGHT,WIDTH,FILE such as front,0,120,30,face.png", word);
+    }
+    Surface wall = Surface.byWord().get(parts.group(1));
+    if (wall == null) {
+      throw mistake("front, back, left, right, floor or ceiling", parts.group(1));
+    }
+    try {
+      return new Poster(wall, metres(parts, 2), metres(parts, 3), metres(parts, 4), parts.group(5));
+    } catch (IllegalArgumentException e) {
+      throw mistake("a width from 1 to 20000 cm", parts.group(4));
+    }
+  }
+
+  private static final Pattern FLOOR_POINT_FORM = Pattern.compile(NUMBER + "," + NUMBER);
+
+  static Point floorPoint(String word) {
+    Matcher point = FLOOR_POINT_FORM.matcher(word);
+    if (!point.matches()) {
+      throw mistake("X,Y in cm such as 100,-50", word);
+    }
+    return new Point(Double.parseDouble(point.group(1)), Double.parseDouble(point.group(2)));
+  }
+
+  static TimeFactor factor(String word) {
+    if (word.equals("max")) {
+      return TimeFactor.MAX;
+    }
+    try {
+      return new TimeFactor(word.matches(NUMBER) ? Double.parseDouble(word) : Double.NaN);
+    } catch (IllegalArgumentException e) {
+      throw mistake("a number from 0.01 to 5000, or max", word);
+    }
+  }
+
+  /** Longest of them [s]: a day. */
+  private static final double MOST = 86_400;
+
+  static Double seconds(String word) {
+    double seconds = word.matches(NUMBER) ? Double.parseDouble(word) : 0;
+    if (!(seconds > 0 && seconds <= MOST)) {
+      throw mistake("a number of seconds from more than 0 to 86400", word);
+    }
+    return seconds;
+  }
+
+  /** A whole number without sign. */
+  private static int wholeNumber(String word, int least, int most, String expected) {
+    int number = word.matches("[0-9]{1,9}") ? Integer.parseInt(word) : -1;
+    if (number < least || number > most) {
+      throw mistake(expected, word);
+    }
+    return number;
+  }
+
+  private static double degrees(String word, int least, int most) {
+    double value = word.matches(NUMBER) ? Double.parseDouble(word) : Double.NaN;
+    if (!(value >= least && value <= most)) {
+      throw mistake("degrees from " + least + " to " + most, word);
+    }
+    return value;
+  }
+
+  private static TypeConversionException mistake(String expected, String word) {
+    return new TypeConversionException(
+        "expected " + expected + ", found " + (word.isEmpty() ? "nothing" : word));
+  }
+
+  private static double metres(Matcher sizes, int group) {
+    return Frames.metres(Double.parseDouble(sizes.group(group)));
+  }
+
+  private static <T> T byName(String word, List<T> values, Function<T, String> name) {
+    return values.stream()
+        .filter(value -> name.apply(value).equals(word))
+        .findFirst()
+        .orElseThrow(
+            () ->
+                mistake(
+                    "one of " + values.stream().map(name).collect(Collectors.joining(", ")), word));
+  }
+}

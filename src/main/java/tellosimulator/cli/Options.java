@@ -1,0 +1,388 @@
+package tellosimulator.cli;
+
+import java.net.InetAddress;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.OptionalInt;
+import picocli.CommandLine;
+import picocli.CommandLine.IVersionProvider;
+import tellosimulator.command.OperatorRule;
+import tellosimulator.math.Pose;
+import tellosimulator.network.AddressPlan;
+import tellosimulator.network.Reach;
+import tellosimulator.profile.Behaviour;
+import tellosimulator.profile.Profile;
+import tellosimulator.scenario.OpenedScenario;
+import tellosimulator.scenario.Scenario;
+import tellosimulator.sim.DroneSetup;
+import tellosimulator.sim.SimConfig;
+import tellosimulator.sim.SimConfig.Outlets;
+import tellosimulator.sim.SimConfig.Product;
+import tellosimulator.sim.Swarm;
+import tellosimulator.time.TimeFactor;
+import tellosimulator.video.camera.DroneOptics;
+import tellosimulator.world.Decor;
+import tellosimulator.world.Poster;
+
+/** What can be chosen on the command line, and what follows from it. */
+public final class Options {
+
+  private static final String CONTROL = "--control";
+
+  private final Choices choices = new Choices();
+
+  private final Choice<Boolean> headless = choices.flag("--headless", "Run without a window.");
+
+  private final Choice<Boolean> on =
+      choices.flag("--on", "Switch all drones on at once. Without a window they always are.");
+
+  private final ScenarioOptions scenarioOptions = new ScenarioOptions(choices);
+
+  private final Choice<Integer> commandPort =
+      choices
+          .option(
+              "--command-port",
+              "PORT",
+              "Where drones take commands; 0 chooses a free port. Default: 8879.")
+          .read(OptionTypes::portOrFree, "8879");
+
+  private final Choice<Integer> statePort =
+      choices
+          .option(
+              "--state-port", "PORT", "Where your program takes the drone's state. Default: 8890.")
+          .read(OptionTypes::port, "8890");
+
+  private final Choice<OptionTypes.PortList> videoPorts =
+      choices
+          .option(
+              "--video-port",
+              "PORT,...",
+              "Where your program takes the drone's video: one port for all drones, or one for each."
+                  + " Default: 11111.")
+          .read(OptionTypes::portsOfDrones, "11111");
+
+  private final Choice<Double> fieldOfViewDeg =
+      choices
+          .option(
+              "--camera-fov",
+              "DEG|manual",
+              "What the camera sees from left to right, in degrees: 55 as measured, or manual for the"
+                  + " 82.6 degrees from corner to corner of the manual. Default: 55.")
+          .read(OptionTypes::fieldOfView, "55");
+
+  private final Choice<Double> tiltDeg =
+      choices
+          .option("--camera-tilt", "DEG", "How far the camera looks down, in degrees. Default: 15.")
+          .read(OptionTypes::tilt, "15");
+
+  private final Choice<OptionalInt> replyPort =
+      choices
+          .option(
+              "--reply-port",
+              "sender|PORT",
+              "Where replies go on your program's host: to the port that the command came from, or"
+                  + " always to the same one. Default: sender.")
+          .read(OptionTypes::replyPort, "sender");
+
+  private final Choice<Optional<Integer>> drones =
+      choices
+          .option(
+              "--drones",
+              "N",
+              "How many drones to simulate. Default: 1, or as many as --bind has addresses.")
+          .readIfGiven(OptionTypes::droneCount);
+
+  private final Choice<Optional<OptionTypes.AddressList>> bind =
+      choices
+          .option(
+              "--bind",
+              "A,B,...",
+              "One address of this machine for each drone. Default: 127.0.0.1 for drone 1, 127.0.0.2"
+                  + " for drone 2, and so on.")
+          .readIfGiven(OptionTypes::addresses);
+
+  private final Choice<Boolean> lan =
+      choices.flag(
+          "--lan",
+          "Let other machines of the local network fly: drone 1, or with --port-per-drone each drone,"
+              + " also listens on this machine's addresses there. Otherwise only this machine does.");
+
+  private final Choice<OperatorRule> operators =
+      choices
+          .option(
+              "--operator",
+              "first|ADDRESS|anyone",
+              "Who operates a drone: the host that first sends command, until it lets go; one host"
+                  + " alone; or anyone, as with the real drone. Others may only read. Default: first.")
+          .read(OptionTypes::operators, "first");
+
+  private final Choice<Boolean> portPerDrone =
+      choices.flag(
+          "--port-per-drone",
+          "Give all drones the same addresses and count the port up: 8879, 8880 and so on, leaving out"
+              + " 8889, 8890 and 11111.");
+
+  private final Choice<Profile> profile =
+      choices
+          .option(
+              "--profile",
+              "edu|tello|tt",
+              "Which drone: Tello EDU, white Tello or RoboMaster TT. Default: edu.")
+          .read(OptionTypes::profileName, "edu");
+
+  private final Choice<Behaviour> behaviour =
+      choices
+          .option(
+              "--behaviour",
+              "report|measured",
+              "report: exact, and strict about commands that come too early. measured: with the"
+                  + " noise, delays and errors of real drones. Default: report.")
+          .read(OptionTypes::behaviourName, "report");
+
+  private final FaultOptions faultOptions = new FaultOptions(choices);
+
+  private final RoomOptions roomOptions = new RoomOptions(choices);
+
+  private final Choice<TimeFactor> timeFactor =
+      choices
+          .option(
+              "--time-factor",
+              "F|max",
+              "How fast time passes: 5 is five times as fast. max runs as fast as the machine can"
+                  + " while a drone moves, and waits for your program otherwise. Default: 1.")
+          .read(OptionTypes::factor, "1");
+
+  private final Choice<Boolean> noSafetyLanding =
+      choices.flag(
+          "--no-safety-landing",
+          "Let drones stay in the air when no command comes for 15 s, for several drones with"
+              + " --time-factor max.");
+
+  private final Choice<Optional<Integer>> control =
+      choices
+          .option(
+              CONTROL,
+              "PORT",
+              "With --headless: let tests in other languages see what drones really do, reset, advance"
+                  + " and break things, with JSON lines over TCP on this machine; 0 chooses a free"
+                  + " port. A line that begins with control says where, and the token.")
+          .readIfGiven(OptionTypes::portOrFree);
+
+  private final Choice<Long> seed =
+      choices
+          .option(
+              "--seed",
+              "N",
+              "The same seed and the same commands give the same flight; with --time-factor max also"
+                  + " to the byte, for a program that waits for each reply. Default: 1.")
+          .read(OptionTypes::seed, "1");
+
+  private final Choice<String> logLevel =
+      choices
+          .option(
+              "--log-level",
+              "LEVEL",
+              "error, warn (refused commands), info (all commands and replies), debug (also reads and"
+                  + " rc), or off. Default: info.")
+          .read(OptionTypes::logLevel, "info");
+
+  /** Reads the command line into these options, and explains them. */
+  public CommandLine commandLine(IVersionProvider version) {
+    return choices.commandLine(version);
+  }
+
+  public boolean headless() {
+    return headless.value();
+  }
+
+  public boolean on() {
+    return on.value();
+  }
+
+  public String logLevel() {
+    return logLevel.value();
+  }
+
+  /** The drones' cameras. */
+  public DroneOptics optics() {
+    return new DroneOptics(Math.toRadians(fieldOfViewDeg.value()), Math.toRadians(tiltDeg.value()));
+  }
+
+  public OptionalInt replyPort() {
+    return replyPort.value();
+  }
+
+  /** The port of the control channel, 0 for a free one; empty for no such channel. */
+  public Optional<Integer> control() {
+    return control.value();
+  }
+
+  public boolean listScenarios() {
+    return scenarioOptions.list();
+  }
+
+  public boolean exitWhenDone() {
+    return scenarioOptions.exitWhenDone();
+  }
+
+  /** After how much simulated time the goals are missed [s]. */
+  public Optional<Double> timeout() {
+    return scenarioOptions.timeout();
+  }
+
+  /**
+   * What is to be run.
+   *
+   * @throws IllegalArgumentException with a sentence, if the options do not fit together
+   */
+  public Launch launch() {
+    Scenario scenario = scenario();
+    AddressPlan addresses = addressPlan(scenario);
+    if (exitWhenDone() && (!headless() || scenario.challenge().goals().isEmpty())) {
+      throw new IllegalArgumentException(
+          ScenarioOptions.EXIT_WHEN_DONE + " needs --headless and a --scenario with goals");
+    }
+    if (timeout().isPresent() && !exitWhenDone()) {
+      throw new IllegalArgumentException(
+          ScenarioOptions.TIMEOUT + " needs " + ScenarioOptions.EXIT_WHEN_DONE);
+    }
+    if (control().isPresent() && (!headless() || exitWhenDone())) {
+      throw new IllegalArgumentException(
+          headless()
+              ? CONTROL + " does not go with " + ScenarioOptions.EXIT_WHEN_DONE
+              : CONTROL + " needs --headless");
+    }
+    ScenarioOptions.checkPictures(scenario.config().arena());
+    OpenedScenario opened =
+        scenarioOptions
+            .opened()
+            .map(read -> read.with(scenario))
+            .orElseGet(() -> OpenedScenario.once(scenario));
+    return new Launch(opened, addresses);
+  }
+
+  /**
+   * The scenario of the file, or an empty room, with all that the options say about it.
+   *
+   * @throws IllegalArgumentException with a sentence, if options do not fit together
+   */
+  Scenario scenario() {
+    Scenario base = scenarioOptions.scenario().map(this::alone).orElseGet(this::emptyRoom);
+    checkAddresses(base.config().drones().size());
+    return changed(base);
+  }
+
+  /**
+   * A scenario with what the options say about every scenario.
+   *
+   * @throws IllegalArgumentException with a sentence, if they do not fit together, or if a picture
+   *     cannot be read
+   */
+  public Scenario applied(Scenario base) {
+    Scenario scenario = changed(base);
+    ScenarioOptions.checkPictures(scenario.config().arena());
+    return scenario;
+  }
+
+  private Scenario changed(Scenario base) {
+    Decor decor = base.config().arena().decor();
+    List<Poster> all = new ArrayList<>(decor.posters());
+    all.addAll(roomOptions.posters());
+    SimConfig config =
+        base.config()
+            .withDecor(decor.withWalls(roomOptions.walls().or(decor.walls())).withPosters(all))
+            .withTimeFactor(timeFactor.or(base.config().timeFactor()))
+            .withSeed(seed.or(base.config().seed()))
+            .withOperators(operators.value())
+            .withFaults(faultOptions.applied(base.config().rules().faults(), base.config()));
+    return base.withConfig(config.withDrones(changed(config.drones())));
+  }
+
+  private Scenario alone(Scenario scenario) {
+    for (Choice<?> option : List.of(drones, roomOptions.size(), roomOptions.startPoint())) {
+      if (option.given()) {
+        throw new IllegalArgumentException(
+            option.name() + " does not go with --scenario, which says it");
+      }
+    }
+    return scenario;
+  }
+
+  private Scenario emptyRoom() {
+    int count =
+        drones.value().orElse(eachBoundForOne() ? bind.value().get().addresses().size() : 1);
+    List<Pose> starts = Swarm.row(count, roomOptions.start(), roomOptions.room());
+    return Scenario.of(SimConfig.DEFAULT.withRoom(roomOptions.room(), starts));
+  }
+
+  private List<DroneSetup> changed(List<DroneSetup> setups) {
+    List<Integer> ports = videoPorts.value().ports();
+    if (ports.size() != 1 && ports.size() != setups.size()) {
+      throw new IllegalArgumentException(
+          String.format(
+              Locale.ROOT,
+              "--video-port has %d ports for %d drones, but must have one for each, or one for all",
+              ports.size(),
+              setups.size()));
+    }
+    List<DroneSetup> changed = new ArrayList<>();
+    for (DroneSetup setup : setups) {
+      Product product = setup.product();
+      Outlets outlets = setup.outlets();
+      int port = ports.get(changed.size() % ports.size());
+      DroneSetup patient = noSafetyLanding.value() ? setup.withoutSafetyLanding() : setup;
+      changed.add(
+          patient
+              .withProduct(
+                  new Product(profile.or(product.profile()), behaviour.or(product.behaviour())))
+              .withOutlets(
+                  new Outlets(
+                      statePort.or(outlets.statePort()),
+                      videoPorts.given() ? port : outlets.videoPort())));
+    }
+    return changed;
+  }
+
+  /** Which drone listens where; also where there are more drones than addresses to bind. */
+  public AddressPlan addressPlan(Scenario scenario) {
+    return endpoints(scenario).withReach(lan.value() ? Reach.NETWORK : Reach.THIS_MACHINE);
+  }
+
+  private AddressPlan endpoints(Scenario scenario) {
+    int count = scenario.config().drones().size();
+    int port = commandPort.value();
+    Optional<List<InetAddress>> bound = bind.value().map(OptionTypes.AddressList::addresses);
+    boolean oneForEach = bound.isPresent() && bound.get().size() == count;
+    if (oneForEach && !portPerDrone.value()) {
+      return AddressPlan.of(bound.get(), port);
+    }
+    if (bound.isPresent() || portPerDrone.value()) {
+      return AddressPlan.portPerDrone(count, bound.orElse(List.of()), port);
+    }
+    return commandPort.given()
+        ? scenario.withCommandPort(port).addressPlan(port)
+        : scenario.addressPlan(port);
+  }
+
+  /** Whether each address of {@code --bind} is for one drone. */
+  private boolean eachBoundForOne() {
+    return bind.value().isPresent() && !portPerDrone.value();
+  }
+
+  private void checkAddresses(int count) {
+    if (!eachBoundForOne()) {
+      return;
+    }
+    int addresses = bind.value().get().addresses().size();
+    if (count != addresses) {
+      throw new IllegalArgumentException(
+          String.format(
+              Locale.ROOT,
+              "--bind has %d addresses for %d drones, but each drone needs one",
+              addresses,
+              count));
+    }
+  }
+}

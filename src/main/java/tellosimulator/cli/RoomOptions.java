@@ -1,0 +1,77 @@
+package tellosimulator.cli;
+
+import java.util.List;
+import tellosimulator.math.Vec3;
+import tellosimulator.world.Poster;
+import tellosimulator.world.Room;
+import tellosimulator.world.Walls;
+
+/** The options that say what the room is like, and where in it the drones start. */
+final class RoomOptions {
+
+  private final Choice<Room> room;
+  private final Choice<Walls> walls;
+  private final Choice<List<Poster>> posters;
+  private final Choice<OptionTypes.Point> start;
+
+  RoomOptions(Choices choices) {
+    room =
+        choices
+            .option(
+                "--room",
+                "WxDxH",
+                "Width, depth and height of the room in cm, each 100 to 20000. Default: 500x500x300.")
+            .read(OptionTypes::roomSize, "500x500x300");
+    walls =
+        choices
+            .option(
+                "--walls",
+                "textured|plain",
+                "textured: walls and floor with patterns that cameras can see. plain: even colours."
+                    + " Default: textured.")
+            .read(OptionTypes::wallsName, "textured");
+    posters =
+        choices
+            .option(
+                "--poster",
+                "WALL,ALONG,HEIGHT,WIDTH,FILE",
+                "Hang an image file (PNG, JPEG, GIF or BMP) on a wall: front, back, left, right, floor or"
+                    + " ceiling. ALONG is from the middle of the wall to the right, HEIGHT from the floor"
+                    + " to the middle of the image (on floor and ceiling: from the middle upwards), and"
+                    + " WIDTH that of the image, all in cm. Can be given several times.")
+            .readEach(OptionTypes::posterOnWall);
+    start =
+        choices
+            .option(
+                "--start",
+                "X,Y",
+                "Where the drone starts, in cm from the room's centre: X along its depth, Y to the left."
+                    + " Several drones stand in a row around it. Default: 0,0.")
+            .read(OptionTypes::floorPoint, "0,0");
+  }
+
+  Choice<Room> size() {
+    return room;
+  }
+
+  Room room() {
+    return room.value();
+  }
+
+  Choice<Walls> walls() {
+    return walls;
+  }
+
+  List<Poster> posters() {
+    return posters.value();
+  }
+
+  Choice<OptionTypes.Point> startPoint() {
+    return start;
+  }
+
+  /** Around where the drones start, room frame [m]. */
+  Vec3 start() {
+    return start.value().inMetres();
+  }
+}

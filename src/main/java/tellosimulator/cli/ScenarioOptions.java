@@ -1,0 +1,114 @@
+package tellosimulator.cli;
+
+import java.io.IOException;
+import java.io.PrintStream;
+import java.util.Objects;
+import java.util.Optional;
+import java.util.stream.Stream;
+import picocli.CommandLine.TypeConversionException;
+import tellosimulator.scenario.Gallery;
+import tellosimulator.scenario.OpenedScenario;
+import tellosimulator.scenario.Scenario;
+import tellosimulator.scenario.ScenarioException;
+import tellosimulator.scenery.texture.ImageFile;
+import tellosimulator.world.Arena;
+import tellosimulator.world.Poster;
+
+/** The options that say which scenario is flown. */
+public final class ScenarioOptions {
+
+  static final String EXIT_WHEN_DONE = "--exit-when-done";
+  static final String TIMEOUT = "--timeout";
+
+  private final Choice<Optional<OpenedScenario>> scenario;
+  private final Choice<Boolean> list;
+  private final Choice<Boolean> exitWhenDone;
+  private final Choice<Optional<Double>> timeout;
+
+  ScenarioOptions(Choices choices) {
+    scenario =
+        choices
+            .option(
+                "--scenario",
+                "FILE|NAME",
+                "Room, drones and goals from a file, or from one of the scenarios that come with the"
+                    + " program. Options that are given beside it count more than what it says, but"
+                    + " --drones, --room and --start do not go with it.")
+            .readIfGiven(ScenarioOptions::named);
+    list = choices.flag("--scenarios", "List the scenarios that come with the program, and end.");
+    exitWhenDone =
+        choices.flag(
+            EXIT_WHEN_DONE,
+            "End when the goals of the scenario are reached or missed, after a line that says so:"
+                + " exit code 0 if all were reached, 3 if not. They are missed, too, when all drones"
+                + " have landed and no command came for 15 s. Only with --headless.");
+    timeout =
+        choices
+            .option(
+                TIMEOUT,
+                "SECONDS",
+                "With --exit-when-done: the goals are missed after so many simulated seconds, for"
+                    + " programs that never take off. With --time-factor max these pass at once when"
+                    + " a program that has sent a command sends no other for 3 s of real time"
+                    + " before it takes off, or none at all for 30 s.")
+            .readIfGiven(OptionTypes::seconds);
+  }
+
+  Optional<Scenario> scenario() {
+    return opened().map(OpenedScenario::scenario);
+  }
+
+  Optional<OpenedScenario> opened() {
+    return scenario.value();
+  }
+
+  boolean list() {
+    return list.value();
+  }
+
+  boolean exitWhenDone() {
+    return exitWhenDone.value();
+  }
+
+  /** After how much simulated time the goals are missed [s]. */
+  Optional<Double> timeout() {
+    return timeout.value();
+  }
+
+  /** Says which scenarios there are. */
+  public static void list(PrintStream out) {
+    int longest = Gallery.NAMES.stream().mapToInt(String::length).max().orElse(0);
+    for (String name : Gallery.NAMES) {
+      String gap = " ".repeat(longest - name.length() + 2);
+      out.println(name + gap + Gallery.find(name).orElseThrow().teaches());
+    }
+  }
+
+  /**
+   * Looks whether all pictures of a room can be read.
+   *
+   * @throws IllegalArgumentException with a sentence, if one cannot
+   */
+  static void checkPictures(Arena arena) {
+    Stream<String> onWalls = arena.decor().posters().stream().map(Poster::picture);
+    Stream<String> onObstacles =
+        arena.obstacles().stream().flatMap(each -> each.cover().pictures().values().stream());
+    Stream.concat(onWalls, onObstacles).distinct().forEach(ScenarioOptions::checkPicture);
+  }
+
+  private static void checkPicture(String file) {
+    try {
+      Objects.requireNonNull(ImageFile.read(file));
+    } catch (IOException e) {
+      throw new IllegalArgumentException(e.getMessage(), e);
+    }
+  }
+
+  private static OpenedScenario named(String word) throws ScenarioException {
+    try {
+      return OpenedScenario.named(word);
+    } catch (IllegalArgumentException e) {
+      throw new TypeConversionException(e.getMessage());
+    }
+  }
+}

@@ -1,0 +1,173 @@
+package tellosimulator.controller;
+
+import java.util.Optional;
+import java.util.function.Supplier;
+import tellosimulator.command.Reply;
+import tellosimulator.controller.FlightEvent.Fell;
+import tellosimulator.controller.FlightEvent.LandsByItself;
+import tellosimulator.controller.Preflight.Objection;
+import tellosimulator.fault.ActiveFaults;
+import tellosimulator.fault.Fault;
+import tellosimulator.fault.FaultKind;
+import tellosimulator.fault.FaultParameter;
+import tellosimulator.math.Vec3;
+import tellosimulator.model.Battery;
+import tellosimulator.model.DroneModel;
+import tellosimulator.model.FlightPhase;
+import tellosimulator.sensor.SeededNoise;
+import tellosimulator.time.SimTime;
+import tellosimulator.words.Phrase;
+
+/** What faults do to a drone and its flight. For one drone and the simulation thread. */
+final class Mishaps {
+
+  /** How long it drifts one way [s]. Assumed. */
+  private static final double DRIFT_PERIOD = 2;
+
+  private final DroneModel model;
+  private final Flight flight;
+  private final FlightObserver observer;
+  private final Supplier<ActiveFaults> faults;
+  private final SeededNoise noise;
+  private boolean restarted;
+
+  /** How long it has flown in the dark [s]. */
+  private double dark;
+
+  Mishaps(Wiring wiring, Flight flight) {
+    this.model = wiring.model();
+    this.observer = wiring.observer();
+    this.faults = wiring.faults();
+    this.noise = wiring.noise();
+    this.flight = flight;
+  }
+
+  private boolean none() {
+    return faults.get().faults().isEmpty();
+  }
+
+  /** Why it does not take off; empty if no fault keeps it. */
+  Optional<Objection> objectionToTakeoff() {
+    return acting(FaultKind.SENSOR_ERROR)
+        .map(fault -> new Objection(Reply.ERROR, Phrase.of("the fault %s acts", fault.text())))
+        .or(
+            () ->
+                acting(FaultKind.OVERHEAT)
+                    .map(
+                        fault ->
+                            new Objection(
+                                Reply.HIGH_TEMPERATURE,
+                                Phrase.of("the fault %s acts", fault.text()))));
+  }
+
+  /** Why it does not move; empty if no fault keeps it. */
+  Optional<Objection> objectionToMove() {
+    return lost()
+        .map(
+            fault ->
+                new Objection(Reply.NO_VALID_IMU, Phrase.of("the fault %s acts", fault.text())));
+  }
+
+  /** How high a takeoff gets, if that is less than usual [m]. */
+  double takeoffHeight(double usual) {
+    return acting(FaultKind.WEAK_TAKEOFF)
+        .map(fault -> Math.min(usual, fault.value(FaultParameter.HEIGHT)))
+        .orElse(usual);
+  }
+
+  /** How it drifts, room frame [m/s]. */
+  Vec3 drift(SimTime now) {
+    if (none()) {
+      return Vec3.ZERO;
+    }
+    double speed =
+        acting(FaultKind.NO_VALID_IMU)
+            .or(() -> acting(FaultKind.DARK))
+            .map(fault -> fault.value(FaultParameter.SPEED))
+            .orElse(0.0);
+    long part = (long) (now.seconds() / DRIFT_PERIOD);
+    double heading = noise.between(-Math.PI, Math.PI, SeededNoise.Channel.DRIFT, part);
+    return new Vec3(StrictMath.cos(heading) * speed, StrictMath.sin(heading) * speed, 0);
+  }
+
+  /**
+   * Lets faults do what they do at the end of a step.
+   *
+   * @param restart to switch itself off and on again
+   */
+  void advance(SimTime now, Restart restart) {
+    if (none()) {
+      restarted = false;
+      dark = 0;
+      return;
+    }
+    restart(now, restart);
+    dark = acting(FaultKind.DARK).isPresent() && flight.airborne() ? dark + SimTime.STEP : 0;
+    acting(FaultKind.YAW_DRIFT)
+        .ifPresent(
+            fault ->
+                model.turnReference(
+                    StrictMath.toRadians(fault.value(FaultParameter.TURN)) * SimTime.STEP));
+    acting(FaultKind.LOW_BATTERY).ifPresent(this::drain);
+    acting(FaultKind.OVERHEAT).ifPresent(this::overheat);
+    acting(FaultKind.MOTOR_STOP).filter(fault -> flight.airborne()).ifPresent(this::stopMotors);
+    acting(FaultKind.SILENT_LAND)
+        .filter(fault -> flight.airborne() && model.phase() != FlightPhase.LANDING)
+        .ifPresent(this::landSilently);
+    if (model.phase() == FlightPhase.FLYING && flight.answers()) {
+      objectionToMove()
+          .ifPresent(objection -> flight.gaveUp(objection.reply(), objection.reason()));
+    }
+  }
+
+  /** Once for each time that the fault begins. */
+  private void restart(SimTime now, Restart restart) {
+    boolean wanted = acting(FaultKind.REBOOT).isPresent();
+    if (wanted && !restarted && model.phase() != FlightPhase.OFF) {
+      restart.schedule(now, 0);
+    }
+    restarted = wanted;
+  }
+
+  private void drain(Fault fault) {
+    double level = fault.value(FaultParameter.LEVEL);
+    if (model.battery().level() > level) {
+      model.setBattery(new Battery(level));
+    }
+  }
+
+  private void overheat(Fault fault) {
+    model.heat(fault.value(FaultParameter.HEAT));
+    if (flight.airborne() && model.phase() != FlightPhase.LANDING) {
+      Phrase reason = Phrase.of("the fault %s acts", fault.text());
+      flight.interrupt(Reply.AUTO_LAND, reason);
+      flight.land(Task.NOBODY);
+      observer.happened(new LandsByItself(reason, false));
+    }
+  }
+
+  private void stopMotors(Fault fault) {
+    Phrase reason = Phrase.of("the fault %s acts", fault.text());
+    flight.interrupt(Reply.MOTOR_STOP, reason);
+    flight.motorsOff(FlightPhase.FALLING);
+    observer.happened(new Fell(reason));
+  }
+
+  private void landSilently(Fault fault) {
+    flight.land(Task.NOBODY);
+    observer.happened(new LandsByItself(Phrase.of("the fault %s acts", fault.text()), false));
+  }
+
+  /** What it does not know its place by. */
+  private Optional<Fault> lost() {
+    return acting(FaultKind.NO_VALID_IMU)
+        .or(
+            () ->
+                acting(FaultKind.DARK)
+                    .filter(fault -> dark > 0 && dark >= fault.value(FaultParameter.TIME)));
+  }
+
+  private Optional<Fault> acting(FaultKind kind) {
+    return none() ? Optional.empty() : faults.get().find(kind);
+  }
+}

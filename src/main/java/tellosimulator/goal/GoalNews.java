@@ -1,0 +1,36 @@
+package tellosimulator.goal;
+
+import tellosimulator.sim.Severity;
+import tellosimulator.sim.SimEvent;
+import tellosimulator.time.SimTime;
+import tellosimulator.words.Phrase;
+
+/** News of the goals of a scenario, told after all other events of the step. */
+public sealed interface GoalNews extends SimEvent {
+
+  /**
+   * A drone reached a goal.
+   *
+   * @param phrase a clause about the drone: {@code reached goal 1 of 3}
+   */
+  record Reached(SimTime time, int drone, Phrase phrase) implements GoalNews, SimEvent.ForDrone {
+
+    @Override
+    public boolean lacksSubject() {
+      return true;
+    }
+  }
+
+  /**
+   * All goals are reached, or they cannot be reached any more.
+   *
+   * @param failed whether they cannot
+   */
+  record Over(SimTime time, Phrase phrase, boolean failed) implements GoalNews {
+
+    @Override
+    public Severity severity() {
+      return failed ? Severity.WARNING : Severity.INFORMATION;
+    }
+  }
+}

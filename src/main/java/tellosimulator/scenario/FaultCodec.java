@@ -1,0 +1,262 @@
+package tellosimulator.scenario;
+
+import java.nio.file.Path;
+import java.util.EnumMap;
+import java.util.EnumSet;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.OptionalInt;
+import java.util.Set;
+import java.util.function.Function;
+import java.util.stream.Stream;
+import org.snakeyaml.engine.v2.nodes.MappingNode;
+import org.snakeyaml.engine.v2.nodes.Node;
+import org.snakeyaml.engine.v2.nodes.ScalarNode;
+import org.snakeyaml.engine.v2.nodes.SequenceNode;
+import tellosimulator.fault.Fault;
+import tellosimulator.fault.Fault.AfterCommand;
+import tellosimulator.fault.Fault.AfterTakeoff;
+import tellosimulator.fault.Fault.AtOnce;
+import tellosimulator.fault.Fault.Begin;
+import tellosimulator.fault.Fault.Span;
+import tellosimulator.fault.Fault.Target;
+import tellosimulator.fault.FaultKind;
+import tellosimulator.fault.FaultParameter;
+import tellosimulator.fault.FaultText;
+import tellosimulator.fault.FaultTextException;
+import tellosimulator.fault.LinkDirection;
+import tellosimulator.network.AddressPlan;
+import tellosimulator.words.Phrase;
+
+/** A fault: one line of text, or a mapping with the same words. It is written as a line. */
+final class FaultCodec implements Codec<Fault> {
+
+  /** Longest line [characters]. Decided: everything that a fault can have fits. */
+  private static final int LONGEST = 300;
+
+  private final FaultMapping mapping = new FaultMapping();
+
+  @Override
+  public Optional<Fault> read(Node node, Context context) {
+    Optional<Fault> read =
+        node instanceof MappingNode ? mapping.read(node, context) : line(node, context);
+    OptionalInt drone = read.map(fault -> fault.target().drone()).orElse(OptionalInt.empty());
+    if (drone.isPresent() && drone.getAsInt() > context.drones()) {
+      return context
+          .mistakes()
+          .add(
+              node,
+              Phrase.of(
+                  "there is no drone %d, the drones are 1 to %d",
+                  drone.getAsInt(), context.drones()));
+    }
+    return read;
+  }
+
+  private static Optional<Fault> line(Node node, Context context) {
+    Optional<String> text = Scalars.text(node).filter(line -> line.length() <= LONGEST);
+    if (text.isEmpty()) {
+      return context.mistakes().expected(Phrase.of("a fault such as %s", "loss state 20%"), node);
+    }
+    return told(node, context, () -> Fault.of(text.get()));
+  }
+
+  /** Something that can be wrong. */
+  @FunctionalInterface
+  private interface Attempt<T> {
+    T make();
+  }
+
+  private static <T> Optional<T> told(Node node, Context context, Attempt<T> attempt) {
+    try {
+      return Optional.of(attempt.make());
+    } catch (FaultTextException e) {
+      return context.mistakes().add(node, e.phrase());
+    }
+  }
+
+  @Override
+  public Node write(Fault fault, Path folder) {
+    return Yaml.text(fault.text());
+  }
+
+  @Override
+  public Map<String, Object> schema(Map<String, Object> definitions) {
+    String kinds = String.join("|", FaultKind.byWord().keySet());
+    return Codec.object(
+        "anyOf",
+        List.of(
+            Codec.object(
+                "type", "string", "maxLength", LONGEST, "pattern", "^(" + kinds + ")( |$)"),
+            mapping.schema(definitions)));
+  }
+
+  /** The same as a mapping. */
+  private static final class FaultMapping extends RecordCodec<Fault> {
+
+    private final Field<Fault, FaultKind> kind =
+        key("fault", "What goes wrong.").need(new WordCodec<>(FaultKind.byWord()), Fault::kind);
+    private final Field<Fault, Set<LinkDirection>> direction =
+        key("direction", "Which way over the link; without it, all of them.")
+            .optional(new Directions(), FaultMapping::unwritten);
+    private final Map<FaultParameter, Field<Fault, Double>> parameters =
+        new EnumMap<>(FaultParameter.class);
+    private final Field<Fault, Integer> drone =
+        key("drone", "Number of the drone; without it, all of them.")
+            .optional(
+                Scalars.count(
+                    Phrase.of("the number of a drone from 1 to %d", AddressPlan.MOST_DRONES),
+                    1,
+                    AddressPlan.MOST_DRONES),
+                FaultMapping::unwritten);
+    private final Field<Fault, Double> at =
+        key("at", "When it begins, after the first takeoff; without it, at once.")
+            .optional(new Quantity(word -> FaultText.time(word, "at")), FaultMapping::unwritten);
+    private final Field<Fault, String> after =
+        key("after", "The command after which it begins; what the command begins with.")
+            .optional(Scalars.LINE, FaultMapping::unwritten);
+    private final Field<Fault, Integer> nth =
+        key("nth", "The how manieth such command.")
+            .optional(
+                Scalars.count(
+                    Phrase.of("a number from 1 to %d", FaultText.HIGHEST_NTH),
+                    1,
+                    FaultText.HIGHEST_NTH),
+                FaultMapping::unwritten);
+    private final Field<Fault, Double> duration =
+        key("for", "How long; without it, for ever.")
+            .optional(new Quantity(word -> FaultText.time(word, "for")), FaultMapping::unwritten);
+
+    FaultMapping() {
+      super("fault", Phrase.of("a fault"), "Something that goes wrong, with units as in \"20%\".");
+      for (FaultParameter parameter : FaultParameter.values()) {
+        parameters.put(
+            parameter,
+            key(parameter.word(), capitalized(parameter.words()))
+                .optional(
+                    new Quantity(word -> FaultText.quantity(parameter, word)),
+                    FaultMapping::unwritten));
+      }
+      add(Case.with("after").excludes("at"));
+      add(Case.without("after").excludes("nth"));
+      checked(this::check);
+      made(this::make);
+    }
+
+    private static String capitalized(String words) {
+      return Character.toUpperCase(words.charAt(0)) + words.substring(1) + ".";
+    }
+
+    /** Faults are written as lines. */
+    private static <V> Optional<V> unwritten(Fault fault) {
+      return Optional.empty();
+    }
+
+    private void check(Entries in) {
+      FaultKind chosen = in.get(kind);
+      for (Field<Fault, Double> field : parameters.values()) {
+        if (in.find(field).isPresent()) {
+          Map<FaultParameter, Double> only = Map.of(parameter(field), in.get(field));
+          attempt(in, field, () -> new Fault(chosen, Target.ALL, only, Span.ALWAYS));
+        }
+      }
+      if (in.find(direction).isPresent()) {
+        attempt(in, direction, () -> new Fault(chosen, target(in), Map.of(), Span.ALWAYS));
+      }
+      if (in.sound()) {
+        attempt(in, kind, () -> make(in));
+      }
+    }
+
+    private static void attempt(Entries in, Field<Fault, ?> field, Attempt<Fault> attempt) {
+      try {
+        attempt.make();
+      } catch (FaultTextException e) {
+        in.mistake(field, e.phrase());
+      }
+    }
+
+    private FaultParameter parameter(Field<Fault, Double> wanted) {
+      return parameters.entrySet().stream()
+          .filter(entry -> entry.getValue().equals(wanted))
+          .map(Map.Entry::getKey)
+          .findFirst()
+          .orElseThrow();
+    }
+
+    private Target target(Entries in) {
+      return new Target(in.findInt(drone), in.find(direction).orElse(Set.of()));
+    }
+
+    private Fault make(Entries in) {
+      Map<FaultParameter, Double> values = new HashMap<>();
+      parameters.forEach(
+          (parameter, field) -> in.find(field).ifPresent(value -> values.put(parameter, value)));
+      Begin begin = in.find(at).<Begin>map(AfterTakeoff::new).orElse(new AtOnce());
+      if (in.find(after).isPresent()) {
+        begin = new AfterCommand(in.get(after), in.find(nth).orElse(1));
+      }
+      Optional<Double> seconds = in.find(duration);
+      OptionalDouble span =
+          seconds.isPresent() ? OptionalDouble.of(seconds.get()) : OptionalDouble.empty();
+      return new Fault(in.get(kind), target(in), values, new Span(begin, span));
+    }
+  }
+
+  /** A number with or without its unit. */
+  private record Quantity(Function<String, Double> reader) implements Codec<Double> {
+
+    @Override
+    public Optional<Double> read(Node node, Context context) {
+      String word = node instanceof ScalarNode scalar ? scalar.getValue().replace(" ", "") : "";
+      return told(node, context, () -> reader.apply(word));
+    }
+
+    @Override
+    public Node write(Double value, Path folder) {
+      return Yaml.number(value);
+    }
+
+    @Override
+    public Map<String, Object> schema(Map<String, Object> definitions) {
+      return Codec.object(
+          "anyOf",
+          List.of(
+              Codec.object("type", "number", "minimum", 0),
+              Codec.object("type", "string", "pattern", "^[0-9.]+ ?[a-z%/]*$")));
+    }
+  }
+
+  /** One direction, or a list of them. */
+  private record Directions() implements Codec<Set<LinkDirection>> {
+
+    private static final WordCodec<LinkDirection> WORD = WordCodec.of(LinkDirection.values());
+
+    @Override
+    public Optional<Set<LinkDirection>> read(Node node, Context context) {
+      List<Node> words =
+          node instanceof SequenceNode sequence ? sequence.getValue() : List.of(node);
+      Set<LinkDirection> directions = EnumSet.noneOf(LinkDirection.class);
+      int before = context.mistakes().count();
+      for (Node word : words) {
+        WORD.read(word, context).ifPresent(directions::add);
+      }
+      return context.mistakes().count() == before ? Optional.of(directions) : Optional.empty();
+    }
+
+    @Override
+    public Node write(Set<LinkDirection> directions, Path folder) {
+      return Yaml.text(String.join(" ", directions.stream().map(LinkDirection::word).toList()));
+    }
+
+    @Override
+    public Map<String, Object> schema(Map<String, Object> definitions) {
+      Map<String, Object> word = WORD.schema(definitions);
+      return Codec.object(
+          "anyOf", Stream.of(word, Codec.object("type", "array", "items", word)).toList());
+    }
+  }
+}
