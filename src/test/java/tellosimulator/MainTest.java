@@ -21,6 +21,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import picocli.CommandLine.Model.OptionSpec;
+import tellosimulator.cli.Options;
 import tellosimulator.scenario.Gallery;
 
 class MainTest {
@@ -41,7 +42,7 @@ class MainTest {
             .commandLine(() -> new String[0]).getCommandSpec().options().stream()
                 .map(OptionSpec::longestName)
                 .toList();
-    assertThat(options).hasSize(29);
+    assertThat(options).hasSize(32);
     assertThat(lines(out)).contains(options).contains("--help", "--version");
     assertThat(lines(out).lines()).allMatch(printed -> printed.length() <= 80);
     assertThat(lines(err)).isEmpty();
@@ -62,6 +63,8 @@ class MainTest {
       textBlock =
           """
           --fly             | There is no option --fly. Try --help.
+          --drone=3         | There is no option --drone=3, did you mean --drones? Try --help.
+          --time_facotr     | There is no option --time_facotr, did you mean --time-factor? Try --help.
           fly               | There is no option fly. Try --help.
           @pom.xml          | There is no option @pom.xml. Try --help.
           --bind 224.0.0.1  | Invalid value for option '--bind': expected an address of this machine such as 127.0.0.2, found 224.0.0.1. Try --help.
@@ -74,13 +77,16 @@ class MainTest {
           --poster front,0,120,30,pom.xml | The file pom.xml is not an image that can be read (PNG, JPEG, GIF or BMP). Try --help.
           --start 9999,0    | Drone 1 does not fit into the room: its start would be at x 9999, y 0 cm. Try --help.
           --scenario nowhere.yaml | nowhere.yaml: there is no such file
-          --scenario nowhere | Invalid value for option '--scenario': there is neither a file nor a scenario nowhere; see --scenarios. Try --help.
+          --scenario nowhere | Invalid value for option '--scenario': there is neither a file nor a scenario nowhere; there are empty-room, over-the-wall, slalom, table-landing, window-in-the-wall, gate-race, wind, pad-course, wall-pad, swarm-stage. Try --help.
           --scenario slalon  | Invalid value for option '--scenario': there is neither a file nor a scenario slalon, did you mean slalom? Try --help.
           --scenario slalom --drones 2 | --drones does not go with --scenario, which says it. Try --help.
           --scenario slalom --room 500x500x300 | --room does not go with --scenario, which says it. Try --help.
           --scenario slalom --bind 127.0.0.1,127.0.0.2 | --bind has 2 addresses for 1 drones, but each drone needs one. Try --help.
           --headless --exit-when-done | --exit-when-done needs --headless and a --scenario with goals. Try --help.
           --exit-when-done --scenario slalom | --exit-when-done needs --headless and a --scenario with goals. Try --help.
+          --control 0 | --control needs --headless. Try --help.
+          --headless --control 70000 | Invalid value for option '--control': expected a port from 1 to 65535, or 0 for a free one, found 70000. Try --help.
+          --headless --control 0 --exit-when-done --scenario slalom | --control does not go with --exit-when-done. Try --help.
           --headless --timeout 20 --scenario slalom | --timeout needs --exit-when-done. Try --help.
           """)
   void wrongOptionsAreOneSentenceAndExitCodeTwo(String line, String sentence) {

@@ -16,7 +16,7 @@ import java.util.concurrent.TimeUnit;
 /** The program in a process of its own, with drone 1 at a free port of 127.0.0.1. */
 final class ProgramProcess implements AutoCloseable {
 
-  static final int PATIENCE_SECONDS = 30;
+  static final int PATIENCE_SECONDS = 240;
 
   private static final InetAddress LOOPBACK = InetAddress.getLoopbackAddress();
 

@@ -12,6 +12,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
+import tellosimulator.concurrent.FatalExit;
 import tellosimulator.testing.HungryProgram;
 
 /** The program where memory is not enough: it says so, and never goes on in part. */

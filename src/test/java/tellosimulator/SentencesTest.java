@@ -19,7 +19,8 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import picocli.CommandLine.Model.OptionSpec;
-import tellosimulator.scenery.room.PictureFile;
+import tellosimulator.cli.Options;
+import tellosimulator.scenery.texture.ImageFile;
 import tellosimulator.testing.ForPeople;
 
 /** Whatever is wrong with what the program is given, it says so in words for people. */
@@ -130,7 +131,7 @@ class SentencesTest {
       Files.write(file, bytes);
 
       String picture = file.toString();
-      assertThatThrownBy(() -> PictureFile.read(picture))
+      assertThatThrownBy(() -> ImageFile.read(picture))
           .isInstanceOf(IOException.class)
           .satisfies(refused -> ForPeople.check(refused.getMessage()))
           .hasMessageContaining(picture);

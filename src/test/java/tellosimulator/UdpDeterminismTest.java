@@ -53,6 +53,22 @@ class UdpDeterminismTest {
         - start: [0, -200]
       """;
 
+  /** Each reply comes once, because the script waits for it, and the last state line comes. */
+  private static final String FAULTS =
+      """
+      faults:
+        - delay commands 20ms spread 30ms
+        - delay replies 30ms spread 40ms
+        - delay state 40ms spread 30ms
+        - loss state 20% burst 2 drone 1
+        - duplicate state 10%
+        - reorder state 10% drone 2 at 3s
+        - corrupt state 5% drone 1 for 10s
+        - dark drone 2 after "curve" for 2s
+      """;
+
+  private static final String FAULTY = "measured --link ideal --seed 3";
+
   /** Drone and command. The last one shows in the last state line. */
   private static final String SCRIPT =
       """
@@ -122,7 +138,13 @@ class UdpDeterminismTest {
   @TempDir Path folder;
 
   @ParameterizedTest
-  @ValueSource(strings = {"report", "measured"})
+  @ValueSource(
+      strings = {
+        "report",
+        "measured --link ideal",
+        "report --fault delay", // all ways, 0.1 s
+        FAULTY
+      })
   void aProgramThatWaitsForEachReplyGetsTheSameBytesInEachRun(String behaviour) throws Exception {
     List<String> expected = fly(SCRIPT, behaviour, new Random(0), 0);
     assertThat(expected).hasSizeGreaterThan(200);
@@ -141,14 +163,15 @@ class UdpDeterminismTest {
   void anotherSeedGivesOtherNoise() throws Exception {
     String script = "1 command\n1 takeoff\n3 command\n3 mon\n";
 
-    assertThat(fly(script, "measured --seed 8", new Random(0), 0))
-        .isNotEqualTo(fly(script, "measured", new Random(0), 0));
+    assertThat(fly(script, "measured --link ideal --seed 8", new Random(0), 0))
+        .isNotEqualTo(fly(script, "measured --link ideal", new Random(0), 0));
   }
 
   /** All replies, and then all state lines, each with the drone that it came from. */
   private List<String> fly(String script, String behaviour, Random pauses, int longestMs)
       throws IOException {
-    Path scenario = Files.writeString(folder.resolve("pads.yaml"), SCENARIO);
+    String text = SCENARIO + (behaviour.equals(FAULTY) ? FAULTS : "");
+    Path scenario = Files.writeString(folder.resolve("pads.yaml"), text);
     try (StateLines states = new StateLines();
         ProgramProcess program =
             ProgramProcess.start(

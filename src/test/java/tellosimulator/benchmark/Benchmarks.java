@@ -18,7 +18,7 @@ public final class Benchmarks {
   /** Some rows of the table. */
   @FunctionalInterface
   private interface Part {
-    List<Row> rows(double minutes) throws IOException;
+    List<Measurement> rows(double minutes) throws IOException;
   }
 
   private Benchmarks() {}
@@ -26,7 +26,7 @@ public final class Benchmarks {
   /** Runs everything; takes the time of the three long flights and seven minutes. */
   public static void main(String[] args) throws IOException {
     double minutes = Double.parseDouble(System.getProperty("benchmark.minutes", DEFAULT_MINUTES));
-    List<Row> rows = new ArrayList<>();
+    List<Measurement> rows = new ArrayList<>();
     for (Part part : chosen(System.getProperty("benchmark.only", ""))) {
       rows.addAll(part.rows(minutes));
     }
@@ -35,7 +35,7 @@ public final class Benchmarks {
         System.getProperty("java.version"),
         System.getProperty("os.name"),
         Runtime.getRuntime().availableProcessors());
-    Row.print(rows, System.out);
+    Measurement.print(rows, System.out);
   }
 
   /**
@@ -64,11 +64,12 @@ public final class Benchmarks {
     parts.put("start", minutes -> WireBenchmark.start());
     parts.put("memory", WireBenchmark::memoryAfter);
     parts.put("window", WindowBenchmark::all);
+    parts.put("kit", minutes -> KitBenchmark.all());
     return parts;
   }
 
-  private static List<Row> wire() throws IOException {
-    List<Row> rows = new ArrayList<>();
+  private static List<Measurement> wire() throws IOException {
+    List<Measurement> rows = new ArrayList<>();
     rows.addAll(WireBenchmark.queries(false));
     rows.addAll(WireBenchmark.stateLines(false));
     rows.addAll(WireBenchmark.queries(true));

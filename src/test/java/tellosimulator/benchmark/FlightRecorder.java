@@ -8,7 +8,7 @@ import tellosimulator.benchmark.RecordedFlight.Moment;
 import tellosimulator.math.Vec3;
 import tellosimulator.sim.SimConfig;
 import tellosimulator.sim.Swarm;
-import tellosimulator.testing.SimulatedDrone;
+import tellosimulator.testing.SteppedDrone;
 import tellosimulator.world.Room;
 
 /**
@@ -28,9 +28,8 @@ public final class FlightRecorder {
   /** Until a steady speed is reached [s]. */
   private static final double SETTLING = 1.5;
 
-  private final SimulatedDrone drone =
-      SimulatedDrone.of(
-          SimConfig.DEFAULT.withRoom(Room.DEFAULT, Swarm.row(1, START, Room.DEFAULT)));
+  private final SteppedDrone drone =
+      SteppedDrone.of(SimConfig.DEFAULT.withRoom(Room.DEFAULT, Swarm.row(1, START, Room.DEFAULT)));
 
   private final List<Moment> moments = new ArrayList<>();
 

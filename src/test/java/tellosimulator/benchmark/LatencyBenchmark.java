@@ -41,8 +41,8 @@ final class LatencyBenchmark {
 
   private LatencyBenchmark() {}
 
-  static Row latency() throws IOException {
-    return Row.atMost(
+  static Measurement latency() throws IOException {
+    return Measurement.atMost(
         "From a change in the model to the last datagram of the picture that shows it, median of "
             + CHANGES,
         60,

@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.net.DatagramPacket;
 import java.net.DatagramSocket;
 import java.net.InetAddress;
+import java.net.SocketTimeoutException;
 import java.nio.charset.StandardCharsets;
 
 /** A small operator program: sends a command and waits for the reply. */
@@ -13,7 +14,9 @@ public final class Operator implements AutoCloseable {
 
   private final DatagramSocket socket;
   private final int port;
+  private final int tries;
   private final byte[] buffer = new byte[2048];
+  private int sentAgain;
 
   public Operator(int dronePort) throws IOException {
     this(dronePort, LONGEST_WAIT_MS);
@@ -23,6 +26,15 @@ public final class Operator implements AutoCloseable {
    * @param patienceMs how long it waits for a reply [ms]
    */
   public Operator(int dronePort, int patienceMs) throws IOException {
+    this(dronePort, patienceMs, 1);
+  }
+
+  /**
+   * @param patienceMs how long it waits for a reply [ms]
+   * @param tries how often it sends a command to which no reply comes, as client packages do
+   */
+  public Operator(int dronePort, int patienceMs, int tries) throws IOException {
+    this.tries = tries;
     socket = new DatagramSocket(0, InetAddress.getLoopbackAddress());
     socket.setSoTimeout(patienceMs);
     port = dronePort;
@@ -40,8 +52,21 @@ public final class Operator implements AutoCloseable {
   }
 
   public String ask(String command) throws IOException {
+    for (int i = 1; i < tries; i++) {
+      try {
+        send(command);
+        return receive();
+      } catch (SocketTimeoutException e) {
+        sentAgain++;
+      }
+    }
     send(command);
     return receive();
+  }
+
+  /** How many commands it has sent again. */
+  public int sentAgain() {
+    return sentAgain;
   }
 
   /** Asks, and complains if the answer is another one. */

@@ -24,7 +24,7 @@ final class ScenarioBenchmark {
   private ScenarioBenchmark() {}
 
   /** The first time, with all code still to be loaded, and the usual time. */
-  static List<Row> all() throws IOException {
+  static List<Measurement> all() throws IOException {
     Path file = Files.createTempFile("thousand", ".yaml");
     try {
       Files.writeString(file, text());
@@ -34,11 +34,11 @@ final class ScenarioBenchmark {
         later.add(read(file));
       }
       return List.of(
-          Row.atMost(
+          Measurement.atMost(
               "Reading a scenario of " + OBSTACLES + " obstacles for the first time",
               TARGET_MS,
               first),
-          Row.atMost("… median of " + RUNS, TARGET_MS, new Statistics(later).median()));
+          Measurement.atMost("… median of " + RUNS, TARGET_MS, new Statistics(later).median()));
     } finally {
       Files.delete(file);
     }

@@ -63,13 +63,13 @@ final class SpeedBenchmark {
 
   private SpeedBenchmark() {}
 
-  private static Row measure(int drones, int obstacles, int target) {
+  private static Measurement measure(int drones, int obstacles, int target) {
     Tour tour = new Tour(drones, obstacles);
     tour.factor(WARM_UP_SECONDS);
     List<Double> factors =
         IntStream.range(0, RUNS).mapToObj(run -> tour.factor(RUN_SECONDS)).toList();
     double median = new Statistics(factors).median();
-    return new Row(
+    return new Measurement(
         drones
             + (drones == 1 ? " drone" : " drones")
             + (obstacles == 0 ? "" : " over " + obstacles + " obstacles")
@@ -178,8 +178,8 @@ final class SpeedBenchmark {
     }
   }
 
-  static List<Row> all() {
-    List<Row> rows = new ArrayList<>();
+  static List<Measurement> all() {
+    List<Measurement> rows = new ArrayList<>();
     rows.add(measure(1, 0, 5000));
     rows.add(measure(10, 0, 500));
     rows.add(measure(100, 0, 50));

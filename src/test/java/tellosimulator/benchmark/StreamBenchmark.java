@@ -16,8 +16,8 @@ final class StreamBenchmark {
 
   private StreamBenchmark() {}
 
-  static List<Row> all(double minutes) throws IOException {
-    List<Row> rows = new ArrayList<>();
+  static List<Measurement> all(double minutes) throws IOException {
+    List<Measurement> rows = new ArrayList<>();
     rows.addAll(firstPictures());
     rows.add(LatencyBenchmark.latency());
     rows.addAll(oneDrone(minutes));
@@ -26,18 +26,18 @@ final class StreamBenchmark {
   }
 
   /** From the first {@code streamon} after {@code ready} to a picture that can be decoded. */
-  private static List<Row> firstPictures() throws IOException {
+  private static List<Measurement> firstPictures() throws IOException {
     return List.of(
-        Row.atMost(
+        Measurement.atMost(
             "From the first `streamon` right after `ready` to the first byte of an IDR, median of "
                 + STARTS,
             100,
             firstPicture(List.of(), List.of())),
-        Row.atMost(
+        Measurement.atMost(
             "… in scenario `slalom`",
             100,
             firstPicture(List.of("--scenario", "slalom"), List.of())),
-        Row.beside(
+        Measurement.beside(
             "… after `setresolution low`, for which no picture was made in advance",
             String.format(
                 Locale.ROOT,
@@ -76,7 +76,7 @@ final class StreamBenchmark {
     return all.toArray(String[]::new);
   }
 
-  private static List<Row> oneDrone(double minutes) throws IOException {
+  private static List<Measurement> oneDrone(double minutes) throws IOException {
     try (VideoSocket video = new VideoSocket();
         Simulator simulator =
             new Simulator("--command-port", "0", "--video-port", "" + video.port());
@@ -102,7 +102,7 @@ final class StreamBenchmark {
   }
 
   /** Four drones of profile tt, each told to film 15 pictures a second. */
-  private static List<Row> fourDrones() throws IOException {
+  private static List<Measurement> fourDrones() throws IOException {
     List<VideoSocket> sockets = new ArrayList<>();
     for (int i = 0; i < DRONES; i++) {
       sockets.add(new VideoSocket());
@@ -166,16 +166,16 @@ final class StreamBenchmark {
   }
 
   /** A pace counts as reached with a hundredth less: the first and last picture are cut off. */
-  private static Row pace(String what, int target, double measured) {
-    return new Row(
+  private static Measurement pace(String what, int target, double measured) {
+    return new Measurement(
         what,
         target + " pictures/s",
         String.format(Locale.ROOT, "%.2f pictures/s", measured),
         measured >= target * 0.99);
   }
 
-  private static Row cores(String what, int target, double measured) {
-    return new Row(
+  private static Measurement cores(String what, int target, double measured) {
+    return new Measurement(
         what,
         "at most " + target,
         String.format(Locale.ROOT, "%.2f", measured),

@@ -25,7 +25,7 @@ final class VideoBenchmark {
   private final Projectionist projectionist = new Projectionist();
   private final boolean decodable = FfmpegFilms.available();
   private final FfmpegFilms ffmpeg;
-  private final List<Row> rows = new ArrayList<>();
+  private final List<Measurement> rows = new ArrayList<>();
   private final List<Double> least = new ArrayList<>();
   private final List<Double> all = new ArrayList<>();
   private final List<Double> jcodecs = new ArrayList<>();
@@ -34,7 +34,7 @@ final class VideoBenchmark {
     ffmpeg = new FfmpegFilms(folder);
   }
 
-  static List<Row> all() throws IOException {
+  static List<Measurement> all() throws IOException {
     Path folder = Files.createTempDirectory("films");
     try {
       return new VideoBenchmark(folder).rows();
@@ -48,7 +48,7 @@ final class VideoBenchmark {
     }
   }
 
-  private List<Row> rows() throws IOException {
+  private List<Measurement> rows() throws IOException {
     for (int i = 0; i < WARM_UPS; i++) {
       for (FlightPart part : FlightPart.values()) {
         projectionist.times(part);
@@ -62,18 +62,18 @@ final class VideoBenchmark {
     }
     Statistics times = new Statistics(all);
     rows.add(
-        Row.atMost(
+        Measurement.atMost(
             "Encoding a picture of 960 × 720 on one core, " + RUNS + " times each, median",
             10,
             times.median()));
-    rows.add(Row.atMost("… 99th percentile", 15, times.quantile(0.99)));
+    rows.add(Measurement.atMost("… 99th percentile", 15, times.quantile(0.99)));
     Statistics best = new Statistics(least);
     rows.add(
-        Row.beside(
+        Measurement.beside(
             "… best of the " + RUNS + " times, median and 99th percentile",
             String.format(Locale.ROOT, "%.1f ms, %.1f ms", best.median(), best.quantile(0.99))));
     rows.add(
-        Row.beside(
+        Measurement.beside(
             "… JCodec's encoder as it comes, median",
             String.format(Locale.ROOT, "%.1f ms", new Statistics(jcodecs).median())));
     return rows;
@@ -82,7 +82,7 @@ final class VideoBenchmark {
   private void camera(FlightPart part) {
     Statistics times = new Statistics(projectionist.times(part));
     rows.add(
-        Row.atMost(
+        Measurement.atMost(
             "Software camera, a picture of 960 × 720 on one core, " + part.word() + ", median",
             8,
             times.median()));
@@ -102,10 +102,12 @@ final class VideoBenchmark {
       OptionalDouble best = ffmpeg.psnr(x264, pictures);
       OptionalDouble theirs = ffmpeg.psnr(jcodec, pictures);
       quality(part, film, ffmpeg.psnr(film, pictures).orElse(0), floor(best, theirs));
-      rows.add(Row.beside("… x264 ultrafast, zerolatency", figures(x264, best)));
-      rows.add(Row.beside("… JCodec's encoder", figures(jcodec, theirs)));
+      rows.add(Measurement.beside("… x264 ultrafast, zerolatency", figures(x264, best)));
+      rows.add(Measurement.beside("… JCodec's encoder", figures(jcodec, theirs)));
     } else {
-      rows.add(new Row(quality(part), "", "no ffmpeg here to decode and to compare with", false));
+      rows.add(
+          new Measurement(
+              quality(part), "", "no ffmpeg here to decode and to compare with", false));
     }
   }
 
@@ -133,7 +135,7 @@ final class VideoBenchmark {
 
   private void quality(FlightPart part, EncodedFilm film, double psnr, double floor) {
     rows.add(
-        new Row(
+        new Measurement(
             quality(part),
             String.format(Locale.ROOT, "at least %.1f dB", floor),
             figures(film, OptionalDouble.of(psnr)),

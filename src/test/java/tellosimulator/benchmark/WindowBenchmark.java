@@ -29,11 +29,11 @@ final class WindowBenchmark {
   private WindowBenchmark() {}
 
   /** Everything, or why nothing of it can be measured here. */
-  static List<Row> all(double minutes) throws IOException {
+  static List<Measurement> all(double minutes) throws IOException {
     if (System.getenv("DISPLAY") == null) {
-      return List.of(new Row("The window", "see above", "not measured: no display", false));
+      return List.of(new Measurement("The window", "see above", "not measured: no display", false));
     }
-    List<Row> rows = new ArrayList<>();
+    List<Measurement> rows = new ArrayList<>();
     rows.add(start());
     rows.add(frames());
     rows.add(swarmFrames());
@@ -46,7 +46,7 @@ final class WindowBenchmark {
   private static final int PAUSES = 10;
 
   /** From the start of the process to a window that can be used. */
-  private static Row start() throws IOException {
+  private static Measurement start() throws IOException {
     List<Double> seconds = new ArrayList<>();
     for (int i = 0; i < STARTS; i++) {
       try (Simulator simulator = Simulator.inWindow(NOT_ON_THE_USUAL_PORTS)) {
@@ -54,7 +54,7 @@ final class WindowBenchmark {
       }
     }
     double median = new Statistics(seconds).median();
-    return new Row(
+    return new Measurement(
         "From the start of the JVM to a window that can be used, median of " + STARTS,
         "at most 3 s",
         String.format(Locale.ROOT, "%.2f s", median),
@@ -62,7 +62,7 @@ final class WindowBenchmark {
   }
 
   /** One drone that flies by {@code rc}, and refused commands that let the log scroll. */
-  private static Row frames() throws IOException {
+  private static Measurement frames() throws IOException {
     try (Simulator simulator = Simulator.inWindow(NOT_ON_THE_USUAL_PORTS);
         Operator operator = new Operator(simulator.port(1));
         Circling circling = new Circling(simulator.port(1))) {
@@ -78,7 +78,7 @@ final class WindowBenchmark {
       }
       List<Double> rates = simulator.frameRates();
       double median = new Statistics(rates.subList(WARM_UP_PERIODS, rates.size())).median();
-      return new Row(
+      return new Measurement(
           "Window of 1280 × 800 with one drone flying and the log scrolling",
           "at least 20 frames/s",
           String.format(Locale.ROOT, "%.1f frames/s", median),
@@ -87,7 +87,7 @@ final class WindowBenchmark {
   }
 
   /** Twenty drones side by side that fly by {@code rc}, all of them at once. */
-  private static Row swarmFrames() throws IOException {
+  private static Measurement swarmFrames() throws IOException {
     List<String> options = new ArrayList<>(List.of(NOT_ON_THE_USUAL_PORTS));
     options.addAll(List.of("--port-per-drone", "--drones", "" + SWARM, "--room", "1000x1000x300"));
     List<Circling> flying = new ArrayList<>();
@@ -107,7 +107,7 @@ final class WindowBenchmark {
       }
       List<Double> rates = simulator.frameRates();
       double median = new Statistics(rates.subList(WARM_UP_PERIODS, rates.size())).median();
-      return new Row(
+      return new Measurement(
           "… with " + SWARM + " drones flying",
           "at least 15 frames/s",
           String.format(Locale.ROOT, "%.1f frames/s", median),
@@ -118,7 +118,7 @@ final class WindowBenchmark {
   }
 
   /** Queries while the window shows a drone that flies. */
-  private static List<Row> queries() throws IOException {
+  private static List<Measurement> queries() throws IOException {
     try (Simulator simulator = Simulator.inWindow(NOT_ON_THE_USUAL_PORTS);
         Operator operator = new Operator(simulator.port(1));
         Circling circling = new Circling(simulator.port(1))) {
@@ -136,13 +136,14 @@ final class WindowBenchmark {
       }
       Statistics statistics = new Statistics(times);
       return List.of(
-          Row.atMost("Query round trip with the window open, median", 0.3, statistics.median()),
-          Row.atMost("… 99th percentile", 5, statistics.quantile(0.99)));
+          Measurement.atMost(
+              "Query round trip with the window open, median", 0.3, statistics.median()),
+          Measurement.atMost("… 99th percentile", 5, statistics.quantile(0.99)));
     }
   }
 
   /** Growth of the used heap over a long flight with state and log. */
-  private static Row heapAfter(double minutes) throws IOException {
+  private static Measurement heapAfter(double minutes) throws IOException {
     try (Simulator simulator = Simulator.inWindow(NOT_ON_THE_USUAL_PORTS);
         Operator operator = new Operator(simulator.port(1))) {
       operator.expect("command", "ok");
@@ -153,7 +154,7 @@ final class WindowBenchmark {
         Tour.fly(operator);
       }
       double growth = simulator.figures().heapMegabytes() - before;
-      return new Row(
+      return new Measurement(
           String.format(
               Locale.ROOT, "Growth of the used heap in %.0f minutes in the window", minutes),
           "at most 10 MB",

@@ -36,7 +36,7 @@ final class WireBenchmark {
    *
    * @param filming whether one of the ten also films
    */
-  static List<Row> queries(boolean filming) throws IOException {
+  static List<Measurement> queries(boolean filming) throws IOException {
     try (VideoSocket video = new VideoSocket();
         Simulator simulator =
             new Simulator(
@@ -71,11 +71,11 @@ final class WireBenchmark {
       }
       Statistics statistics = new Statistics(times);
       return List.of(
-          Row.atMost(
+          Measurement.atMost(
               "Query round trip beside 10 drones on `rc`" + addition(filming) + ", median",
               0.15,
               statistics.median()),
-          Row.atMost("… 99th percentile", 1, statistics.quantile(0.99)));
+          Measurement.atMost("… 99th percentile", 1, statistics.quantile(0.99)));
     }
   }
 
@@ -95,7 +95,7 @@ final class WireBenchmark {
    *
    * @param filming whether the drone also films
    */
-  static List<Row> stateLines(boolean filming) throws IOException {
+  static List<Measurement> stateLines(boolean filming) throws IOException {
     try (DatagramSocket states = new DatagramSocket(0, InetAddress.getLoopbackAddress());
         VideoSocket video = new VideoSocket();
         Simulator simulator =
@@ -134,19 +134,19 @@ final class WireBenchmark {
       Statistics statistics = new Statistics(periods);
       double mean = statistics.mean();
       return List.of(
-          new Row(
+          new Measurement(
               "State lines in real time" + addition(filming) + ", mean period",
               "100 ms ± 0.5",
               milliseconds(mean),
               Math.abs(mean - 100) <= 0.5),
-          Row.atMost("… standard deviation", 1, statistics.deviation()),
-          Row.beside(
+          Measurement.atMost("… standard deviation", 1, statistics.deviation()),
+          Measurement.beside(
               "… of a thread that only waits, at the same time", milliseconds(plain.deviation())));
     }
   }
 
   /** From the start of the process to its first line, and its memory then. */
-  static List<Row> start() throws IOException {
+  static List<Measurement> start() throws IOException {
     List<Double> seconds = new ArrayList<>();
     List<Double> megabytes = new ArrayList<>();
     for (int i = 0; i < STARTS; i++) {
@@ -158,7 +158,7 @@ final class WireBenchmark {
     double start = new Statistics(seconds).median();
     double memory = new Statistics(megabytes).quantile(1);
     return List.of(
-        new Row(
+        new Measurement(
             "From the start of the JVM to `ready`, median of " + STARTS,
             "at most 0.5 s",
             String.format(Locale.ROOT, "%.2f s", start),
@@ -167,7 +167,7 @@ final class WireBenchmark {
   }
 
   /** Memory after a long flight of one drone in real time. */
-  static List<Row> memoryAfter(double minutes) throws IOException {
+  static List<Measurement> memoryAfter(double minutes) throws IOException {
     try (Simulator simulator = new Simulator("--command-port", "0");
         Operator operator = new Operator(simulator.port(1))) {
       operator.expect("command", "ok");
@@ -182,8 +182,8 @@ final class WireBenchmark {
     }
   }
 
-  private static Row memory(String what, double megabytes) {
-    return new Row(
+  private static Measurement memory(String what, double megabytes) {
+    return new Measurement(
         what, "at most 120 MB", String.format(Locale.ROOT, "%.0f MB", megabytes), megabytes <= 120);
   }
 

@@ -34,7 +34,7 @@ class CommandFuzzTest {
         CommandHandler.of(profile, behaviour)
             .target(target)
             .session(session)
-            .outbox(new Outbox((peer, text) -> counts.sent++, () -> 0))
+            .replies((peer, text) -> counts.sent++)
             .observer(counts)
             .build();
     GarbageSource garbage = new GarbageSource(seed);

@@ -33,7 +33,6 @@ final class HandlerFixture {
   final CommandObserver observer = mock(CommandObserver.class);
   final OperatorSession session = new OperatorSession(OperatorRule.FIRST, 8890, 11_111, link -> {});
   final List<Sent> sent = new ArrayList<>();
-  final Outbox outbox = new Outbox((peer, text) -> sent.add(new Sent(peer, text)), () -> 0);
   final CommandHandler handler;
   SimTime now = SimTime.ZERO;
 
@@ -42,7 +41,7 @@ final class HandlerFixture {
         CommandHandler.of(profile, behaviour)
             .target(target)
             .session(session)
-            .outbox(outbox)
+            .replies((peer, text) -> sent.add(new Sent(peer, text)))
             .observer(observer)
             .build();
   }
@@ -87,7 +86,6 @@ final class HandlerFixture {
   /** Lets time pass. */
   void after(double seconds) {
     now = now.plus(seconds);
-    outbox.flush(now);
   }
 
   /** The commands that were carried out: name of the target's method, then the record. */

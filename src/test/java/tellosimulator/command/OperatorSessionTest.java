@@ -3,7 +3,7 @@ package tellosimulator.command;
 import static org.assertj.core.api.Assertions.assertThat;
 import static tellosimulator.command.HandlerFixture.OPERATOR;
 import static tellosimulator.command.HandlerFixture.peer;
-import static tellosimulator.testing.SimulatedDrone.address;
+import static tellosimulator.testing.SteppedDrone.address;
 
 import java.net.InetSocketAddress;
 import java.util.ArrayList;
@@ -43,7 +43,9 @@ class OperatorSessionTest {
     assertThat(session.wantsState(at(3))).isTrue();
     assertThat(session.admits(OPERATOR)).isTrue();
     assertThat(session.admits(OTHER)).isFalse();
-    assertThat(session.refusal(OTHER).english()).isEqualTo("the drone is operated by 127.0.0.1");
+    assertThat(session.refusal(OTHER).english())
+        .isEqualTo(
+            "the drone is operated by 127.0.0.1 until it is released or, on the ground, 127.0.0.1 is silent for 60 s");
   }
 
   @Test

@@ -54,15 +54,24 @@ final class ClientFlight {
   }
 
   private static List<String> command(String... arguments) {
-    String jar = System.getProperty("simulator.jar", "target/tello-simulator.jar");
-    String java = Path.of(System.getProperty("java.home"), "bin", "java").toString();
     List<String> command = new ArrayList<>();
-    command.addAll(List.of("python3", "conformance/run.py", "--java", java, "--jar", jar));
+    command.addAll(List.of("python3", "conformance/run.py", "--java", java(), "--jar", jar()));
     command.addAll(Arrays.asList(arguments));
     return command;
   }
 
-  private static void cannotFly(String reason) {
+  /** The program that is flown. */
+  static String jar() {
+    return System.getProperty("simulator.jar", "target/tello-simulator.jar");
+  }
+
+  /** The Java that runs it. */
+  static String java() {
+    return Path.of(System.getProperty("java.home"), "bin", "java").toString();
+  }
+
+  /** Skips the test; fails it where all must be installed. */
+  static void cannotFly(String reason) {
     if (MUST_FLY) {
       fail(reason);
     }

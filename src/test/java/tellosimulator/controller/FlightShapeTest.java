@@ -14,13 +14,13 @@ import tellosimulator.math.Vec3;
 import tellosimulator.model.Motion;
 import tellosimulator.profile.Behaviour;
 import tellosimulator.profile.Profile;
-import tellosimulator.testing.SimulatedDrone;
+import tellosimulator.testing.SteppedDrone;
 import tellosimulator.time.SimTime;
 
 /** What a flight looks like on the way. */
 class FlightShapeTest {
 
-  private final SimulatedDrone drone = SimulatedDrone.of(Profile.EDU, Behaviour.REPORT);
+  private final SteppedDrone drone = SteppedDrone.of(Profile.EDU, Behaviour.REPORT);
 
   @BeforeEach
   void takeOff() {

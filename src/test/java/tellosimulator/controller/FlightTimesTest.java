@@ -10,14 +10,14 @@ import org.junit.jupiter.params.provider.CsvSource;
 import tellosimulator.math.Vec3;
 import tellosimulator.profile.Behaviour;
 import tellosimulator.profile.Profile;
-import tellosimulator.testing.SimulatedDrone;
+import tellosimulator.testing.SteppedDrone;
 
 /** From command to {@code ok}: target times with their band of a quarter, and where it ends. */
 class FlightTimesTest {
 
   private static final Percentage BAND = Percentage.withPercentage(25);
 
-  private final SimulatedDrone drone = SimulatedDrone.of(Profile.EDU, Behaviour.REPORT);
+  private final SteppedDrone drone = SteppedDrone.of(Profile.EDU, Behaviour.REPORT);
 
   /**
    * The target of {@code curve}: the circle through (0, 0), (25, -25) and (25, -75) has the centre
@@ -70,7 +70,7 @@ class FlightTimesTest {
 
   @Test
   void takeoffRises80CmAndCreepsUpAsMeasured() {
-    SimulatedDrone measured = SimulatedDrone.of(Profile.EDU, Behaviour.MEASURED);
+    SteppedDrone measured = SteppedDrone.of(Profile.EDU, Behaviour.MEASURED);
     measured.ask("command");
     double sent = measured.seconds();
     measured.send("takeoff");

@@ -12,13 +12,13 @@ import tellosimulator.profile.Profile;
 import tellosimulator.sim.Control;
 import tellosimulator.sim.SimConfig;
 import tellosimulator.sim.SimEvent;
-import tellosimulator.testing.SimulatedDrone;
+import tellosimulator.testing.SteppedDrone;
 import tellosimulator.world.Room;
 
 /** Stops, restarts and power switches at awkward moments. */
 class InterruptedFlightTest {
 
-  private final SimulatedDrone drone = SimulatedDrone.of(Profile.EDU, Behaviour.REPORT);
+  private final SteppedDrone drone = SteppedDrone.of(Profile.EDU, Behaviour.REPORT);
 
   @Test
   void stopBeforeLiftOffIsRefusedAndTheTakeoffGoesOn() {
@@ -73,9 +73,8 @@ class InterruptedFlightTest {
   /** From 3.3 m the floor is hit at the root of 2 · 9.81 · 3.3, 8 m/s without drag. */
   @Test
   void switchingOnOnTheWayDownDoesNotSoftenTheFall() {
-    SimulatedDrone high =
-        SimulatedDrone.of(
-            SimConfig.DEFAULT.withRoom(new Room(5, 5, 5), SimConfig.DEFAULT.starts()));
+    SteppedDrone high =
+        SteppedDrone.of(SimConfig.DEFAULT.withRoom(new Room(5, 5, 5), SimConfig.DEFAULT.starts()));
     flying(high);
     high.ask("up 300");
     high.control(new Control.Power(1, false));
@@ -88,7 +87,7 @@ class InterruptedFlightTest {
 
   @Test
   void switchingOffDuringARestartKeepsTheDroneOff() {
-    SimulatedDrone tt = SimulatedDrone.of(Profile.TT, Behaviour.REPORT);
+    SteppedDrone tt = SteppedDrone.of(Profile.TT, Behaviour.REPORT);
     tt.ask("command");
     tt.send("reboot");
     tt.advance(1);
@@ -101,7 +100,7 @@ class InterruptedFlightTest {
 
   @Test
   void aSecondRestartDoesNotPostponeTheFirst() {
-    SimulatedDrone measured = SimulatedDrone.of(Profile.EDU, Behaviour.MEASURED);
+    SteppedDrone measured = SteppedDrone.of(Profile.EDU, Behaviour.MEASURED);
     measured.ask("command");
     for (int i = 0; i < 3; i++) {
       measured.send("ap school secret");
@@ -113,7 +112,7 @@ class InterruptedFlightTest {
 
   @Test
   void aLandingIsNotCutOffByASecondOne() {
-    SimulatedDrone measured = SimulatedDrone.of(Profile.EDU, Behaviour.MEASURED);
+    SteppedDrone measured = SteppedDrone.of(Profile.EDU, Behaviour.MEASURED);
     flying(measured);
     measured.send("land");
     measured.advance(1);
@@ -140,7 +139,7 @@ class InterruptedFlightTest {
     }
   }
 
-  private static void flying(SimulatedDrone drone) {
+  private static void flying(SteppedDrone drone) {
     drone.ask("command");
     drone.ask("takeoff");
   }

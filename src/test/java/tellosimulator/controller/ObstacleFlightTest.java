@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import tellosimulator.fault.LinkPreset;
 import tellosimulator.math.Vec3;
 import tellosimulator.model.DroneSpec;
 import tellosimulator.model.FlightPhase;
@@ -13,7 +14,7 @@ import tellosimulator.profile.Profile;
 import tellosimulator.sim.Control;
 import tellosimulator.sim.SimConfig;
 import tellosimulator.sim.SimEvent;
-import tellosimulator.testing.SimulatedDrone;
+import tellosimulator.testing.SteppedDrone;
 import tellosimulator.world.Arena;
 import tellosimulator.world.Cover;
 import tellosimulator.world.Obstacle;
@@ -36,11 +37,11 @@ class ObstacleFlightTest {
 
   @Test
   void aMoveIntoAnObstacleIsHeldAndAnswersErrorAndTheLogNamesIt() {
-    SimulatedDrone drone = flying(Behaviour.REPORT, WALL);
+    SteppedDrone drone = flying(Behaviour.REPORT, WALL);
 
     assertThat(drone.ask("forward 300")).isEqualTo("error");
 
-    double front = 1.5 - 0.01 - DroneSpec.HULL.radius();
+    double front = 1.5 - 0.01 - DroneSpec.COLLIDER.radius();
     assertThat(drone.state().motion().position().x()).isCloseTo(front, within(0.01));
     assertThat(words(drone))
         .anyMatch(line -> line.startsWith("touched the obstacle screen at"))
@@ -50,7 +51,7 @@ class ObstacleFlightTest {
 
   @Test
   void aTouchIsToldOnceAndNotAtEachStep() {
-    SimulatedDrone drone = flying(Behaviour.REPORT, WALL);
+    SteppedDrone drone = flying(Behaviour.REPORT, WALL);
     drone.send("rc 0 60 0 0");
     drone.advance(8);
 
@@ -60,7 +61,7 @@ class ObstacleFlightTest {
 
   @Test
   void inACornerEachTouchIsToldOnce() {
-    SimulatedDrone drone = flying(Behaviour.REPORT, WALL.movedTo(new Vec3(1.5, 2, 0), 0));
+    SteppedDrone drone = flying(Behaviour.REPORT, WALL.movedTo(new Vec3(1.5, 2, 0), 0));
     drone.send("rc -60 60 0 0");
     drone.advance(10);
 
@@ -73,7 +74,7 @@ class ObstacleFlightTest {
 
   @Test
   void aHardHitIsACrash() {
-    SimulatedDrone drone =
+    SteppedDrone drone =
         flying(
             Behaviour.MEASURED,
             WALL.movedTo(new Vec3(5, 0, 0), 0),
@@ -92,7 +93,7 @@ class ObstacleFlightTest {
 
   @Test
   void aDroneFliesThroughAGate() {
-    SimulatedDrone drone = flying(Behaviour.REPORT, GATE);
+    SteppedDrone drone = flying(Behaviour.REPORT, GATE);
 
     assertThat(drone.ask("up 70")).isEqualTo("ok");
     assertThat(drone.ask("forward 200")).isEqualTo("ok");
@@ -102,7 +103,7 @@ class ObstacleFlightTest {
 
   @Test
   void theDistanceSensorSeesWhatIsBelowAndHeightDoesNot() {
-    SimulatedDrone drone = flying(Behaviour.REPORT, TABLE);
+    SteppedDrone drone = flying(Behaviour.REPORT, TABLE);
     drone.ask("up 70");
     assertThat(drone.ask("battery?")).isEqualTo("100\r\n");
 
@@ -115,7 +116,7 @@ class ObstacleFlightTest {
 
   @Test
   void aDroneLandsOnATableAndTakesOffFromIt() {
-    SimulatedDrone drone = flying(Behaviour.REPORT, TABLE);
+    SteppedDrone drone = flying(Behaviour.REPORT, TABLE);
     drone.ask("up 70");
     drone.ask("forward 100");
 
@@ -128,7 +129,7 @@ class ObstacleFlightTest {
 
   @Test
   void heightCountsFromThePlaceOfTheLastTakeoff() {
-    SimulatedDrone drone = flying(Behaviour.REPORT, TABLE);
+    SteppedDrone drone = flying(Behaviour.REPORT, TABLE);
     drone.ask("up 70");
     drone.ask("forward 100");
     drone.ask("land");
@@ -150,12 +151,12 @@ class ObstacleFlightTest {
 
   @Test
   void aDroneWhoseTableIsTakenAwayFalls() {
-    SimulatedDrone drone = flying(Behaviour.REPORT, TABLE);
+    SteppedDrone drone = flying(Behaviour.REPORT, TABLE);
     drone.ask("up 70");
     drone.ask("forward 100");
     drone.ask("land");
 
-    drone.control(new Control.Furnish(Arena.DEFAULT.withRoom(ROOM)));
+    drone.control(new Control.Furnish(List.of(), List.of()));
     drone.advance(1);
 
     assertThat(drone.state().motion().position().z()).isZero();
@@ -164,57 +165,54 @@ class ObstacleFlightTest {
 
   @Test
   void aDroneInWhichSomethingIsPutIsPushedOut() {
-    SimulatedDrone drone = flying(Behaviour.REPORT);
+    SteppedDrone drone = flying(Behaviour.REPORT);
     drone.ask("land");
 
-    drone.control(
-        new Control.Furnish(
-            Arena.DEFAULT
-                .withRoom(ROOM)
-                .withObstacles(List.of(TABLE.movedTo(new Vec3(0.45, 0, 0), 0)))));
+    drone.control(new Control.Furnish(List.of(TABLE.movedTo(new Vec3(0.45, 0, 0), 0)), List.of()));
     drone.advance(1);
 
     // the table begins at x = -0.05, and the drone gets out of it by the shortest way
     assertThat(drone.state().motion().position().x())
-        .isCloseTo(-0.05 - DroneSpec.HULL.radius(), within(0.001));
+        .isCloseTo(-0.05 - DroneSpec.COLLIDER.radius(), within(0.001));
     assertThat(drone.ask("takeoff")).isEqualTo("ok");
   }
 
   @Test
   void aDroneIsNotPutBackIntoAnObstacle() {
-    SimulatedDrone drone = flying(Behaviour.REPORT, TABLE);
+    SteppedDrone drone = flying(Behaviour.REPORT, TABLE);
     drone.ask("land");
     drone.control(new Control.SetStart(1, new Vec3(0.55, 0, 0)));
     drone.advance(1);
     assertThat(drone.state().motion().position().x())
-        .isCloseTo(0.5 - DroneSpec.HULL.radius(), within(0.001));
+        .isCloseTo(0.5 - DroneSpec.COLLIDER.radius(), within(0.001));
 
     drone.ask("takeoff");
     drone.control(new Control.Reset(1));
     drone.advance(1);
 
     assertThat(drone.state().motion().position().x())
-        .isCloseTo(0.5 - DroneSpec.HULL.radius(), within(0.001));
+        .isCloseTo(0.5 - DroneSpec.COLLIDER.radius(), within(0.001));
     assertThat(drone.state().motion().position().z()).isZero();
     assertThat(drone.ask("takeoff")).isEqualTo("ok");
   }
 
-  private static SimulatedDrone flying(Behaviour behaviour, Obstacle... obstacles) {
-    SimulatedDrone drone =
-        SimulatedDrone.of(
+  private static SteppedDrone flying(Behaviour behaviour, Obstacle... obstacles) {
+    SteppedDrone drone =
+        SteppedDrone.of(
             SimConfig.DEFAULT
                 .withProduct(Profile.EDU, behaviour)
+                .withLink(LinkPreset.IDEAL)
                 .withArena(Arena.DEFAULT.withRoom(ROOM).withObstacles(List.of(obstacles))));
     assertThat(drone.ask("command")).isEqualTo("ok");
     assertThat(drone.ask("takeoff")).isEqualTo("ok");
     return drone;
   }
 
-  private static String line(SimulatedDrone drone) {
+  private static String line(SteppedDrone drone) {
     return drone.stateLines().get(drone.stateLines().size() - 1).text();
   }
 
-  private static List<String> words(SimulatedDrone drone) {
+  private static List<String> words(SteppedDrone drone) {
     return drone.events().stream().map(SimEvent::words).toList();
   }
 }

@@ -7,6 +7,7 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import tellosimulator.fault.LinkPreset;
 import tellosimulator.math.Vec3;
 import tellosimulator.model.DroneSpec;
 import tellosimulator.model.FlightPhase;
@@ -16,7 +17,7 @@ import tellosimulator.sim.Control;
 import tellosimulator.sim.SimConfig;
 import tellosimulator.sim.SimEvent;
 import tellosimulator.sim.Swarm;
-import tellosimulator.testing.SimulatedDrone;
+import tellosimulator.testing.SteppedDrone;
 import tellosimulator.world.Room;
 
 /** Walls, floor and ceiling: what stops a drone, and what breaks its flight. */
@@ -24,12 +25,12 @@ class ObstructedFlightTest {
 
   @Test
   void aMoveIntoAWallIsHeldForASecondAndAnswersError() {
-    SimulatedDrone drone = flying(Behaviour.REPORT, Room.DEFAULT);
+    SteppedDrone drone = flying(Behaviour.REPORT, Room.DEFAULT);
 
     String reply = drone.ask("forward 300");
 
     assertThat(reply).isEqualTo("error");
-    double wall = Room.DEFAULT.depth() / 2 - DroneSpec.HULL.radius();
+    double wall = Room.DEFAULT.depth() / 2 - DroneSpec.COLLIDER.radius();
     assertThat(drone.state().motion().position().x()).isCloseTo(wall, within(0.01));
     assertThat(drone.state().phase()).isEqualTo(FlightPhase.FLYING);
     assertThat(lastWords(drone)).contains("`forward 300` failed: it was held by the front wall");
@@ -38,18 +39,18 @@ class ObstructedFlightTest {
 
   @Test
   void aClimbStopsAtTheCeiling() {
-    SimulatedDrone drone = flying(Behaviour.REPORT, Room.DEFAULT);
+    SteppedDrone drone = flying(Behaviour.REPORT, Room.DEFAULT);
 
     assertThat(drone.ask("up 400")).isEqualTo("error");
 
-    double ceiling = Room.DEFAULT.height() - DroneSpec.HULL.height();
+    double ceiling = Room.DEFAULT.height() - DroneSpec.COLLIDER.height();
     assertThat(drone.state().motion().position().z()).isCloseTo(ceiling, within(0.01));
   }
 
   /** {@code rc} 100 is 1.5 m/s here, and a move on top of it adds up to 1 m/s. */
   @Test
   void aHardHitIsACrashUntilReset() {
-    SimulatedDrone drone = flying(Behaviour.MEASURED, new Room(30, 30, 10));
+    SteppedDrone drone = flying(Behaviour.MEASURED, new Room(30, 30, 10));
     drone.send("rc 0 100 0 0");
     drone.advance(4);
 
@@ -70,7 +71,7 @@ class ObstructedFlightTest {
   /** {@code rc} 100 is 1.0 m/s in behaviour report, and a crash is faster than 1.35 m/s. */
   @Test
   void atFullStickOfTheReportItIsATouch() {
-    SimulatedDrone drone = flying(Behaviour.REPORT, new Room(30, 5, 3));
+    SteppedDrone drone = flying(Behaviour.REPORT, new Room(30, 5, 3));
     drone.send("rc 0 100 0 0");
     drone.advance(8);
 
@@ -81,7 +82,7 @@ class ObstructedFlightTest {
   /** {@code rc} 100 is 1.5 m/s in behaviour measured; after 2.4 m it is faster than 1.35 m/s. */
   @Test
   void atFullStickOfTheMeasurementsItIsACrash() {
-    SimulatedDrone drone = flying(Behaviour.MEASURED, Room.DEFAULT);
+    SteppedDrone drone = flying(Behaviour.MEASURED, Room.DEFAULT);
     drone.send("rc 0 100 0 0");
     drone.advance(8);
 
@@ -92,7 +93,7 @@ class ObstructedFlightTest {
   @ParameterizedTest
   @ValueSource(strings = {"forward 300", "forward 500", "go 500 0 0 100", "up 500"})
   void aMoveAtTheUsualSpeedIntoAWallIsATouch(String move) {
-    SimulatedDrone drone = flying(Behaviour.REPORT, Room.DEFAULT);
+    SteppedDrone drone = flying(Behaviour.REPORT, Room.DEFAULT);
 
     assertThat(drone.ask(move)).isEqualTo("error");
     assertThat(drone.state().phase()).isEqualTo(FlightPhase.FLYING);
@@ -101,13 +102,17 @@ class ObstructedFlightTest {
   @Test
   void aConfigurationSaysHowFastATouchMayBe() {
     SimConfig config = SimConfig.DEFAULT.withCrashSpeed(0.3);
-    SimulatedDrone drone = flying(config);
+    SteppedDrone drone = flying(config);
 
     assertThat(drone.ask("forward 300")).isEqualTo("error Motor stop");
     assertThat(lastFlight(drone)).startsWith("crashed into the front wall at 0.8 m/s");
 
-    SimulatedDrone robust =
-        flying(config.withProduct(Profile.EDU, Behaviour.MEASURED).withCrashSpeed(20));
+    SteppedDrone robust =
+        flying(
+            config
+                .withProduct(Profile.EDU, Behaviour.MEASURED)
+                .withLink(LinkPreset.IDEAL)
+                .withCrashSpeed(20));
     robust.send("rc 0 100 0 0");
     robust.advance(8);
     assertThat(robust.state().phase()).isEqualTo(FlightPhase.FLYING);
@@ -118,7 +123,7 @@ class ObstructedFlightTest {
 
   @Test
   void aDeepFallIsACrashAndItsHeightAndSpeedAreTold() {
-    SimulatedDrone drone = flying(Behaviour.REPORT, new Room(5, 5, 5));
+    SteppedDrone drone = flying(Behaviour.REPORT, new Room(5, 5, 5));
     drone.ask("up 350");
     int replies = drone.replies().size();
     double height = drone.state().motion().position().z();
@@ -142,7 +147,7 @@ class ObstructedFlightTest {
 
   @Test
   void emergencyDropsTheDroneWithoutHarm() {
-    SimulatedDrone drone = flying(Behaviour.REPORT, Room.DEFAULT);
+    SteppedDrone drone = flying(Behaviour.REPORT, Room.DEFAULT);
     drone.ask("up 50");
 
     drone.send("emergency");
@@ -157,7 +162,7 @@ class ObstructedFlightTest {
 
   @Test
   void aContactIsToldAtItsBeginningAndAtItsEnd() {
-    SimulatedDrone drone = flying(Behaviour.REPORT, Room.DEFAULT);
+    SteppedDrone drone = flying(Behaviour.REPORT, Room.DEFAULT);
     drone.ask("forward 300");
     for (int i = 0; i < 4; i++) {
       drone.advance(10);
@@ -178,7 +183,7 @@ class ObstructedFlightTest {
 
   @Test
   void withTheFlightItsContactsEnd() {
-    SimulatedDrone drone = flying(Behaviour.REPORT, Room.DEFAULT);
+    SteppedDrone drone = flying(Behaviour.REPORT, Room.DEFAULT);
     drone.ask("forward 300");
 
     drone.ask("land");
@@ -193,7 +198,7 @@ class ObstructedFlightTest {
 
   @Test
   void takeoffIsRefusedWhileTheDroneStillFalls() {
-    SimulatedDrone drone = flying(Behaviour.REPORT, Room.DEFAULT);
+    SteppedDrone drone = flying(Behaviour.REPORT, Room.DEFAULT);
     drone.ask("up 200");
 
     drone.send("emergency");
@@ -204,13 +209,13 @@ class ObstructedFlightTest {
 
   @Test
   void aSoftTouchLetsTheDroneSlideAlongTheWall() {
-    SimulatedDrone drone = flying(Behaviour.REPORT, Room.DEFAULT);
+    SteppedDrone drone = flying(Behaviour.REPORT, Room.DEFAULT);
     drone.send("rc 40 60 0 0");
 
     drone.advance(6);
 
     Vec3 position = drone.state().motion().position();
-    double wall = Room.DEFAULT.depth() / 2 - DroneSpec.HULL.radius();
+    double wall = Room.DEFAULT.depth() / 2 - DroneSpec.COLLIDER.radius();
     assertThat(position.x()).isCloseTo(wall, within(0.01));
     assertThat(position.y()).as("to the right").isLessThan(-1);
     assertThat(drone.state().phase()).isEqualTo(FlightPhase.FLYING);
@@ -218,36 +223,37 @@ class ObstructedFlightTest {
 
   @Test
   void aSmallerRoomNeverLeavesADroneOutside() {
-    SimulatedDrone drone = flying(Behaviour.REPORT, Room.DEFAULT);
+    SteppedDrone drone = flying(Behaviour.REPORT, Room.DEFAULT);
     drone.ask("forward 200");
     Room small = new Room(2, 2, 2);
 
     drone.control(new Control.SetRoom(small));
 
-    assertThat(small.contains(drone.state().motion().position(), DroneSpec.HULL)).isTrue();
+    assertThat(small.contains(drone.state().motion().position(), DroneSpec.COLLIDER)).isTrue();
     assertThat(drone.ask("up 50")).isEqualTo("ok");
   }
 
-  private static SimulatedDrone flying(Behaviour behaviour, Room room) {
+  private static SteppedDrone flying(Behaviour behaviour, Room room) {
     return flying(
         SimConfig.DEFAULT
             .withProduct(Profile.EDU, behaviour)
+            .withLink(LinkPreset.IDEAL)
             .withRoom(room, Swarm.row(1, Vec3.ZERO, room)));
   }
 
-  private static SimulatedDrone flying(SimConfig config) {
-    SimulatedDrone drone = SimulatedDrone.of(config);
+  private static SteppedDrone flying(SimConfig config) {
+    SteppedDrone drone = SteppedDrone.of(config);
     assertThat(drone.ask("command")).isEqualTo("ok");
     assertThat(drone.ask("takeoff")).isEqualTo("ok");
     return drone;
   }
 
-  private static List<String> words(SimulatedDrone drone) {
+  private static List<String> words(SteppedDrone drone) {
     return drone.events().stream().map(SimEvent::words).toList();
   }
 
   /** What happened last to the drone itself. */
-  private static String lastFlight(SimulatedDrone drone) {
+  private static String lastFlight(SteppedDrone drone) {
     List<String> flight =
         drone.events().stream()
             .filter(SimEvent.DroneFlight.class::isInstance)
@@ -256,7 +262,7 @@ class ObstructedFlightTest {
     return flight.get(flight.size() - 1);
   }
 
-  private static String lastWords(SimulatedDrone drone) {
+  private static String lastWords(SteppedDrone drone) {
     SimEvent last = drone.events().get(drone.events().size() - 1);
     return last.words();
   }

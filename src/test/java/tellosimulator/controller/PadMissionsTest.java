@@ -13,7 +13,7 @@ import tellosimulator.profile.Profile;
 import tellosimulator.sim.Control;
 import tellosimulator.sim.SimConfig;
 import tellosimulator.sim.SimEvent;
-import tellosimulator.testing.SimulatedDrone;
+import tellosimulator.testing.SteppedDrone;
 import tellosimulator.world.Arena;
 import tellosimulator.world.Cover;
 import tellosimulator.world.Decor;
@@ -37,7 +37,7 @@ class PadMissionsTest {
 
   @Test
   void theStateLineSaysWhetherADroneLooksForPadsAndWhatItSees() {
-    SimulatedDrone drone = flying(ONE);
+    SteppedDrone drone = flying(ONE);
     assertThat(line(drone)).startsWith("mid:-2;x:-200;y:-200;z:-200;mpry:-1,-1,-1;");
 
     drone.ask("mon");
@@ -54,7 +54,7 @@ class PadMissionsTest {
   @ParameterizedTest
   @CsvSource({"0.40, 0, true", "0.44, 0, false", "0, 0.29, true", "0, 0.34, false"})
   void aPadIsSeenAsFarAsThePictureReaches(double x, double y, boolean seen) {
-    SimulatedDrone drone = flying(MissionPad.onFloor(5, new Vec3(x, y, 0), 0));
+    SteppedDrone drone = flying(MissionPad.onFloor(5, new Vec3(x, y, 0), 0));
     drone.ask("up 50");
     drone.ask("mon");
 
@@ -63,7 +63,7 @@ class PadMissionsTest {
 
   @Test
   void positionsAreThoseOfTheDroneInThePadsFrame() {
-    SimulatedDrone drone = flying(MissionPad.onFloor(4, new Vec3(0.2, 0.1, 0), Math.PI / 2));
+    SteppedDrone drone = flying(MissionPad.onFloor(4, new Vec3(0.2, 0.1, 0), Math.PI / 2));
     drone.ask("up 50");
     drone.ask("mon");
 
@@ -74,7 +74,7 @@ class PadMissionsTest {
   @Test
   void aPadOnAWallIsSeenAhead() {
     MissionPad wall = new MissionPad(7, Surface.FRONT_WALL, 0, 0.3, 0);
-    SimulatedDrone drone = flying(wall);
+    SteppedDrone drone = flying(wall);
     drone.ask("mon");
     drone.ask("forward 300");
     assertThat(line(drone)).as("the wall is 4 m from the start").startsWith("mid:7;x:0;y:0;z:100;");
@@ -90,7 +90,7 @@ class PadMissionsTest {
     Obstacle table =
         new Obstacle(
             "table", new Shape.Box(0.5, 0.5, 0.02), new Vec3(0.42, 0, 0.2), 0, Cover.DEFAULT);
-    SimulatedDrone drone =
+    SteppedDrone drone =
         flying(
             arena(MissionPad.onFloor(3, new Vec3(0.42, 0, 0), 0)).withObstacles(List.of(table)),
             Profile.EDU);
@@ -102,7 +102,7 @@ class PadMissionsTest {
 
   @Test
   void goFliesInThePadsFrameAndKeepsTheHeading() {
-    SimulatedDrone drone = flying(ONE);
+    SteppedDrone drone = flying(ONE);
     drone.ask("mon");
 
     assertThat(drone.ask("go 60 20 80 50 m1")).isEqualTo("ok");
@@ -114,7 +114,7 @@ class PadMissionsTest {
 
   @Test
   void goWithoutThePadHoversAndSaysSo() {
-    SimulatedDrone drone = flying(ONE);
+    SteppedDrone drone = flying(ONE);
     assertThat(drone.ask("go 50 0 50 50 m1"))
         .as("mon is missing")
         .isEqualTo("error No valid marker");
@@ -129,7 +129,7 @@ class PadMissionsTest {
 
   @Test
   void onTheGroundMotorsMustRunFirst() {
-    SimulatedDrone drone = SimulatedDrone.of(SimConfig.DEFAULT.withArena(arena(ONE)));
+    SteppedDrone drone = SteppedDrone.of(SimConfig.DEFAULT.withArena(arena(ONE)));
     drone.ask("command");
     drone.ask("mon");
 
@@ -139,7 +139,7 @@ class PadMissionsTest {
 
   @Test
   void aPadThatStaysOutOfSightEndsTheFlight() {
-    SimulatedDrone drone = flying(ONE);
+    SteppedDrone drone = flying(ONE);
     drone.ask("mon");
     double begin = drone.seconds();
 
@@ -157,7 +157,7 @@ class PadMissionsTest {
    */
   @Test
   void aPadThatOnlyTheNoseSeesIsOutOfSight() {
-    SimulatedDrone drone = flying(MissionPad.onFloor(1, Vec3.ZERO, 0));
+    SteppedDrone drone = flying(MissionPad.onFloor(1, Vec3.ZERO, 0));
     drone.ask("mon");
     drone.ask("up 70");
     double begin = drone.seconds();
@@ -170,7 +170,7 @@ class PadMissionsTest {
   @Test
   void minusOneIsThePadSeenFirstAndMinusTwoTheNearest() {
     MissionPad near = MissionPad.onFloor(6, new Vec3(0.35, 0, 0), 0);
-    SimulatedDrone drone = flying(MissionPad.onFloor(3, Vec3.ZERO, 0), near);
+    SteppedDrone drone = flying(MissionPad.onFloor(3, Vec3.ZERO, 0), near);
     drone.ask("mon");
     drone.ask("up 70");
     drone.ask("forward 30");
@@ -187,7 +187,7 @@ class PadMissionsTest {
   @Test
   void whatWasSeenBeforeDetectionWasOffDoesNotCount() {
     MissionPad ahead = MissionPad.onFloor(6, new Vec3(0.35, 0, 0), 0);
-    SimulatedDrone drone = flying(MissionPad.onFloor(3, Vec3.ZERO, 0), ahead);
+    SteppedDrone drone = flying(MissionPad.onFloor(3, Vec3.ZERO, 0), ahead);
     drone.ask("mon"); // at 30 cm the drone sees only the pad 3
     drone.advance(1);
     drone.ask("moff");
@@ -202,7 +202,7 @@ class PadMissionsTest {
 
   @Test
   void curveFliesThroughPointsOfThePadsFrame() {
-    SimulatedDrone drone = flying(MissionPad.onFloor(1, Vec3.ZERO, 0));
+    SteppedDrone drone = flying(MissionPad.onFloor(1, Vec3.ZERO, 0));
     drone.ask("mon");
     drone.ask("up 50");
 
@@ -212,7 +212,7 @@ class PadMissionsTest {
 
   @Test
   void curveAnswersForItsRadiusWhereThePadIsSeen() {
-    SimulatedDrone drone = flying(MissionPad.onFloor(1, Vec3.ZERO, 0));
+    SteppedDrone drone = flying(MissionPad.onFloor(1, Vec3.ZERO, 0));
     drone.ask("mon");
     drone.ask("up 50");
 
@@ -224,7 +224,7 @@ class PadMissionsTest {
 
   @Test
   void jumpFliesFromPadToPadAndTurns() {
-    SimulatedDrone drone = flying(MissionPad.onFloor(1, Vec3.ZERO, 0), TWO);
+    SteppedDrone drone = flying(MissionPad.onFloor(1, Vec3.ZERO, 0), TWO);
     drone.ask("mon");
 
     assertThat(drone.ask("jump 90 40 80 60 90 m1 m2")).isEqualTo("ok");
@@ -237,7 +237,7 @@ class PadMissionsTest {
 
   @Test
   void jumpWithoutTheSecondPadHoversWhereItLooked() {
-    SimulatedDrone drone = flying(MissionPad.onFloor(1, Vec3.ZERO, 0), TWO);
+    SteppedDrone drone = flying(MissionPad.onFloor(1, Vec3.ZERO, 0), TWO);
     drone.ask("mon");
 
     assertThat(drone.ask("jump 200 -100 80 60 0 m1 m2")).isEqualTo("error No valid marker");
@@ -248,7 +248,7 @@ class PadMissionsTest {
 
   @Test
   void whileItJumpsADroneIsBusy() {
-    SimulatedDrone drone = flying(MissionPad.onFloor(1, Vec3.ZERO, 0), TWO);
+    SteppedDrone drone = flying(MissionPad.onFloor(1, Vec3.ZERO, 0), TWO);
     drone.ask("mon");
     drone.send("jump 90 40 80 60 90 m1 m2");
     drone.advance(1);
@@ -258,7 +258,7 @@ class PadMissionsTest {
 
   @Test
   void sdk3LooksDownOnlyAndRefusesPlacesBelowThePad() {
-    SimulatedDrone drone = flying(arena(ONE), Profile.TT);
+    SteppedDrone drone = flying(arena(ONE), Profile.TT);
     drone.ask("mon");
 
     assertThat(drone.ask("go 50 0 -30 50 m1")).isEqualTo("out of range");
@@ -268,12 +268,12 @@ class PadMissionsTest {
 
   @Test
   void padsThatArePutInLaterAreSeenAndThoseTakenAwayNot() {
-    SimulatedDrone drone = flying(ONE);
+    SteppedDrone drone = flying(ONE);
     drone.ask("mon");
-    drone.control(new Control.Furnish(arena(MissionPad.onFloor(8, Vec3.ZERO, 0))));
+    drone.control(new Control.Furnish(List.of(), List.of(MissionPad.onFloor(8, Vec3.ZERO, 0))));
 
     assertThat(line(drone)).startsWith("mid:8;");
-    drone.control(new Control.Furnish(arena()));
+    drone.control(new Control.Furnish(List.of(), List.of()));
     assertThat(line(drone)).startsWith(NOTHING);
   }
 
@@ -281,30 +281,29 @@ class PadMissionsTest {
     return Arena.DEFAULT.withRoom(ROOM).withPads(List.of(pads));
   }
 
-  private static SimulatedDrone flying(MissionPad... pads) {
+  private static SteppedDrone flying(MissionPad... pads) {
     return flying(arena(pads), Profile.EDU);
   }
 
-  private static SimulatedDrone flying(Arena arena, Profile profile) {
-    SimulatedDrone drone =
-        SimulatedDrone.of(
-            SimConfig.DEFAULT.withProduct(profile, Behaviour.REPORT).withArena(arena));
+  private static SteppedDrone flying(Arena arena, Profile profile) {
+    SteppedDrone drone =
+        SteppedDrone.of(SimConfig.DEFAULT.withProduct(profile, Behaviour.REPORT).withArena(arena));
     assertThat(drone.ask("command")).isEqualTo("ok");
     assertThat(drone.ask("takeoff")).isEqualTo("ok");
     return drone;
   }
 
   /** A state line that is made after all that has happened. */
-  private static String line(SimulatedDrone drone) {
+  private static String line(SteppedDrone drone) {
     drone.advance(0.3);
     return drone.stateLines().get(drone.stateLines().size() - 1).text();
   }
 
-  private static List<String> words(SimulatedDrone drone) {
+  private static List<String> words(SteppedDrone drone) {
     return drone.events().stream().map(SimEvent::words).toList();
   }
 
-  private static void assertNear(SimulatedDrone drone, Vec3 place) {
+  private static void assertNear(SteppedDrone drone, Vec3 place) {
     Vec3 position = drone.state().motion().position();
     assertThat(position.distanceTo(place))
         .as("%s is not within 1.5 cm of %s", position, place)

@@ -7,7 +7,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import tellosimulator.profile.Behaviour;
 import tellosimulator.profile.Profile;
-import tellosimulator.testing.SimulatedDrone;
+import tellosimulator.testing.SteppedDrone;
 
 class ReadRepliesTest {
 
@@ -18,7 +18,7 @@ class ReadRepliesTest {
     Locale before = Locale.getDefault();
     Locale.setDefault(Locale.forLanguageTag(language));
     try {
-      SimulatedDrone drone = SimulatedDrone.of(Profile.EDU, Behaviour.REPORT);
+      SteppedDrone drone = SteppedDrone.of(Profile.EDU, Behaviour.REPORT);
       drone.ask("command");
 
       assertThat(drone.ask("speed?")).isEqualTo("100.0\r\n");

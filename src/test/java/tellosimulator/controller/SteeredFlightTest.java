@@ -6,12 +6,13 @@ import static org.assertj.core.api.Assertions.within;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import tellosimulator.fault.LinkPreset;
 import tellosimulator.math.Vec3;
 import tellosimulator.profile.Behaviour;
 import tellosimulator.profile.Profile;
 import tellosimulator.sim.SimConfig;
 import tellosimulator.sim.Swarm;
-import tellosimulator.testing.SimulatedDrone;
+import tellosimulator.testing.SteppedDrone;
 import tellosimulator.world.Room;
 
 /** {@code rc} alone, on top of other commands, and kept over landings. */
@@ -32,7 +33,7 @@ class SteeredFlightTest {
           MEASURED, rc 100 100 0 100, up 50
           """)
   void aMoveUnderTheSticksStillEndsWithOk(Behaviour behaviour, String rc, String move) {
-    SimulatedDrone drone = flying(behaviour);
+    SteppedDrone drone = flying(behaviour);
     drone.send(rc);
     drone.advance(3);
 
@@ -42,7 +43,7 @@ class SteeredFlightTest {
   @ParameterizedTest
   @CsvSource({"REPORT, 1.0", "MEASURED, 1.5"})
   void stopNeverMakesTheDroneFaster(Behaviour behaviour, double cruise) {
-    SimulatedDrone drone = flying(behaviour);
+    SteppedDrone drone = flying(behaviour);
     drone.send("rc 0 100 0 0");
     drone.advance(5);
     assertThat(speed(drone)).isCloseTo(cruise, within(0.02));
@@ -60,7 +61,7 @@ class SteeredFlightTest {
 
   @Test
   void theEndOfATurnDoesNotDisturbTheSteeredFlight() {
-    SimulatedDrone drone = flying(Behaviour.REPORT);
+    SteppedDrone drone = flying(Behaviour.REPORT);
     drone.send("rc 0 100 0 0");
     drone.advance(5);
     drone.ask("cw 20");
@@ -77,7 +78,7 @@ class SteeredFlightTest {
   /** The dead time is 0.35 s, the time constant 0.6 s: 0.2 s after lift-off nothing moves yet. */
   @Test
   void valuesSetOnTheGroundActFromLiftOffOnAsIfSetThen() {
-    SimulatedDrone drone = drone(Behaviour.REPORT);
+    SteppedDrone drone = drone(Behaviour.REPORT);
     drone.ask("command");
     drone.send("rc 0 100 0 0");
     drone.advance(5);
@@ -94,7 +95,7 @@ class SteeredFlightTest {
 
   @Test
   void takeoffWithSticksDownStillTakesOffAndThenSinks() {
-    SimulatedDrone drone = drone(Behaviour.REPORT);
+    SteppedDrone drone = drone(Behaviour.REPORT);
     drone.ask("command");
     drone.send("rc 0 0 -100 0");
 
@@ -106,7 +107,7 @@ class SteeredFlightTest {
 
   @Test
   void forcedStopComesInTimeThoughSticksMoveTheDroneOn() {
-    SimulatedDrone drone = flying(Behaviour.REPORT);
+    SteppedDrone drone = flying(Behaviour.REPORT);
     double sent = drone.seconds();
     drone.send("stop");
     drone.send("rc 0 100 0 0");
@@ -116,26 +117,27 @@ class SteeredFlightTest {
     assertThat(drone.seconds() - sent).isBetween(0.5, 1.05);
   }
 
-  private static double speed(SimulatedDrone drone) {
+  private static double speed(SteppedDrone drone) {
     return drone.state().motion().velocity().norm();
   }
 
-  private static String lastReply(SimulatedDrone drone) {
+  private static String lastReply(SteppedDrone drone) {
     return drone.replies().get(drone.replies().size() - 1).text();
   }
 
-  private static SimulatedDrone flying(Behaviour behaviour) {
-    SimulatedDrone drone = drone(behaviour);
+  private static SteppedDrone flying(Behaviour behaviour) {
+    SteppedDrone drone = drone(behaviour);
     drone.ask("command");
     drone.ask("takeoff");
     drone.ask("up 200");
     return drone;
   }
 
-  private static SimulatedDrone drone(Behaviour behaviour) {
-    return SimulatedDrone.of(
+  private static SteppedDrone drone(Behaviour behaviour) {
+    return SteppedDrone.of(
         SimConfig.DEFAULT
             .withProduct(Profile.EDU, behaviour)
+            .withLink(LinkPreset.IDEAL)
             .withRoom(HALL, Swarm.row(1, Vec3.ZERO, HALL)));
   }
 }

@@ -8,7 +8,7 @@ import tellosimulator.math.Vec3;
 import tellosimulator.model.DroneSpec;
 import tellosimulator.sim.Control;
 import tellosimulator.sim.SimConfig;
-import tellosimulator.testing.SimulatedDrone;
+import tellosimulator.testing.SteppedDrone;
 import tellosimulator.world.Arena;
 import tellosimulator.world.Room;
 import tellosimulator.world.Wind;
@@ -20,7 +20,7 @@ class WindTest {
 
   @Test
   void aDroneLeansIntoASteadyWindAndStays() {
-    SimulatedDrone drone = flying();
+    SteppedDrone drone = flying();
     drone.control(blowing(new Vec3(3, 0, 0), 0));
     drone.advance(6);
 
@@ -37,7 +37,7 @@ class WindTest {
 
   @Test
   void aWindThatBeginsMovesItForAWhile() {
-    SimulatedDrone drone = flying();
+    SteppedDrone drone = flying();
     drone.control(blowing(new Vec3(0, 3, 0), 0));
     drone.advance(0.6);
 
@@ -46,7 +46,7 @@ class WindTest {
 
   @Test
   void inAGaleItIsCarriedAway() {
-    SimulatedDrone drone = flying();
+    SteppedDrone drone = flying();
     drone.control(blowing(new Vec3(12, 0, 0), 0));
     drone.advance(3);
 
@@ -56,7 +56,7 @@ class WindTest {
 
   @Test
   void gustsShakeItAndCommandsAreStillAnswered() {
-    SimulatedDrone drone = flying();
+    SteppedDrone drone = flying();
     drone.control(blowing(Vec3.ZERO, 1));
     double farthest = 0;
     for (int i = 0; i < 100; i++) {
@@ -71,7 +71,7 @@ class WindTest {
 
   @Test
   void aDroneOnTheFloorIsNotMoved() {
-    SimulatedDrone drone = SimulatedDrone.of(SimConfig.DEFAULT.withArena(HALL));
+    SteppedDrone drone = SteppedDrone.of(SimConfig.DEFAULT.withArena(HALL));
     drone.control(blowing(new Vec3(15, 0, 0), 1));
     drone.advance(2);
 
@@ -80,7 +80,7 @@ class WindTest {
 
   @Test
   void onTheFloorADroneForgetsTheWind() {
-    SimulatedDrone drone = flying();
+    SteppedDrone drone = flying();
     drone.control(blowing(new Vec3(5, 0, 0), 0));
     drone.advance(5);
     drone.ask("land");
@@ -100,7 +100,7 @@ class WindTest {
 
   @Test
   void whenTheWindEndsTheFlightIsThatOfStillAirAgain() {
-    SimulatedDrone drone = flying();
+    SteppedDrone drone = flying();
     drone.control(blowing(new Vec3(3, 0, 0), 0));
     drone.advance(5);
     drone.control(blowing(Vec3.ZERO, 0));
@@ -111,11 +111,11 @@ class WindTest {
   }
 
   private static Control blowing(Vec3 mean, double gusts) {
-    return new Control.Furnish(HALL.withWind(new Wind(mean, gusts)));
+    return new Control.SetWind(new Wind(mean, gusts));
   }
 
-  private static SimulatedDrone flying() {
-    SimulatedDrone drone = SimulatedDrone.of(SimConfig.DEFAULT.withArena(HALL));
+  private static SteppedDrone flying() {
+    SteppedDrone drone = SteppedDrone.of(SimConfig.DEFAULT.withArena(HALL));
     assertThat(drone.ask("command")).isEqualTo("ok");
     assertThat(drone.ask("takeoff")).isEqualTo("ok");
     return drone;

@@ -3,7 +3,7 @@ package tellosimulator.endurance;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
-import tellosimulator.benchmark.Row;
+import tellosimulator.benchmark.Measurement;
 
 /**
  * A class: three programs on two machines fly three drones of a third machine at once, each the
@@ -18,8 +18,8 @@ final class ClassTrial {
 
   private ClassTrial() {}
 
-  static List<Row> run(double minutes) throws IOException {
-    List<Row> rows = new ArrayList<>();
+  static List<Measurement> run(double minutes) throws IOException {
+    List<Measurement> rows = new ArrayList<>();
     try (PrivateNetwork network = new PrivateNetwork(3)) {
       rows.addAll(addressEach(network));
       rows.add(simulatorEach(network));
@@ -28,7 +28,7 @@ final class ClassTrial {
   }
 
   /** One simulator, in which each drone has an address of the network. */
-  private static List<Row> addressEach(PrivateNetwork network) throws IOException {
+  private static List<Measurement> addressEach(PrivateNetwork network) throws IOException {
     Host machine = network.host(1);
     List<String> addresses = new ArrayList<>(List.of(machine.address()));
     for (int drone = 2; drone <= DRONES; drone++) {
@@ -48,7 +48,7 @@ final class ClassTrial {
   }
 
   /** Three simulators on one machine, each with a port of its own. */
-  private static Row simulatorEach(PrivateNetwork network) throws IOException {
+  private static Measurement simulatorEach(PrivateNetwork network) throws IOException {
     Host machine = network.host(1);
     List<SimulatorProcess> simulators = new ArrayList<>();
     List<Seat> seats = new ArrayList<>();
@@ -71,14 +71,15 @@ final class ClassTrial {
   /** Where a student's drone is. */
   private record Seat(String address, String port) {}
 
-  private static Row fly(String what, PrivateNetwork network, List<Seat> seats) throws IOException {
+  private static Measurement fly(String what, PrivateNetwork network, List<Seat> seats)
+      throws IOException {
     List<Program> flights = new ArrayList<>();
     List<String> complaints = new ArrayList<>();
     try {
       for (int student = 0; student < seats.size(); student++) {
         Host laptop = network.host(2 + student % 2);
         Seat seat = seats.get(student);
-        flights.add(laptop.start(Flight.class, seat.address(), seat.port()));
+        flights.add(laptop.start(StudentProgram.class, seat.address(), seat.port()));
       }
       for (Program flight : flights) {
         try {
@@ -92,6 +93,7 @@ final class ClassTrial {
     }
     complaints.forEach(System.out::println);
     int flown = seats.size() - complaints.size();
-    return new Row(what, "all fly", flown + " of " + seats.size() + " fly", complaints.isEmpty());
+    return new Measurement(
+        what, "all fly", flown + " of " + seats.size() + " fly", complaints.isEmpty());
   }
 }

@@ -15,7 +15,7 @@ import java.util.Random;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionException;
 import java.util.concurrent.locks.LockSupport;
-import tellosimulator.benchmark.Row;
+import tellosimulator.benchmark.Measurement;
 
 /**
  * Programs that send each command after the reply to the one before, twice each, while others keep
@@ -88,7 +88,7 @@ final class DeterminismTrial {
 
   private DeterminismTrial() {}
 
-  static List<Row> run(double minutes) throws IOException {
+  static List<Measurement> run(double minutes) throws IOException {
     double seconds = Math.max(SHORTEST_SECONDS, minutes * SECONDS_A_MINUTE);
     long end = System.nanoTime() + (long) (seconds * 1e9);
     int programs = 0;
@@ -104,7 +104,7 @@ final class DeterminismTrial {
       }
     }
     return List.of(
-        new Row(
+        new Measurement(
             "Programs over UDP that get the same bytes twice under load",
             "all of " + programs,
             same + " of " + programs,
@@ -137,6 +137,8 @@ final class DeterminismTrial {
                 "0",
                 "--time-factor",
                 "max",
+                "--link",
+                "ideal",
                 "--seed",
                 "7",
                 "--scenario",

@@ -6,8 +6,8 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import tellosimulator.benchmark.Measurement;
 import tellosimulator.benchmark.Operator;
-import tellosimulator.benchmark.Row;
 
 /** A script's simulator, which must not keep the script waiting. */
 final class EndingTrial {
@@ -21,7 +21,7 @@ final class EndingTrial {
   private EndingTrial() {}
 
   /** A program that lands without its goals, and then is gone. */
-  static List<Row> landsTooEarly(double minutes) throws IOException {
+  static List<Measurement> landsTooEarly(double minutes) throws IOException {
     try (SimulatorProcess simulator = start()) {
       try (Operator operator = new Operator(simulator.drone(1).getPort())) {
         operator.expect("command", "ok");
@@ -33,7 +33,7 @@ final class EndingTrial {
   }
 
   /** A program that is gone after its first word. */
-  static List<Row> neverTakesOff(double minutes) throws IOException {
+  static List<Measurement> neverTakesOff(double minutes) throws IOException {
     try (SimulatorProcess simulator = start("--timeout", "60")) {
       try (Operator operator = new Operator(simulator.drone(1).getPort())) {
         operator.expect("command", "ok");
@@ -42,18 +42,19 @@ final class EndingTrial {
     }
   }
 
-  private static List<Row> ending(String what, SimulatorProcess simulator) throws IOException {
+  private static List<Measurement> ending(String what, SimulatorProcess simulator)
+      throws IOException {
     long begun = System.nanoTime();
     String result = simulator.program().await("goals", PATIENCE_SECONDS);
     int code = simulator.program().awaitExit(PATIENCE_SECONDS);
     double seconds = (System.nanoTime() - begun) * 1e-9;
     return List.of(
-        new Row(
+        new Measurement(
             what,
             String.format(Locale.ROOT, "at most %.0f s", LONGEST_SECONDS),
             String.format(Locale.ROOT, "%.1f s", seconds),
             seconds <= LONGEST_SECONDS),
-        new Row(
+        new Measurement(
             "… exit code, and a reason",
             "3, `goals: … : …`",
             code + ", `" + result + "`",

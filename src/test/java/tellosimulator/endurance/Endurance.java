@@ -7,7 +7,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
-import tellosimulator.benchmark.Row;
+import tellosimulator.benchmark.Measurement;
 
 /**
  * Attacks the program as a process, and prints one table of what came of it: {@code mvn -Pendurance
@@ -24,7 +24,7 @@ public final class Endurance {
   /** Some rows of the table. */
   @FunctionalInterface
   private interface Trial {
-    List<Row> run(double minutes) throws IOException;
+    List<Measurement> run(double minutes) throws IOException;
   }
 
   /** When a trial runs. */
@@ -44,7 +44,7 @@ public final class Endurance {
   public static void main(String[] arguments) {
     double minutes = Double.parseDouble(System.getProperty("endurance.minutes", DEFAULT_MINUTES));
     Map<String, Entry> chosen = chosen(System.getProperty("endurance.rows", ""));
-    Map<String, CompletableFuture<List<Row>>> running = new LinkedHashMap<>();
+    Map<String, CompletableFuture<List<Measurement>>> running = new LinkedHashMap<>();
     for (Lane lane : Lane.values()) {
       chosen.forEach(
           (name, entry) -> {
@@ -53,7 +53,7 @@ public final class Endurance {
             }
           });
     }
-    List<Row> rows = new ArrayList<>();
+    List<Measurement> rows = new ArrayList<>();
     chosen.keySet().forEach(name -> rows.addAll(running.get(name).join()));
     System.out.printf(
         "%nJava %s, %s, %d processors, %s minutes%n%n",
@@ -61,13 +61,14 @@ public final class Endurance {
         System.getProperty("os.name"),
         Runtime.getRuntime().availableProcessors(),
         Double.toString(minutes).replace(".0", ""));
-    Row.print(rows, System.out);
+    Measurement.print(rows, System.out);
     long missed = rows.stream().filter(row -> !row.reached()).count();
     System.out.printf("%n%d of %d rows missed%n", missed, rows.size());
     System.exit(missed == 0 ? 0 : 1);
   }
 
-  private static CompletableFuture<List<Row>> begin(String name, Entry entry, double minutes) {
+  private static CompletableFuture<List<Measurement>> begin(
+      String name, Entry entry, double minutes) {
     if (entry.lane() == Lane.BESIDE) {
       return CompletableFuture.supplyAsync(() -> run(name, entry.trial(), minutes));
     }
@@ -75,17 +76,17 @@ public final class Endurance {
   }
 
   /** A trial that cannot be run is missed, and the others go on. */
-  private static List<Row> run(String name, Trial trial, double minutes) {
+  private static List<Measurement> run(String name, Trial trial, double minutes) {
     long start = System.nanoTime();
-    List<Row> rows;
+    List<Measurement> rows;
     try {
       rows = trial.run(minutes);
     } catch (IOException | RuntimeException e) { // whatever it is, the other trials go on
       System.out.println(e);
-      rows = List.of(new Row(name, "a measurement", "none, see above", false));
+      rows = List.of(new Measurement(name, "a measurement", "none, see above", false));
     }
     System.out.printf("%n%s: %.0f s%n", name, (System.nanoTime() - start) * 1e-9);
-    Row.print(rows, System.out);
+    Measurement.print(rows, System.out);
     return rows;
   }
 
@@ -124,6 +125,7 @@ public final class Endurance {
     trials.put("timeout", new Entry(Lane.IN_TURN, again(EndingTrial::neverTakesOff)));
     trials.put("window", new Entry(Lane.BESIDE, again(WindowTrial::run)));
     trials.put("class", new Entry(Lane.IN_TURN, inNetwork(ClassTrial::run)));
+    trials.put("kit", new Entry(Lane.IN_TURN, KitTrial::run));
     trials.put("soak", new Entry(Lane.IN_TURN, SoakTrial::run));
     return trials;
   }
@@ -131,14 +133,14 @@ public final class Endurance {
   /** A row that is missed is measured twice more, and counts if its median is enough. */
   private static Trial again(Trial trial) {
     return minutes -> {
-      List<List<Row>> runs = new ArrayList<>(List.of(trial.run(minutes)));
-      while (runs.size() < RUNS && !runs.get(0).stream().allMatch(Row::reached)) {
+      List<List<Measurement>> runs = new ArrayList<>(List.of(trial.run(minutes)));
+      while (runs.size() < RUNS && !runs.get(0).stream().allMatch(Measurement::reached)) {
         runs.add(trial.run(minutes));
       }
-      List<Row> rows = new ArrayList<>();
+      List<Measurement> rows = new ArrayList<>();
       for (int i = 0; i < runs.get(0).size(); i++) {
         int row = i;
-        rows.add(Row.ofRuns(runs.stream().map(run -> run.get(row)).toList()));
+        rows.add(Measurement.ofRuns(runs.stream().map(run -> run.get(row)).toList()));
       }
       return rows;
     };
@@ -149,7 +151,7 @@ public final class Endurance {
     return minutes -> {
       Optional<String> obstacle = PrivateNetwork.obstacle();
       return obstacle.isPresent()
-          ? List.of(Row.beside("In a private network", "not measured: " + obstacle.get()))
+          ? List.of(Measurement.beside("In a private network", "not measured: " + obstacle.get()))
           : trial.run(minutes);
     };
   }

@@ -16,7 +16,7 @@ import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
-import tellosimulator.benchmark.Row;
+import tellosimulator.benchmark.Measurement;
 
 /** Opens files that were made to do harm, each with a program of its own. */
 final class FilesTrial {
@@ -42,7 +42,7 @@ final class FilesTrial {
 
   private FilesTrial() {}
 
-  static List<Row> run(double minutes) throws IOException {
+  static List<Measurement> run(double minutes) throws IOException {
     Map<String, Path> files = HostileFiles.in(Files.createTempDirectory("hostile"));
     ExecutorService programs = Executors.newFixedThreadPool(AT_A_TIME);
     List<CompletableFuture<Opening>> opened = new ArrayList<>();
@@ -55,17 +55,17 @@ final class FilesTrial {
     Opening slowest = openings.stream().max(Comparator.comparing(Opening::seconds)).orElseThrow();
     Opening largest = openings.stream().max(Comparator.comparing(Opening::megabytes)).orElseThrow();
     return List.of(
-        new Row(
+        new Measurement(
             "Hostile scenarios that are refused with a sentence",
             "all of " + openings.size(),
             told + " of " + openings.size(),
             told == openings.size()),
-        new Row(
+        new Measurement(
             "… processor time of the longest",
             String.format(Locale.ROOT, "at most %.0f s", LONGEST_SECONDS),
             String.format(Locale.ROOT, "%.1f s (%s)", slowest.seconds(), slowest.name()),
             slowest.seconds() <= LONGEST_SECONDS),
-        new Row(
+        new Measurement(
             "… resident memory of the largest",
             String.format(Locale.ROOT, "at most %.0f MB", MOST_MEGABYTES),
             String.format(Locale.ROOT, "%.0f MB (%s)", largest.megabytes(), largest.name()),
@@ -85,7 +85,7 @@ final class FilesTrial {
           && !program.said("ready")) {
         megabytes = Math.max(megabytes, peakMegabytes(program));
         seconds = Math.max(seconds, processorSeconds(program));
-        Moments.pass(Moments.SHORT);
+        Waiting.pass(Waiting.SHORT);
       }
       boolean refused = program.endsWithin(0) && program.process().exitValue() == REFUSED;
       boolean told = refused && !program.log().isBlank() && Insides.first(program.log()).isEmpty();

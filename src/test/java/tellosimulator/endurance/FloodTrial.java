@@ -6,7 +6,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
-import tellosimulator.benchmark.Row;
+import tellosimulator.benchmark.Measurement;
 
 /** A stranger sends 50,000 datagrams of garbage a second while an operator queries and flies. */
 final class FloodTrial {
@@ -58,9 +58,9 @@ final class FloodTrial {
   }
 
   /** A stranger on another machine of the network, on this one, and at the operator's address. */
-  static List<Row> run(double minutes) throws IOException {
+  static List<Measurement> run(double minutes) throws IOException {
     double seconds = Math.max(SHORTEST_SECONDS, minutes * SECONDS_A_MINUTE);
-    List<Row> rows = new ArrayList<>();
+    List<Measurement> rows = new ArrayList<>();
     try (PrivateNetwork network = new PrivateNetwork(3)) {
       rows.addAll(
           new FloodTrial("Flood from another machine", network.host(2), network.host(3), "0.0.0.0")
@@ -71,12 +71,14 @@ final class FloodTrial {
     return rows;
   }
 
-  private static List<Row> here(String name, String from, double seconds) throws IOException {
+  private static List<Measurement> here(String name, String from, double seconds)
+      throws IOException {
     return new FloodTrial(name, Host.HERE, Host.HERE, from)
         .against(Host.HERE, seconds, "--command-port", "0");
   }
 
-  private List<Row> against(Host host, double seconds, String... options) throws IOException {
+  private List<Measurement> against(Host host, double seconds, String... options)
+      throws IOException {
     String statePort = "" + FreePort.find();
     List<String> all = new ArrayList<>(List.of(options));
     all.addAll(List.of("--state-port", statePort, "--room", "2000x2000x500"));
@@ -99,7 +101,7 @@ final class FloodTrial {
               from,
               what)) {
         sender.await("sending", PATIENCE_SECONDS);
-        Moments.pass(COMPILING_SECONDS);
+        Waiting.pass(COMPILING_SECONDS);
         double heap = simulator.figures().heapMegabytes();
         double resident = simulator.figures().residentMegabytes();
         OtherLoad others = new OtherLoad();
@@ -112,34 +114,36 @@ final class FloodTrial {
         double logGrowth =
             (simulator.program().logBytes() - log) / 1e6 * 60e9 / (System.nanoTime() - begun);
         double heapGrowth = simulator.figures().heapMegabytes() - heap;
-        List<Row> rows = new ArrayList<>(service(served, rate));
+        List<Measurement> rows = new ArrayList<>(service(served, rate));
         rows.add(
-            Row.beside(
+            Measurement.beside(
                 "… resident memory grows at its beginning, while it is compiled, by",
                 String.format(Locale.ROOT, "%.2f MB", resident - calm)));
-        rows.add(Row.atMost("… resident memory grows by", LARGEST_GROWTH_MB, residentGrowth, "MB"));
-        rows.add(Row.atMost("… heap grows by", LARGEST_GROWTH_MB, heapGrowth, "MB"));
-        rows.add(Row.atMost("… log grows in a minute by", LARGEST_LOG_MB, logGrowth, "MB"));
+        rows.add(
+            Measurement.atMost(
+                "… resident memory grows by", LARGEST_GROWTH_MB, residentGrowth, "MB"));
+        rows.add(Measurement.atMost("… heap grows by", LARGEST_GROWTH_MB, heapGrowth, "MB"));
+        rows.add(Measurement.atMost("… log grows in a minute by", LARGEST_LOG_MB, logGrowth, "MB"));
         rows.add(Insides.row("… log", simulator));
         return rows.stream().map(row -> OtherLoad.judged(row, share)).toList();
       }
     }
   }
 
-  private List<Row> service(Matcher served, double rate) {
+  private List<Measurement> service(Matcher served, double rate) {
     double lost = Double.parseDouble(served.group(1));
     double lostPercent = 100 * lost / Double.parseDouble(served.group(2));
     double period = Double.parseDouble(served.group(5));
     return List.of(
-        new Row(
+        new Measurement(
             name,
             String.format(Locale.ROOT, "at least %.0f datagrams/s", LEAST_RATE),
             String.format(Locale.ROOT, "%.0f datagrams/s", rate),
             rate >= LEAST_RATE),
-        Row.atMost("… operator's queries lost", MOST_LOST_PERCENT, lostPercent, "%"),
-        Row.atMost("… reply, median", 1, Double.parseDouble(served.group(3))),
-        Row.atMost("… reply, 99th percentile", 10, Double.parseDouble(served.group(4))),
-        new Row(
+        Measurement.atMost("… operator's queries lost", MOST_LOST_PERCENT, lostPercent, "%"),
+        Measurement.atMost("… reply, median", 1, Double.parseDouble(served.group(3))),
+        Measurement.atMost("… reply, 99th percentile", 10, Double.parseDouble(served.group(4))),
+        new Measurement(
             "… state lines, mean period",
             "100 ms ± 1",
             String.format(Locale.ROOT, "%.3f ms", period),

@@ -2,8 +2,8 @@ package tellosimulator.endurance;
 
 import java.io.IOException;
 import java.util.regex.Pattern;
+import tellosimulator.benchmark.Measurement;
 import tellosimulator.benchmark.Operator;
-import tellosimulator.benchmark.Row;
 
 /** Whether a simulator on this machine works as a whole, or has ended as a whole. */
 final class Health {
@@ -18,25 +18,25 @@ final class Health {
   private Health() {}
 
   /** The simulator must go on to work. */
-  static Row row(String what, SimulatorProcess simulator) throws IOException {
+  static Measurement row(String what, SimulatorProcess simulator) throws IOException {
     boolean alive = answers(simulator);
-    return new Row(what, "answers", alive ? "answers" : "is deaf", alive);
+    return new Measurement(what, "answers", alive ? "answers" : "is deaf", alive);
   }
 
   /** The simulator must work, or have ended with a sentence. */
-  static Row rowOfWhole(String what, SimulatorProcess simulator) throws IOException {
+  static Measurement rowOfWhole(String what, SimulatorProcess simulator) throws IOException {
     String wanted = "works, or ended with a sentence";
     if (answers(simulator)) {
       String insides = Insides.first(simulator.program().log());
-      return new Row(
+      return new Measurement(
           what, wanted, insides.isEmpty() ? "works" : "works, but " + insides, insides.isEmpty());
     }
     if (!simulator.program().endsWithin(PATIENCE_SECONDS)) {
-      return new Row(what, wanted, "half dead: " + lastLine(simulator), false);
+      return new Measurement(what, wanted, "half dead: " + lastLine(simulator), false);
     }
     int code = simulator.program().process().exitValue();
     boolean told = code != 0 && code < 128 && Insides.first(simulator.program().log()).isEmpty();
-    return new Row(what, wanted, "ended with " + code + ": " + lastLine(simulator), told);
+    return new Measurement(what, wanted, "ended with " + code + ": " + lastLine(simulator), told);
   }
 
   private static String lastLine(SimulatorProcess simulator) throws IOException {
@@ -62,7 +62,7 @@ final class Health {
         }
         return simulator.state(1).startsWith("drone 1");
       } catch (IOException e) {
-        Moments.pass(Moments.SHORT);
+        Waiting.pass(Waiting.SHORT);
       }
     }
     return false;

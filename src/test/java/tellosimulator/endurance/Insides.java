@@ -2,7 +2,7 @@ package tellosimulator.endurance;
 
 import java.io.IOException;
 import java.util.regex.Pattern;
-import tellosimulator.benchmark.Row;
+import tellosimulator.benchmark.Measurement;
 
 /** What nobody should read in a log: names of classes, and places in the code. */
 final class Insides {
@@ -18,8 +18,8 @@ final class Insides {
     return text.lines().filter(line -> INSIDES.matcher(line).find()).findFirst().orElse("");
   }
 
-  static Row row(String what, SimulatorProcess simulator) throws IOException {
+  static Measurement row(String what, SimulatorProcess simulator) throws IOException {
     String found = first(simulator.program().log());
-    return new Row(what, "no exception", found.isEmpty() ? "none" : found, found.isEmpty());
+    return new Measurement(what, "no exception", found.isEmpty() ? "none" : found, found.isEmpty());
   }
 }

@@ -3,7 +3,7 @@ package tellosimulator.endurance;
 import java.io.IOException;
 import java.util.List;
 import java.util.Locale;
-import tellosimulator.benchmark.Row;
+import tellosimulator.benchmark.Measurement;
 
 /** The machine moves to another network while the program runs. */
 final class NewAddressTrial {
@@ -15,7 +15,7 @@ final class NewAddressTrial {
 
   private NewAddressTrial() {}
 
-  static List<Row> run(double minutes) throws IOException {
+  static List<Measurement> run(double minutes) throws IOException {
     try (PrivateNetwork network = new PrivateNetwork(2)) {
       Host first = network.host(1);
       Host client = network.host(2);
@@ -32,7 +32,7 @@ final class NewAddressTrial {
         boolean after = flies(client, NEW);
         double seconds = (System.nanoTime() - begun) * 1e-9;
         return List.of(
-            new Row(
+            new Measurement(
                 "An address that appears after the start, after power off and on",
                 "is served",
                 String.format(
@@ -43,7 +43,7 @@ final class NewAddressTrial {
   }
 
   private static boolean flies(Host client, String drone) throws IOException {
-    try (Program flight = client.start(Flight.class, drone, PORT)) {
+    try (Program flight = client.start(StudentProgram.class, drone, PORT)) {
       return flight.await("flown", PATIENCE_SECONDS).equals("flown");
     } catch (IOException e) {
       System.out.println(drone + ": " + e.getMessage());

@@ -6,7 +6,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
 import java.util.stream.Stream;
-import tellosimulator.benchmark.Row;
+import tellosimulator.benchmark.Measurement;
 
 /**
  * What other programs take of the machine's processors, from when this is made on. Where that is
@@ -41,10 +41,10 @@ final class OtherLoad {
   }
 
   /** A row about times or memory, which counts only where the machine was free. */
-  static Row judged(Row row, double share) {
+  static Measurement judged(Measurement row, double share) {
     return row.reached() || share <= MOST
         ? row
-        : new Row(
+        : new Measurement(
             row.what(),
             row.target(),
             String.format(

@@ -4,8 +4,8 @@ import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import tellosimulator.benchmark.Measurement;
 import tellosimulator.benchmark.Operator;
-import tellosimulator.benchmark.Row;
 
 /** Queries that wait for their replies' delay, which does not pass while the simulation rests. */
 final class OutboxTrial {
@@ -18,10 +18,10 @@ final class OutboxTrial {
 
   private OutboxTrial() {}
 
-  static List<Row> run(double minutes) throws IOException {
+  static List<Measurement> run(double minutes) throws IOException {
     double seconds = Math.max(SHORTEST_SECONDS, minutes * SECONDS_A_MINUTE);
     try (SimulatorProcess simulator =
-            SimulatorProcess.here("--command-port", "0", "--behaviour", "measured");
+            SimulatorProcess.here("--command-port", "0", "--fault", "delay replies 40ms");
         Operator operator = new Operator(simulator.drone(1).getPort())) {
       operator.expect("command", "ok");
       simulator.type("pause");
@@ -41,15 +41,15 @@ final class OutboxTrial {
       double residentGrowth = simulator.figures().residentMegabytes() - resident;
       double heapGrowth = simulator.figures().heapMegabytes() - heap;
       simulator.type("resume");
-      List<Row> rows = new ArrayList<>();
+      List<Measurement> rows = new ArrayList<>();
       rows.add(
-          Row.atMost(
-              "Queries flood a paused drone of behaviour measured: heap grows by",
+          Measurement.atMost(
+              "Queries flood a paused drone on a slow link: heap grows by",
               LARGEST_HEAP_MB,
               heapGrowth,
               "MB"));
       rows.add(
-          Row.beside(
+          Measurement.beside(
               "… resident memory, with what the collector has not looked at yet",
               String.format(Locale.ROOT, "%.0f MB", residentGrowth)));
       rows.add(Health.row("… after that", simulator));

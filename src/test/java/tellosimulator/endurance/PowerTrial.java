@@ -3,8 +3,8 @@ package tellosimulator.endurance;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
+import tellosimulator.benchmark.Measurement;
 import tellosimulator.benchmark.Operator;
-import tellosimulator.benchmark.Row;
 
 /** The power switch, and the program itself, off and on again and again. */
 final class PowerTrial {
@@ -19,14 +19,14 @@ final class PowerTrial {
 
   private PowerTrial() {}
 
-  static List<Row> run(double minutes) throws IOException {
-    List<Row> rows = new ArrayList<>();
+  static List<Measurement> run(double minutes) throws IOException {
+    List<Measurement> rows = new ArrayList<>();
     rows.addAll(cycles((int) Math.min(MOST_CYCLES, minutes * CYCLES_A_MINUTE)));
     rows.add(starts((int) Math.min(MOST_STARTS, minutes * STARTS_A_MINUTE)));
     return rows;
   }
 
-  private static List<Row> cycles(int cycles) throws IOException {
+  private static List<Measurement> cycles(int cycles) throws IOException {
     int port = FreePort.find();
     try (SimulatorProcess simulator = SimulatorProcess.here("--command-port", "" + port)) {
       int good = 0;
@@ -39,12 +39,12 @@ final class PowerTrial {
       int moreThreads = simulator.figures().threads() - threads;
       return List.of(
           all("Power cycles after which the drone answers", cycles, good),
-          Row.atMost(
+          Measurement.atMost(
               "… heap grows by",
               LARGEST_GROWTH_MB,
               simulator.figures().heapMegabytes() - heap,
               "MB"),
-          new Row("… threads more", "at most 2", "" + moreThreads, moreThreads <= 2),
+          new Measurement("… threads more", "at most 2", "" + moreThreads, moreThreads <= 2),
           Insides.row("… log", simulator));
     }
   }
@@ -68,7 +68,7 @@ final class PowerTrial {
   }
 
   /** Starts on one port; each start is killed in flight. */
-  private static Row starts(int starts) throws IOException {
+  private static Measurement starts(int starts) throws IOException {
     int port = FreePort.find();
     int good = 0;
     for (int i = 0; i < starts; i++) {
@@ -86,7 +86,7 @@ final class PowerTrial {
     return all("Starts on one port, each killed in flight, that were ready", starts, good);
   }
 
-  private static Row all(String what, int wanted, int good) {
-    return new Row(what, "all of " + wanted, good + " of " + wanted, good == wanted);
+  private static Measurement all(String what, int wanted, int good) {
+    return new Measurement(what, "all of " + wanted, good + " of " + wanted, good == wanted);
   }
 }

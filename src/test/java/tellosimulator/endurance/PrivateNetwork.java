@@ -17,13 +17,13 @@ final class PrivateNetwork implements AutoCloseable {
 
   private static final List<String> KEEPER = List.of("sh", "-c", "echo kept; exec cat");
 
-  private final List<Program> keepers = new ArrayList<>();
+  private final List<Program> captures = new ArrayList<>();
   private final List<Host> hosts = new ArrayList<>();
 
   /** All machines are there when it returns. */
   PrivateNetwork(int machines) throws IOException {
     try {
-      Host first = add(keeper(Host.HERE, ANYBODY));
+      Host first = add(capture(Host.HERE, ANYBODY));
       first.run("ip", "link", "set", "lo", "up");
       first.run("ip", "link", "add", "lan", "type", "bridge");
       first.run("ip", "address", "add", first.address() + "/24", "dev", "lan");
@@ -39,7 +39,7 @@ final class PrivateNetwork implements AutoCloseable {
 
   private void connect(int machine) throws IOException {
     Host first = hosts.get(0);
-    Program keeper = keeper(first, List.of("unshare", "--net"));
+    Program keeper = capture(first, List.of("unshare", "--net"));
     String port = "port" + machine;
     String owner = "" + keeper.process().pid();
     first.run("ip", "link", "add", port, "type", "veth", "peer", "name", "cable", "netns", owner);
@@ -50,11 +50,11 @@ final class PrivateNetwork implements AutoCloseable {
     host.run("ip", "link", "set", "cable", "up");
   }
 
-  private Program keeper(Host where, List<String> unshare) throws IOException {
+  private Program capture(Host where, List<String> unshare) throws IOException {
     List<String> command = new ArrayList<>(unshare);
     command.addAll(KEEPER);
     Program keeper = where.start(command);
-    keepers.add(keeper);
+    captures.add(keeper);
     keeper.await("kept", 10);
     return keeper;
   }
@@ -89,8 +89,8 @@ final class PrivateNetwork implements AutoCloseable {
 
   @Override
   public void close() {
-    for (int i = keepers.size() - 1; i >= 0; i--) {
-      keepers.get(i).close();
+    for (int i = captures.size() - 1; i >= 0; i--) {
+      captures.get(i).close();
     }
   }
 }

@@ -41,7 +41,7 @@ final class Recorder {
           told = recording.pictures();
           System.out.println("recorded " + told);
         }
-        Moments.pass(Moments.SHORT);
+        Waiting.pass(Waiting.SHORT);
       }
     }
   }

@@ -4,7 +4,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
-import tellosimulator.benchmark.Row;
+import tellosimulator.benchmark.Measurement;
 
 /** A recording whose program is killed. */
 final class RecordingTrial {
@@ -17,7 +17,7 @@ final class RecordingTrial {
 
   private RecordingTrial() {}
 
-  static List<Row> run(double minutes) throws IOException {
+  static List<Measurement> run(double minutes) throws IOException {
     Path film = Files.createTempDirectory("film").resolve("killed.mp4");
     int recorded;
     try (Program recorder = Host.HERE.start(Recorder.class, film)) {
@@ -30,7 +30,7 @@ final class RecordingTrial {
     }
     int decoded = decode(film);
     return List.of(
-        new Row(
+        new Measurement(
             "A recording that is killed with -9, decoded by ffmpeg",
             "all but the last second",
             decoded + " of at least " + recorded + " pictures",

@@ -4,7 +4,7 @@ import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
-import tellosimulator.benchmark.Row;
+import tellosimulator.benchmark.Measurement;
 
 /**
  * Somebody sends {@code command} and {@code streamon} in the name of another machine, the victim,
@@ -52,8 +52,8 @@ final class ReflectorTrial implements AutoCloseable {
   }
 
   /** A victim that answers ICMP, and senders that are on no cable of the machine. */
-  static List<Row> run(double minutes) throws IOException {
-    List<Row> rows = new ArrayList<>();
+  static List<Measurement> run(double minutes) throws IOException {
+    List<Measurement> rows = new ArrayList<>();
     try (ReflectorTrial trial = new ReflectorTrial()) {
       rows.addAll(trial.answeringVictim());
     }
@@ -66,35 +66,37 @@ final class ReflectorTrial implements AutoCloseable {
   }
 
   /** A victim that takes all and says nothing; takes somewhat more than two minutes. */
-  static List<Row> runSilent(double minutes) throws IOException {
+  static List<Measurement> runSilent(double minutes) throws IOException {
     try (ReflectorTrial trial = new ReflectorTrial()) {
       return List.of(trial.silentVictim());
     }
   }
 
-  private List<Row> answeringVictim() throws IOException {
+  private List<Measurement> answeringVictim() throws IOException {
     try (Program witness = witness()) {
       double forged = forge(victim.address());
-      Moments.pass(SECONDS);
+      Waiting.pass(SECONDS);
       double bytes = seen(witness, 1);
       forge(victim.address());
-      Moments.pass(SECONDS);
+      Waiting.pass(SECONDS);
       return List.of(
-          Row.atMost("Forged sender: the victim, which answers ICMP, gets", MOST_BYTES, bytes, "B"),
-          Row.beside(
+          Measurement.atMost(
+              "Forged sender: the victim, which answers ICMP, gets", MOST_BYTES, bytes, "B"),
+          Measurement.beside(
               "… factor for " + (int) forged + " forged bytes",
               String.format(Locale.ROOT, "%.1f", bytes / forged)),
-          Row.atMost("… and when it is forged again", MOST_BYTES, seen(witness, 1) - bytes, "B"));
+          Measurement.atMost(
+              "… and when it is forged again", MOST_BYTES, seen(witness, 1) - bytes, "B"));
     }
   }
 
-  private Row silentVictim() throws IOException {
+  private Measurement silentVictim() throws IOException {
     try (Program witness = witness(STATE_PORT, VIDEO_PORT, SENDER_PORT)) {
       double forged = forge(victim.address());
-      Moments.pass(REST_SECONDS + QUIET_SECONDS);
+      Waiting.pass(REST_SECONDS + QUIET_SECONDS);
       double bytes = seen(witness, 1);
       double seconds = REST_SECONDS + QUIET_SECONDS - seen(witness, 2);
-      return new Row(
+      return new Measurement(
           "Forged sender: a victim that is silent gets something for",
           String.format(Locale.ROOT, "at most %.0f s", REST_SECONDS),
           String.format(
@@ -103,16 +105,16 @@ final class ReflectorTrial implements AutoCloseable {
     }
   }
 
-  private List<Row> offLink(String sender) throws IOException {
+  private List<Measurement> offLink(String sender) throws IOException {
     try (Program witness = witness()) {
       forge(sender);
-      Moments.pass(SECONDS / 2);
+      Waiting.pass(SECONDS / 2);
       double bytes = seen(witness, 1);
       boolean told = simulator.program().log().contains(sender);
       return List.of(
-          Row.atMost(
+          Measurement.atMost(
               "Forged sender " + sender + ", on no link of the machine, gets", 0, bytes, "B"),
-          new Row("… the log", "names it", told ? "names it" : "does not name it", told));
+          new Measurement("… the log", "names it", told ? "names it" : "does not name it", told));
     }
   }
 

@@ -7,8 +7,8 @@ import java.net.InetAddress;
 import java.net.SocketTimeoutException;
 import java.util.ArrayList;
 import java.util.List;
+import tellosimulator.benchmark.Measurement;
 import tellosimulator.benchmark.Operator;
-import tellosimulator.benchmark.Row;
 
 /** Heaps that are too small for what is asked of the program. */
 final class SmallHeapTrial {
@@ -20,15 +20,15 @@ final class SmallHeapTrial {
 
   private SmallHeapTrial() {}
 
-  static List<Row> run(double minutes) throws IOException {
-    List<Row> rows = new ArrayList<>();
+  static List<Measurement> run(double minutes) throws IOException {
+    List<Measurement> rows = new ArrayList<>();
     rows.addAll(film());
     rows.add(flood("127.0.0.9", "-Xmx24m, flood by a stranger"));
     rows.add(flood("127.0.0.1", "-Xmx24m, flood from the operator's address"));
     return rows;
   }
 
-  private static List<Row> film() throws IOException {
+  private static List<Measurement> film() throws IOException {
     try (DatagramSocket video = new DatagramSocket(0, InetAddress.getLoopbackAddress());
         SimulatorProcess simulator = start("-Xmx32m", "" + video.getLocalPort())) {
       if (simulator.ready().isEmpty()) {
@@ -38,13 +38,13 @@ final class SmallHeapTrial {
     }
   }
 
-  private static List<Row> film(SimulatorProcess simulator, DatagramSocket video)
+  private static List<Measurement> film(SimulatorProcess simulator, DatagramSocket video)
       throws IOException {
     try (Operator operator = new Operator(simulator.drone(1).getPort())) {
       operator.expect("command", "ok");
       operator.expect("streamon", "ok");
-      Moments.pass(FILM_SECONDS);
-      List<Row> rows = new ArrayList<>();
+      Waiting.pass(FILM_SECONDS);
+      List<Measurement> rows = new ArrayList<>();
       rows.add(Health.rowOfWhole("-Xmx32m with video", simulator));
       if (simulator.program().process().isAlive()) {
         operator.expect("streamoff", "ok");
@@ -53,7 +53,7 @@ final class SmallHeapTrial {
         operator.expect("streamon", "ok");
         boolean pictures = comes(video);
         rows.add(
-            new Row(
+            new Measurement(
                 "… after the next `streamon`, of smaller pictures",
                 "pictures",
                 pictures ? "pictures" : "none",
@@ -63,7 +63,7 @@ final class SmallHeapTrial {
     }
   }
 
-  private static Row flood(String from, String name) throws IOException {
+  private static Measurement flood(String from, String name) throws IOException {
     try (SimulatorProcess simulator = start("-Xmx24m", "9")) {
       if (!Health.answers(simulator)) {
         return Health.rowOfWhole(name, simulator);

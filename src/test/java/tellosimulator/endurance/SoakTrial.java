@@ -5,8 +5,8 @@ import java.util.List;
 import java.util.Locale;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import tellosimulator.benchmark.Measurement;
 import tellosimulator.benchmark.Operator;
-import tellosimulator.benchmark.Row;
 import tellosimulator.benchmark.Tour;
 
 /** As many hours of flight as fit into the minutes. */
@@ -23,7 +23,7 @@ final class SoakTrial {
 
   private SoakTrial() {}
 
-  static List<Row> run(double minutes) throws IOException {
+  static List<Measurement> run(double minutes) throws IOException {
     double seconds = Math.max(SHORTEST_SECONDS, minutes * SECONDS_A_MINUTE);
     try (SimulatorProcess simulator =
             SimulatorProcess.here("--command-port", "0", "--time-factor", "max");
@@ -40,8 +40,9 @@ final class SoakTrial {
       }
       double hours = (simulatedSeconds(simulator) - before) / 3600;
       return List.of(
-          Row.beside("Simulated hours of flight", String.format(Locale.ROOT, "%.1f h", hours)),
-          Row.atMost(
+          Measurement.beside(
+              "Simulated hours of flight", String.format(Locale.ROOT, "%.1f h", hours)),
+          Measurement.atMost(
               "… heap grows by",
               LARGEST_GROWTH_MB,
               simulator.figures().heapMegabytes() - heap,

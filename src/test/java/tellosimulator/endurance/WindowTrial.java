@@ -13,7 +13,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.stream.Stream;
-import tellosimulator.benchmark.Row;
+import tellosimulator.benchmark.Measurement;
 import tellosimulator.testing.ProcessFigures;
 
 /**
@@ -88,12 +88,12 @@ final class WindowTrial {
 
   private WindowTrial() {}
 
-  static List<Row> run(double minutes) throws IOException {
+  static List<Measurement> run(double minutes) throws IOException {
     String what = "The window while nothing moves";
     if (System.getenv("DISPLAY") == null) {
-      return List.of(Row.beside(what, "not measured: no display"));
+      return List.of(Measurement.beside(what, "not measured: no display"));
     }
-    List<Row> rows = new ArrayList<>();
+    List<Measurement> rows = new ArrayList<>();
     for (Pipeline pipeline : Pipeline.values()) {
       rows.addAll(measured(pipeline));
     }
@@ -101,13 +101,13 @@ final class WindowTrial {
   }
 
   /** All at once: what a process uses is counted for it alone. */
-  private static List<Row> measured(Pipeline pipeline) throws IOException {
+  private static List<Measurement> measured(Pipeline pipeline) throws IOException {
     List<Opened> windows = new ArrayList<>();
     try {
       for (Scene scene : scenes()) {
         windows.add(open(pipeline, scene));
       }
-      Moments.pass(WARM_UP_SECONDS);
+      Waiting.pass(WARM_UP_SECONDS);
       return rows(pipeline, windows);
     } finally {
       windows.forEach(Opened::close);
@@ -121,18 +121,18 @@ final class WindowTrial {
         .toList();
   }
 
-  private static List<Row> rows(Pipeline pipeline, List<Opened> windows) {
+  private static List<Measurement> rows(Pipeline pipeline, List<Opened> windows) {
     List<Used> before = windows.stream().map(Opened::used).toList();
     long begun = System.nanoTime();
-    Moments.pass(SECONDS);
-    List<Row> rows = new ArrayList<>();
+    Waiting.pass(SECONDS);
+    List<Measurement> rows = new ArrayList<>();
     for (Opened window : windows) {
       Used used = window.used().since(before.get(rows.size()));
       double seconds = (System.nanoTime() - begun) * 1e-9;
       double compilers = 100 * used.compiling / seconds;
       double percent = 100 * used.seconds / seconds - compilers;
       rows.add(
-          new Row(
+          new Measurement(
               "The window %s, %s".formatted(pipeline.words, window.scene.words),
               String.format(Locale.ROOT, "at most %.0f %% of a processor", LARGEST_PERCENT),
               String.format(Locale.ROOT, "%.1f %%, and %.1f %% the compilers", percent, compilers),
@@ -153,7 +153,7 @@ final class WindowTrial {
     Opened window = new Opened(scene, simulator);
     try {
       if (scene == Scene.PAUSED) {
-        Moments.pass(OPENING_SECONDS);
+        Waiting.pass(OPENING_SECONDS);
         pauseInFlight(simulator.drone(1));
       }
     } catch (IOException | AWTException e) {
@@ -168,16 +168,16 @@ final class WindowTrial {
     try (DatagramSocket socket = new DatagramSocket()) {
       socket.connect(drone);
       socket.setSoTimeout(PATIENCE_MS);
-      Flight.ask(socket, "command");
-      Flight.ask(socket, "takeoff");
+      StudentProgram.ask(socket, "command");
+      StudentProgram.ask(socket, "takeoff");
       Robot robot = new Robot();
       robot.keyPress(KeyEvent.VK_F9);
       robot.delay(KEY_MS);
       robot.keyRelease(KeyEvent.VK_F9);
-      Moments.pass(1);
-      String before = Flight.ask(socket, "time?");
-      Moments.pass(2);
-      if (!Flight.ask(socket, "time?").equals(before)) {
+      Waiting.pass(1);
+      String before = StudentProgram.ask(socket, "time?");
+      Waiting.pass(2);
+      if (!StudentProgram.ask(socket, "time?").equals(before)) {
         throw new IOException("time passes after F9");
       }
     }

@@ -50,9 +50,10 @@ class GoalWatchTest {
     fixture.drones.fly("back 100", "land");
     assertThat(fixture.watch.progress().status()).isEqualTo(Status.REACHED);
     assertThat(news)
-        .extracting(SimEvent::drone)
+        .extracting(
+            event -> event instanceof SimEvent.ForDrone one ? "drone " + one.drone() : "all")
         .as("drone 1 reached two goals, the end concerns all")
-        .containsExactly(1, 1, 0);
+        .containsExactly("drone 1", "drone 1", "all");
     double elapsed = fixture.watch.progress().elapsed();
     assertThat(fixture.watch.progress().reached().get(1)).hasValue(elapsed);
 

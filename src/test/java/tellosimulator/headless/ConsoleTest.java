@@ -28,8 +28,8 @@ import tellosimulator.world.Room;
 class ConsoleTest {
 
   private static final String HELP =
-      "type reset [N], release [N], power on|off [N], battery PERCENT [N], pause, resume, state, help"
-          + " or quit";
+      "type reset [N], release [N], power on|off [N], battery PERCENT [N], fault TEXT|clear, faults,"
+          + " link PRESET, pause, resume, state, help or quit";
 
   private final Simulation simulation =
       new Simulation(
@@ -48,7 +48,20 @@ class ConsoleTest {
   }
 
   @ParameterizedTest
-  @ValueSource(strings = {"", "reset ", "release ", "power ", "power on ", "battery ", "state "})
+  @ValueSource(
+      strings = {
+        "",
+        "reset ",
+        "release ",
+        "power ",
+        "power on ",
+        "battery ",
+        "fault ",
+        "fault loss ",
+        "faults ",
+        "link ",
+        "state "
+      })
   void whateverIsTypedTheAnswerIsForPeople(String command) throws Exception {
     List<String> words =
         List.of(

@@ -1,13 +1,15 @@
 package tellosimulator.network;
 
 import static org.assertj.core.api.Assertions.assertThat;
-import static tellosimulator.testing.SimulatedDrone.address;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static tellosimulator.testing.SteppedDrone.address;
 
 import java.net.InetSocketAddress;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import tellosimulator.command.Peer;
@@ -55,6 +57,24 @@ class DatagramBatchTest {
 
     assertThat(String.join(", ", taken)).isEqualTo(handedOver);
     assertThat(batch.size()).isZero();
+  }
+
+  @Test
+  void whatCannotBeTakenIsLostAloneAndNothingIsTakenTwice() {
+    DatagramBatch batch = new DatagramBatch();
+    int noSuchDrone = 9;
+    for (int drone : new int[] {1, noSuchDrone, 2}) {
+      batch.add(new DatagramBatch.Entry(connection(drone), new Peer(ADDRESS, ADDRESS), "x"));
+    }
+    Simulation simulation = simulation();
+
+    assertThatThrownBy(() -> batch.handOver(simulation))
+        .isInstanceOf(IllegalArgumentException.class);
+    assertThat(batch.size()).isOne();
+    batch.handOver(simulation);
+    simulation.drain();
+
+    assertThat(taken).containsExactly("1 x", "2 x");
   }
 
   private static CommandConnection connection(int drone) {

@@ -2,7 +2,7 @@ package tellosimulator.network;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
-import static tellosimulator.testing.SimulatedDrone.address;
+import static tellosimulator.testing.SteppedDrone.address;
 
 import java.io.IOException;
 import java.net.DatagramPacket;
@@ -13,8 +13,11 @@ import java.util.List;
 import java.util.OptionalInt;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicReference;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.condition.EnabledOnOs;
+import org.junit.jupiter.api.condition.OS;
 import tellosimulator.math.Vec3;
 import tellosimulator.sim.Control;
 import tellosimulator.sim.SimConfig;
@@ -24,6 +27,7 @@ import tellosimulator.sim.SimListener;
 import tellosimulator.sim.Simulation;
 import tellosimulator.sim.SimulationLoop;
 import tellosimulator.sim.Swarm;
+import tellosimulator.testing.CapturedLog;
 import tellosimulator.time.TimeFactor;
 import tellosimulator.world.Room;
 
@@ -135,13 +139,15 @@ class DroneNetworkTest {
   }
 
   @Test
-  void aDroneThatIsOnListensElsewhereAsSoonAsTheReachChanges() throws IOException {
-    try (DroneNetwork network = DroneNetwork.open(AddressPlan.ofMachine(1, 0))) {
+  void aDroneThatIsOnListensElsewhereAsSoonAsTheReachChanges() throws Exception {
+    try (CapturedLog log = CapturedLog.of(DroneNetwork.class);
+        DroneNetwork network = DroneNetwork.open(AddressPlan.ofMachine(1, 0))) {
       InetSocketAddress local = network.addresses(1).get(0);
       assertThat(network.addresses(1)).containsExactly(local);
       assertThat(local.getAddress()).isEqualTo(FIRST);
 
       network.setReach(Reach.NETWORK);
+      assertThat(log.next()).isEqualTo("Other machines of this network can reach the drones now");
       assertThat(network.addresses(1))
           .startsWith(local)
           .hasSameSizeAs(LocalNetworks.look().addresses())
@@ -169,6 +175,64 @@ class DroneNetworkTest {
       network.setReach(Reach.NETWORK);
       assertThat(network.addresses(1)).containsExactly(open);
       assertThatThrownBy(() -> new DatagramSocket(open).close()).isInstanceOf(IOException.class);
+    }
+  }
+
+  @Test
+  @EnabledOnOs(value = OS.LINUX, disabledReason = "elsewhere 127.0.0.1 is the only such address")
+  void addressesThatAppearAreServedAndThoseThatGoAreLeft() throws Exception {
+    AtomicReference<LocalNetworks> networks = new AtomicReference<>(new LocalNetworks(List.of()));
+    AddressPlan plan = AddressPlan.ofMachine(1, 0).withReach(Reach.NETWORK);
+    try (CapturedLog log = CapturedLog.of(DroneNetwork.class);
+        DroneNetwork network = DroneNetwork.of(plan, networks::get);
+        SimulationLoop loop = run(network, 1, OptionalInt.empty());
+        DatagramSocket client = client()) {
+      assertThat(loop).isNotNull();
+      network.open(1);
+      InetSocketAddress first = network.addresses(1).get(0);
+      assertThat(network.addresses(1)).containsExactly(first);
+
+      InetSocketAddress second = address("127.0.0.2", first.getPort());
+      networks.set(
+          new LocalNetworks(List.of(new LocalNetworks.Member(second.getAddress(), Byte.SIZE))));
+      network.refresh();
+      assertThat(network.addresses(1)).containsExactly(first, second);
+      assertThat(log.next()).isEqualTo("Drone 1 also listens at " + second);
+      send(client, "command", second);
+      assertThat(text(receive(client))).isEqualTo("ok");
+
+      networks.set(new LocalNetworks(List.of()));
+      network.refresh();
+      assertThat(network.addresses(1)).containsExactly(first);
+      try (DatagramSocket free = new DatagramSocket(second)) {
+        assertThat(free.isBound()).isTrue();
+      }
+    }
+  }
+
+  @Test
+  @EnabledOnOs(value = OS.LINUX, disabledReason = "elsewhere 127.0.0.1 is the only such address")
+  void anAddressThatCannotBeServedIsToldOnce() throws Exception {
+    AtomicReference<LocalNetworks> networks = new AtomicReference<>(new LocalNetworks(List.of()));
+    AddressPlan plan = AddressPlan.ofMachine(1, 0).withReach(Reach.NETWORK);
+    try (CapturedLog log = CapturedLog.of(DroneNetwork.class);
+        DroneNetwork network = DroneNetwork.of(plan, networks::get)) {
+      network.open(1);
+      InetSocketAddress first = network.addresses(1).get(0);
+      InetSocketAddress second = address("127.0.0.2", first.getPort());
+      networks.set(
+          new LocalNetworks(List.of(new LocalNetworks.Member(second.getAddress(), Byte.SIZE))));
+      try (DatagramSocket taken = new DatagramSocket(second)) {
+        assertThat(taken.isBound()).isTrue();
+        network.refresh();
+        network.refresh();
+        assertThat(network.addresses(1)).containsExactly(first);
+      }
+      network.refresh();
+
+      assertThat(log.next())
+          .startsWith("Drone 1 does not listen at " + second + ": Port " + second.getPort());
+      assertThat(log.next()).isEqualTo("Drone 1 also listens at " + second);
     }
   }
 

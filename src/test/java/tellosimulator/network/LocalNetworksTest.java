@@ -1,7 +1,7 @@
 package tellosimulator.network;
 
 import static org.assertj.core.api.Assertions.assertThat;
-import static tellosimulator.testing.SimulatedDrone.address;
+import static tellosimulator.testing.SteppedDrone.address;
 
 import java.net.InetAddress;
 import java.util.List;

@@ -2,16 +2,18 @@ package tellosimulator.network;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
-import static tellosimulator.testing.SimulatedDrone.address;
+import static tellosimulator.testing.SteppedDrone.address;
 
 import java.io.IOException;
 import java.net.DatagramPacket;
 import java.net.DatagramSocket;
 import java.net.InetSocketAddress;
+import java.net.SocketTimeoutException;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.OptionalInt;
 import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicLong;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -22,6 +24,8 @@ import tellosimulator.sim.Control;
 import tellosimulator.sim.SimConfig;
 import tellosimulator.sim.SimConfig.Outlets;
 import tellosimulator.sim.SimConfig.Product;
+import tellosimulator.sim.SimEvent;
+import tellosimulator.sim.SimListener;
 
 @Timeout(value = 60, unit = TimeUnit.SECONDS, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
 class OnlineSimulationTest {
@@ -79,6 +83,22 @@ class OnlineSimulationTest {
   }
 
   @Test
+  void afterItWasClosedNoSocketIsOpenedAnyMore() throws IOException {
+    InetSocketAddress drone;
+    try (DatagramSocket probe = new DatagramSocket(address("127.0.0.1", 0))) {
+      drone = (InetSocketAddress) probe.getLocalSocketAddress();
+    }
+    simulation.setCommandPort(1, drone.getPort());
+    simulation.close();
+
+    simulation.carryOut(new Control.Power(1, true));
+
+    try (DatagramSocket free = new DatagramSocket(drone)) {
+      assertThat(free.isBound()).isTrue();
+    }
+  }
+
+  @Test
   void aDroneThatIsNotThereCannotBeSwitchedOn() {
     assertThatThrownBy(() -> simulation.carryOut(new Control.Power(2, true)))
         .isInstanceOf(IllegalArgumentException.class)
@@ -95,6 +115,22 @@ class OnlineSimulationTest {
 
     assertThat(simulation.traffic(1).received()).isEqualTo(2);
     assertThat(simulation.traffic(1).sent()).isGreaterThanOrEqualTo(2);
+  }
+
+  @Test
+  void afterItHasSettledAllThatWasSentHasArrived() throws IOException {
+    simulation.carryOut(new Control.Power(1, true));
+    InetSocketAddress drone = simulation.addresses(1).get(0);
+    assertThat(ask("command", drone)).isEqualTo("ok");
+    byte[] rc = "rc 0 0 0 0".getBytes(StandardCharsets.ISO_8859_1);
+
+    try (DatagramSocket socket = new DatagramSocket(address("127.0.0.1", 0))) {
+      for (int sent = 1; sent <= 100; sent++) {
+        socket.send(new DatagramPacket(rc, rc.length, drone));
+        simulation.settle();
+        assertThat(simulation.traffic(1).received()).isEqualTo(1 + sent);
+      }
+    }
   }
 
   @Test
@@ -123,8 +159,54 @@ class OnlineSimulationTest {
     assertThat(ask("command", drone)).isEqualTo("ok");
   }
 
+  @Test
+  @Timeout(value = 60, unit = TimeUnit.SECONDS, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
+  void whatWasTurnedAwayIsToldNowAndThen() throws IOException {
+    AtomicLong turnedAway = new AtomicLong();
+    simulation.listen(
+        new SimListener() {
+          @Override
+          public void event(SimEvent event) {
+            if (event instanceof SimEvent.DatagramsDropped dropped) {
+              turnedAway.addAndGet(dropped.count());
+            }
+          }
+        });
+    simulation.carryOut(new Control.Power(1, true));
+    InetSocketAddress drone = simulation.addresses(1).get(0);
+    assertThat(ask("command", drone)).isEqualTo("ok");
+
+    try (DatagramSocket socket = new DatagramSocket(address("127.0.0.1", 0))) {
+      while (turnedAway.get() == 0) {
+        socket.send(new DatagramPacket(new byte[] {'x'}, 1, drone));
+      }
+    }
+
+    assertThat(askAgainAndAgain("battery?", drone))
+        .as("a command of the operator")
+        .isEqualTo("100\r\n");
+  }
+
   private FlightPhase phase() {
     return simulation.snapshot().drones().get(0).state().phase();
+  }
+
+  /** The system loses what comes while the socket's buffer is full. */
+  private static String askAgainAndAgain(String text, InetSocketAddress drone) throws IOException {
+    try (DatagramSocket socket = new DatagramSocket(address("127.0.0.1", 0))) {
+      socket.setSoTimeout(500);
+      byte[] bytes = text.getBytes(StandardCharsets.ISO_8859_1);
+      DatagramPacket reply = new DatagramPacket(new byte[2048], 2048);
+      while (true) {
+        socket.send(new DatagramPacket(bytes, bytes.length, drone));
+        try {
+          socket.receive(reply);
+          return new String(reply.getData(), 0, reply.getLength(), StandardCharsets.ISO_8859_1);
+        } catch (SocketTimeoutException e) {
+          // lost, or late
+        }
+      }
+    }
   }
 
   private static String ask(String text, InetSocketAddress drone) throws IOException {

@@ -9,6 +9,9 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.OptionalInt;
 import java.util.SplittableRandom;
+import tellosimulator.fault.Fault;
+import tellosimulator.fault.FaultPlan;
+import tellosimulator.fault.LinkPreset;
 import tellosimulator.goal.Challenge;
 import tellosimulator.goal.Goal;
 import tellosimulator.goal.Goal.Direction;
@@ -42,6 +45,14 @@ final class RandomScenario {
 
   private static final List<String> NAMES =
       List.of("table", "yes", "5", "null", "a: b", "- x", "it's", "\"q\"", "#1", "Tür", "🚪", "~");
+
+  private static final List<String> FAULTS =
+      List.of(
+          "loss state 12.5% burst 3 for 10s",
+          "cut drone 1 after 2nd \"forward 100\"",
+          "delay replies 44ms spread 38.6ms at 1.5s",
+          "stray-binary",
+          "loss after \"# a: b\"");
 
   private final SplittableRandom random;
 
@@ -81,8 +92,9 @@ final class RandomScenario {
             drones,
             random.nextBoolean() ? TimeFactor.MAX : new TimeFactor(number(1, 100)),
             random.nextLong() / 100,
-            SimConfig.Rules.DEFAULT.withCrashSpeed(
-                random.nextBoolean() ? DroneSpec.CRASH_SPEED : cm(0, 2000)));
+            SimConfig.Rules.DEFAULT
+                .withCrashSpeed(random.nextBoolean() ? DroneSpec.CRASH_SPEED : cm(0, 2000))
+                .withFaults(faults()));
     return new Scenario(
         random.nextBoolean() ? "" : pick(NAMES),
         random.nextBoolean() ? "" : pick(NAMES),
@@ -122,6 +134,16 @@ final class RandomScenario {
     } catch (UnknownHostException e) {
       throw new AssertionError(e);
     }
+  }
+
+  private FaultPlan faults() {
+    List<Fault> faults = new ArrayList<>();
+    for (int i = random.nextInt(4); i > 0; i--) {
+      faults.add(Fault.of(pick(FAULTS)));
+    }
+    return new FaultPlan(
+        random.nextBoolean() ? Optional.empty() : Optional.of(pick(List.of(LinkPreset.values()))),
+        faults);
   }
 
   private Wind wind() {

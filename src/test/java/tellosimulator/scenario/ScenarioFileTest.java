@@ -310,7 +310,7 @@ class ScenarioFileTest {
           room: 5                             | 1:7: expected a room, found "5"
           rom: {width: 500}                   | 1:1: a scenario has no key "rom", did you mean room?
           time_limit: 5                       | 1:1: a scenario has no key "time_limit", did you mean time-limit?
-          zebra: 5                            | 1:1: a scenario has no key "zebra", but only name, teaches, room, grid, walls, posters, obstacles, pads, drones, wind, crash-speed, time-factor, seed, goals, in-order, time-limit, touch
+          zebra: 5                            | 1:1: a scenario has no key "zebra", but only name, teaches, room, grid, walls, posters, obstacles, pads, drones, wind, link, faults, crash-speed, time-factor, seed, goals, in-order, time-limit, touch
           {name: a, name: b}                  | 1:11: the key name is there twice
           [1, 2]                              | 1:1: expected a scenario, found a list of 2
           just words                          | 1:1: expected a scenario, found "just words"

@@ -8,6 +8,7 @@ import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import tellosimulator.command.Peer;
+import tellosimulator.fault.LinkPreset;
 import tellosimulator.math.Attitude;
 import tellosimulator.math.Pose;
 import tellosimulator.math.Vec3;
@@ -16,7 +17,7 @@ import tellosimulator.model.DroneState;
 import tellosimulator.model.FlightPhase;
 import tellosimulator.profile.Behaviour;
 import tellosimulator.profile.Profile;
-import tellosimulator.testing.SimulatedDrone;
+import tellosimulator.testing.SteppedDrone;
 import tellosimulator.time.Demand;
 import tellosimulator.time.SimTime;
 import tellosimulator.world.Room;
@@ -24,7 +25,7 @@ import tellosimulator.world.Room;
 /** Drones that run into each other. */
 class EncountersTest {
 
-  private static final double SIZE = 2 * DroneSpec.HULL.radius();
+  private static final double SIZE = 2 * DroneSpec.COLLIDER.radius();
 
   private final List<SimEvent> events = new ArrayList<>();
   private final List<String> replies = new ArrayList<>();
@@ -83,7 +84,7 @@ class EncountersTest {
       Vec3 offset = position(simulation, 2).minus(position(simulation, 1));
       boolean beneath = offset.horizontal().norm() < SIZE - 0.001;
       if (beneath) {
-        assertThat(Math.abs(offset.z())).isGreaterThan(DroneSpec.HULL.height() - 1e-6);
+        assertThat(Math.abs(offset.z())).isGreaterThan(DroneSpec.COLLIDER.height() - 1e-6);
       }
     }
     assertThat(words())
@@ -125,6 +126,7 @@ class EncountersTest {
         new Simulation(
             SimConfig.DEFAULT
                 .withProduct(Profile.EDU, behaviour)
+                .withLink(LinkPreset.IDEAL)
                 .withRoom(new Room(12, 12, 5), List.of(starts)),
             drone -> (peer, text) -> replies.add(text),
             report -> {},
@@ -154,8 +156,8 @@ class EncountersTest {
   }
 
   private static void submit(Simulation simulation, int drone, String text) {
-    InetSocketAddress client = SimulatedDrone.CLIENT;
-    simulation.submit(drone, new Peer(client, SimulatedDrone.DRONE), text);
+    InetSocketAddress client = SteppedDrone.CLIENT;
+    simulation.submit(drone, new Peer(client, SteppedDrone.DRONE), text);
   }
 
   private static void advance(Simulation simulation, double seconds) {

@@ -1,7 +1,7 @@
 package tellosimulator.sim;
 
 import static org.assertj.core.api.Assertions.assertThat;
-import static tellosimulator.testing.SimulatedDrone.address;
+import static tellosimulator.testing.SteppedDrone.address;
 
 import org.junit.jupiter.api.Test;
 import tellosimulator.command.Peer;
@@ -47,6 +47,22 @@ class InboxTest {
 
     assertThat(taken).isEqualTo(4096 - 1024);
     assertThat(inbox.offer(from(20_000, "land"), true)).isTrue();
+  }
+
+  @Test
+  void whatTheProgramItselfWantsHasItsTurnAndAlwaysRoom() {
+    for (int sender = 1; sender <= 10_000; sender++) {
+      inbox.offer(from(sender, "battery?"), true);
+    }
+    Inbox.Call call = new Inbox.Call("A test failed", () -> {}, () -> {});
+    inbox.add(call);
+
+    for (int i = 0; i < 4096; i++) {
+      assertThat(inbox.poll()).isInstanceOf(Datagram.class);
+    }
+    assertThat(inbox.peek()).isSameAs(call);
+    assertThat(inbox.poll()).isSameAs(call);
+    assertThat(inbox.isEmpty()).isTrue();
   }
 
   private static Datagram from(int port, String text) {

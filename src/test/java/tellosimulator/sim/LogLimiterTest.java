@@ -1,7 +1,7 @@
 package tellosimulator.sim;
 
 import static org.assertj.core.api.Assertions.assertThat;
-import static tellosimulator.testing.SimulatedDrone.address;
+import static tellosimulator.testing.SteppedDrone.address;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -51,7 +51,9 @@ class LogLimiterTest {
     limiter.event(new SimEvent.TurnedAway(SimTime.ZERO, 2, STRANGER, "takeoff", REASON));
 
     assertThat(told).hasSize(3);
-    assertThat(told).extracting(SimEvent::drone).containsExactly(1, 1, 2);
+    assertThat(told)
+        .extracting(event -> ((SimEvent.ForDrone) event).drone())
+        .containsExactly(1, 1, 2);
   }
 
   @Test
@@ -92,21 +94,21 @@ class LogLimiterTest {
   @Test
   void repliesThatAreDroppedAreToldInSums() {
     for (int i = 0; i < 1000; i++) {
-      limiter.event(new SimEvent.RepliesDropped(SimTime.ZERO, 1, 2));
+      limiter.event(new SimEvent.WaitingDropped(SimTime.ZERO, 1, 2));
     }
     limiter.stepped(anything());
-    assertThat(told).containsExactly(new SimEvent.RepliesDropped(SimTime.ZERO, 1, 2));
+    assertThat(told).containsExactly(new SimEvent.WaitingDropped(SimTime.ZERO, 1, 2));
 
     nanos += SECOND;
-    limiter.event(new SimEvent.RepliesDropped(SimTime.ZERO, 1, 2));
-    limiter.event(new SimEvent.RepliesDropped(SimTime.ZERO, 1, 3));
+    limiter.event(new SimEvent.WaitingDropped(SimTime.ZERO, 1, 2));
+    limiter.event(new SimEvent.WaitingDropped(SimTime.ZERO, 1, 3));
     nanos += SECOND;
     limiter.stepped(anything());
 
     assertThat(told.subList(1, told.size()))
         .containsExactly(
-            new SimEvent.RepliesDropped(SimTime.ZERO, 1, 2000),
-            new SimEvent.RepliesDropped(SimTime.ZERO, 1, 3));
+            new SimEvent.WaitingDropped(SimTime.ZERO, 1, 2000),
+            new SimEvent.WaitingDropped(SimTime.ZERO, 1, 3));
   }
 
   @Test

@@ -1,7 +1,7 @@
 package tellosimulator.sim;
 
 import static org.assertj.core.api.Assertions.assertThat;
-import static tellosimulator.testing.SimulatedDrone.address;
+import static tellosimulator.testing.SteppedDrone.address;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -92,7 +92,7 @@ class OperatorChangesTest {
             "`takeoff` from "
                 + FIRST
                 + " turned away: the drone is operated by 192.168.1.8 now, which took over from"
-                + " 192.168.1.7");
+                + " 192.168.1.7; release it to take it back");
   }
 
   @ParameterizedTest

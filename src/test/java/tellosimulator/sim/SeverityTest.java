@@ -5,11 +5,11 @@ import static org.assertj.core.api.Assertions.assertThat;
 import org.junit.jupiter.api.Test;
 import tellosimulator.profile.Behaviour;
 import tellosimulator.profile.Profile;
-import tellosimulator.testing.SimulatedDrone;
+import tellosimulator.testing.SteppedDrone;
 
 class SeverityTest {
 
-  private final SimulatedDrone drone = SimulatedDrone.of(Profile.EDU, Behaviour.REPORT);
+  private final SteppedDrone drone = SteppedDrone.of(Profile.EDU, Behaviour.REPORT);
 
   @Test
   void whatTheDroneIgnoresOrRefusesIsAWarning() {

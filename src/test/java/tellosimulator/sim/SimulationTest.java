@@ -3,7 +3,7 @@ package tellosimulator.sim;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
 import static org.assertj.core.api.Assertions.within;
-import static tellosimulator.testing.SimulatedDrone.address;
+import static tellosimulator.testing.SteppedDrone.address;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -11,22 +11,23 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import tellosimulator.command.Peer;
+import tellosimulator.fault.Fault;
 import tellosimulator.math.Vec3;
 import tellosimulator.model.DroneSpec;
 import tellosimulator.model.DroneState;
 import tellosimulator.model.FlightPhase;
-import tellosimulator.profile.Behaviour;
-import tellosimulator.profile.Profile;
-import tellosimulator.sim.SimConfig.Product;
 import tellosimulator.testing.CapturedLog;
 import tellosimulator.time.Demand;
 import tellosimulator.time.SimTime;
 import tellosimulator.time.TimeFactor;
+import tellosimulator.world.Arena;
 import tellosimulator.world.Decor;
+import tellosimulator.world.MissionPad;
 import tellosimulator.world.Poster;
 import tellosimulator.world.Room;
 import tellosimulator.world.Surface;
 import tellosimulator.world.Walls;
+import tellosimulator.world.Wind;
 
 class SimulationTest {
 
@@ -67,36 +68,95 @@ class SimulationTest {
 
   @Test
   void aFloodOfQueriesWhileTimeStandsStillFillsNoMemory() {
-    Product product = new Product(Profile.EDU, Behaviour.MEASURED);
-    SimConfig config =
-        SimConfig.DEFAULT.withDrones(
-            SimConfig.DEFAULT.drones().stream().map(drone -> drone.withProduct(product)).toList());
-    Simulation measured =
+    SimConfig config = SimConfig.DEFAULT.withFaults(List.of(Fault.of("delay replies 40ms")));
+    Simulation late =
         new Simulation(
             config, drone -> (peer, text) -> replies.add(text), report -> {}, List.of(recorder));
-    measured.control(new Control.Power(1, true));
+    late.control(new Control.Power(1, true));
     int asked = 80 * AT_ONCE;
     for (int i = 0; i < asked; i++) {
-      assertThat(measured.submit(1, PEER, i == 0 ? "command" : "battery?")).isTrue();
+      assertThat(late.submit(1, PEER, i == 0 ? "command" : "battery?")).isTrue();
       if (i % AT_ONCE == AT_ONCE - 1) {
-        measured.drain();
+        late.drain();
       }
     }
     assertThat(replies).isEmpty();
     for (int i = 0; i < 200; i++) {
-      measured.step();
+      late.step();
     }
 
     int mostForPeer = 1024;
     assertThat(replies).hasSize(mostForPeer);
-    List<SimEvent.RepliesDropped> told =
+    List<SimEvent.WaitingDropped> told =
         events.stream()
-            .filter(SimEvent.RepliesDropped.class::isInstance)
-            .map(SimEvent.RepliesDropped.class::cast)
+            .filter(SimEvent.WaitingDropped.class::isInstance)
+            .map(SimEvent.WaitingDropped.class::cast)
             .toList();
     assertThat(told).isNotEmpty();
-    assertThat(told.stream().mapToLong(SimEvent.RepliesDropped::count).sum())
+    assertThat(told.stream().mapToLong(SimEvent.WaitingDropped::count).sum())
         .isBetween(1L, (long) asked - mostForPeer);
+  }
+
+  /** Else a program that is still being served would see what a person did later. */
+  @Test
+  void aControlIsTakenAfterTheCommandsBeforeItAndBeforeThoseAfterIt() {
+    simulation.control(new Control.Power(1, true));
+    simulation.submit(1, PEER, "command");
+    simulation.submit(1, PEER, "battery?");
+    simulation.control(new Control.SetBattery(1, 50));
+    simulation.submit(1, PEER, "battery?");
+    simulation.drain();
+
+    assertThat(replies).containsExactly("ok", "100\r\n", "50\r\n");
+  }
+
+  @Test
+  void aControlWaitsForAllCommandsBeforeItHoweverManyThereAre() {
+    List<Integer> shown = new ArrayList<>();
+    for (int i = 0; i <= AT_ONCE; i++) {
+      simulation.submit(1, new Peer(address("192.168.10.2", 9000 + i), PEER.via()), "battery?");
+    }
+    simulation.control(new Control.SetBattery(1, 50), () -> shown.add(percent()));
+
+    simulation.drain();
+    assertThat(percent()).isEqualTo(100);
+    assertThat(simulation.pending()).isTrue();
+    simulation.drain();
+    assertThat(shown).containsExactly(50);
+  }
+
+  private int percent() {
+    return simulation.snapshot().drones().get(0).state().energy().battery().percent();
+  }
+
+  /** Who sets the wind may not know yet what else was changed. */
+  @Test
+  void anotherWindLeavesEverythingElseAsItIs() {
+    Room other = new Room(7, 7, 3);
+    Wind wind = new Wind(new Vec3(1, 0, 0), 0);
+
+    simulation.control(new Control.SetRoom(other));
+    simulation.control(new Control.SetWind(wind));
+    simulation.drain();
+
+    assertThat(simulation.snapshot().arena().room()).isEqualTo(other);
+    assertThat(simulation.snapshot().arena().wind()).isEqualTo(wind);
+  }
+
+  /** The plan may not know yet that the wind has turned. */
+  @Test
+  void otherObstaclesLeaveWindAndRoomAsTheyAre() {
+    Room other = new Room(7, 7, 3);
+    Wind wind = new Wind(new Vec3(1, 0, 0), 0);
+    List<MissionPad> pads = List.of(MissionPad.onFloor(3, new Vec3(1, 1, 0), 0));
+
+    simulation.control(new Control.SetRoom(other));
+    simulation.control(new Control.SetWind(wind));
+    simulation.control(new Control.Furnish(List.of(), pads));
+    simulation.drain();
+
+    Arena arena = simulation.snapshot().arena();
+    assertThat(arena).isEqualTo(Arena.DEFAULT.withRoom(other).withWind(wind).withPads(pads));
   }
 
   @Test
@@ -291,7 +351,7 @@ class SimulationTest {
 
     assertThat(state(1).phase()).isEqualTo(FlightPhase.OFF);
     assertThat(state(2).phase()).isEqualTo(FlightPhase.GROUNDED);
-    assertThat(events).extracting(SimEvent::drone).containsExactly(2);
+    assertThat(events).extracting(event -> ((SimEvent.ForDrone) event).drone()).containsExactly(2);
   }
 
   @Test
@@ -338,10 +398,10 @@ class SimulationTest {
 
     assertThat(simulation.snapshot().room()).isEqualTo(small);
     assertThat(state(1).motion().position())
-        .isEqualTo(small.nearestInside(new Vec3(2, -2, 0), DroneSpec.HULL));
+        .isEqualTo(small.nearestInside(new Vec3(2, -2, 0), DroneSpec.COLLIDER));
     simulation.control(new Control.Reset(1));
     simulation.drain();
-    assertThat(small.contains(state(1).motion().position(), DroneSpec.HULL)).isTrue();
+    assertThat(small.contains(state(1).motion().position(), DroneSpec.COLLIDER)).isTrue();
   }
 
   @Test

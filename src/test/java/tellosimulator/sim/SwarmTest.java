@@ -57,7 +57,8 @@ class SwarmTest {
 
     assertThat(starts).hasSize(drones);
     assertThat(starts.stream().map(start -> start.position().x()).distinct()).hasSize(rows);
-    assertThat(starts).allMatch(start -> Room.DEFAULT.contains(start.position(), DroneSpec.HULL));
+    assertThat(starts)
+        .allMatch(start -> Room.DEFAULT.contains(start.position(), DroneSpec.COLLIDER));
     for (int i = 0; i < drones; i++) {
       for (int k = 0; k < i; k++) {
         assertThat(starts.get(i).position().distanceTo(starts.get(k).position()))
@@ -68,7 +69,8 @@ class SwarmTest {
 
   @Test
   void tooManyAreRefusedWithThePlaceThatIsOutside() {
-    // Rows of 9 at x 0, -0.6, -1.2, -1.8 and -2.4, which is 10 cm from the wall; the hull has 8.7.
+    // Rows of 9 at x 0, -0.6, -1.2, -1.8 and -2.4, which is 10 cm from the wall; the collider has
+    // 8.7.
     assertThat(Swarm.row(45, Vec3.ZERO, Room.DEFAULT)).hasSize(45);
     assertThatIllegalArgumentException()
         .isThrownBy(() -> Swarm.row(46, Vec3.ZERO, Room.DEFAULT))

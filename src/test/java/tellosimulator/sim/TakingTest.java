@@ -2,7 +2,7 @@ package tellosimulator.sim;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
-import static tellosimulator.testing.SimulatedDrone.address;
+import static tellosimulator.testing.SteppedDrone.address;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -11,6 +11,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import tellosimulator.command.Peer;
+import tellosimulator.fault.LinkPreset;
 import tellosimulator.math.Attitude;
 import tellosimulator.math.Pose;
 import tellosimulator.math.Vec3;
@@ -74,7 +75,11 @@ class TakingTest {
   /** A drone restarts 3 s after the answer, and is silent for 8 s. */
   @Test
   void whatComesDuringARestartIsTakenAfterIt() {
-    simulation = simulation(config(Vec3.ZERO).withProduct(Profile.EDU, Behaviour.MEASURED));
+    simulation =
+        simulation(
+            config(Vec3.ZERO)
+                .withProduct(Profile.EDU, Behaviour.MEASURED)
+                .withLink(LinkPreset.IDEAL));
     ask(1, "command");
     ask(1, "wifi name password");
 
@@ -159,6 +164,25 @@ class TakingTest {
     simulation.drain();
 
     assertThat(replies).containsExactly("ok", "100", "0s");
+  }
+
+  /** `mon` owes a state line; what came after it waits, the control too. */
+  @Test
+  void asFastAsPossibleAControlWaitsForWhatCommandsBeforeItHaveCaused() {
+    ask(1, "command");
+    ask(1, "battery?");
+    submit(1, "mon");
+    submit(1, "battery?");
+    simulation.control(new Control.SetBattery(1, 40));
+    simulation.drain();
+    assertThat(simulation.snapshot().drones().get(0).state().energy().battery().percent())
+        .isEqualTo(100);
+
+    submit(1, "battery?");
+    runWhile(Demand.DEBT);
+    simulation.drain();
+    runWhile(Demand.DEBT);
+    assertThat(replies.subList(2, 5)).containsExactly("ok", "100", "40");
   }
 
   @Test

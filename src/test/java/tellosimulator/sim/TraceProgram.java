@@ -11,6 +11,8 @@ import java.util.HexFormat;
 import java.util.List;
 import java.util.concurrent.CountDownLatch;
 import tellosimulator.command.Peer;
+import tellosimulator.fault.Fault;
+import tellosimulator.fault.LinkPreset;
 import tellosimulator.math.Attitude;
 import tellosimulator.math.Vec3;
 import tellosimulator.model.Motion;
@@ -46,6 +48,16 @@ public final class TraceProgram implements SimListener {
 
   private static final int DRONES = 2;
 
+  /** Each reply comes, because the next command waits for it. */
+  private static final List<String> FAULTS =
+      List.of(
+          "delay commands replies 20ms spread 30ms",
+          "delay state 50ms spread 40ms at 3s",
+          "loss state 20% burst 2",
+          "duplicate state 10% drone 2",
+          "reorder state 10% after forward",
+          "corrupt state 5% for 10s");
+
   private final MessageDigest digest;
   private final CountDownLatch done = new CountDownLatch(DRONES);
   private final int[] next = new int[DRONES];
@@ -59,6 +71,8 @@ public final class TraceProgram implements SimListener {
         new Simulation(
             SimConfig.DEFAULT
                 .withProduct(Profile.EDU, Behaviour.MEASURED)
+                .withLink(LinkPreset.IDEAL)
+                .withFaults(FAULTS.stream().map(Fault::of).toList())
                 .withRoom(room, Swarm.row(DRONES, Vec3.ZERO, room))
                 .withTimeFactor(factor)
                 .withSeed(seed),

@@ -101,7 +101,7 @@ public final class SimulatedDrones {
   /** A datagram arrives. */
   public void send(int drone, String command) {
     Peer peer =
-        new Peer(SimulatedDrone.address("192.168.10.100", OPERATORS_PORT + drone), address(drone));
+        new Peer(SteppedDrone.address("192.168.10.100", OPERATORS_PORT + drone), address(drone));
     simulation.submit(drone, peer, command);
     simulation.drain();
     collect();
@@ -153,6 +153,6 @@ public final class SimulatedDrones {
   }
 
   private static InetSocketAddress address(int drone) {
-    return SimulatedDrone.address("192.168.10." + drone, 8889);
+    return SteppedDrone.address("192.168.10." + drone, 8889);
   }
 }

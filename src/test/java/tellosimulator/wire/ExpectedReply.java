@@ -2,7 +2,6 @@ package tellosimulator.wire;
 
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
-import tellosimulator.profile.Behaviour;
 
 /**
  * A reply that must come.
@@ -39,11 +38,6 @@ record ExpectedReply(ExpectedText text, When when, String to) {
     /** Whether the drone must stand still when it comes. */
     boolean whenMotionIsOver() {
       return word.equals("late");
-    }
-
-    /** At once is at once in one behaviour, and within 30 to 50 ms (and a step) in the other. */
-    When in(Behaviour behaviour) {
-      return atOnce() && behaviour == Behaviour.MEASURED ? new When(word, 0.030, 0.055) : this;
     }
   }
 

@@ -13,7 +13,7 @@ import tellosimulator.math.Frames;
 import tellosimulator.math.Vec3;
 import tellosimulator.model.DroneState;
 import tellosimulator.sim.SimEvent;
-import tellosimulator.testing.SimulatedDrone;
+import tellosimulator.testing.SteppedDrone;
 
 /** What a table can say of the drone's state: a name and a value. */
 final class StateChecks {
@@ -21,14 +21,14 @@ final class StateChecks {
   private static final Pattern NUMBER =
       Pattern.compile("(?<value>-?[0-9.]+)(±(?<tolerance>[0-9.]+))?");
 
-  private final SimulatedDrone drone;
+  private final SteppedDrone drone;
   private final Map<String, Consumer<String>> checks = new LinkedHashMap<>();
   private Vec3 position = Vec3.ZERO;
   private double yawDeg;
   private int stateLines;
   private int events;
 
-  StateChecks(SimulatedDrone drone) {
+  StateChecks(SteppedDrone drone) {
     this.drone = drone;
     number("height", 1, () -> position().z() * 100);
     number("rise", 1, () -> flown().z() * 100);
@@ -90,8 +90,8 @@ final class StateChecks {
     assertThat(lastLine().text()).as("state line").matches(ExpectedText.of(expected).pattern());
   }
 
-  private SimulatedDrone.Sent lastLine() {
-    List<SimulatedDrone.Sent> lines = drone.stateLines();
+  private SteppedDrone.Sent lastLine() {
+    List<SteppedDrone.Sent> lines = drone.stateLines();
     assertThat(lines).as("state lines").isNotEmpty();
     return lines.get(lines.size() - 1);
   }

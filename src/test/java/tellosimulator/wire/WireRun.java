@@ -7,11 +7,11 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
+import tellosimulator.fault.LinkPreset;
 import tellosimulator.math.Vec3;
 import tellosimulator.sim.Control;
-import tellosimulator.testing.SimulatedDrone;
-import tellosimulator.testing.SimulatedDrone.Sent;
-import tellosimulator.world.Arena;
+import tellosimulator.testing.SteppedDrone;
+import tellosimulator.testing.SteppedDrone.Sent;
 import tellosimulator.world.MissionPad;
 import tellosimulator.world.Room;
 
@@ -21,15 +21,15 @@ final class WireRun {
   /** The clients of the table by their name. A2 is another program on the host of A. */
   static final Map<String, InetSocketAddress> CLIENTS =
       Map.of(
-          "A", SimulatedDrone.CLIENT,
-          "A2", SimulatedDrone.address("192.168.10.2", 38065),
-          "B", SimulatedDrone.address("192.168.10.3", 9000));
+          "A", SteppedDrone.CLIENT,
+          "A2", SteppedDrone.address("192.168.10.2", 38065),
+          "B", SteppedDrone.address("192.168.10.3", 9000));
 
   /** How long nothing more may come at the end [s]; longer than the second answer to `stop`. */
   private static final double QUIET = 3;
 
   private final WireRow row;
-  private final SimulatedDrone drone;
+  private final SteppedDrone drone;
   private final StateChecks checks;
 
   /** Replies that were expected and came. */
@@ -39,7 +39,7 @@ final class WireRun {
 
   WireRun(WireRow row) {
     this.row = row;
-    this.drone = SimulatedDrone.of(row.profile(), row.behaviour());
+    this.drone = SteppedDrone.of(row.profile(), row.behaviour());
     this.checks = new StateChecks(drone);
   }
 
@@ -61,7 +61,7 @@ final class WireRun {
   }
 
   private void await(ExpectedReply expected, InetSocketAddress asker, double start) {
-    ExpectedReply.When when = expected.when().in(row.behaviour());
+    ExpectedReply.When when = expected.when();
     String what = "reply `%s` @%s".formatted(expected.text().notation(), when.word());
     drone.advanceUntil(
         () -> drone.replies().size() > seen, start + when.most() - drone.seconds() + 1e-6);
@@ -124,6 +124,7 @@ final class WireRun {
       case "wait" -> drone.advance(Double.parseDouble(words.get(1)));
       case "quiet" -> seen = drone.replies().size();
       case "battery" -> drone.control(new Control.SetBattery(1, Double.parseDouble(words.get(1))));
+      case "link" -> drone.control(new Control.SetLink(LinkPreset.of(words.get(1))));
       case "reset" -> drone.control(new Control.Reset(1));
       case "on" -> drone.control(new Control.Power(1, true));
       case "off" -> drone.control(new Control.Power(1, false));
@@ -156,7 +157,7 @@ final class WireRun {
             Integer.parseInt(words.get(1)),
             place,
             Math.toRadians(Double.parseDouble(words.get(4)))));
-    drone.control(new Control.Furnish(Arena.DEFAULT.withPads(pads)));
+    drone.control(new Control.Furnish(List.of(), pads));
   }
 
   private record Message(InetSocketAddress from, String text) {}
@@ -166,7 +167,7 @@ final class WireRun {
     int mark = notation.indexOf("> ");
     InetSocketAddress from = mark < 0 ? null : CLIENTS.get(notation.substring(0, mark));
     return from == null
-        ? new Message(SimulatedDrone.CLIENT, ExpectedText.bytes(notation))
+        ? new Message(SteppedDrone.CLIENT, ExpectedText.bytes(notation))
         : new Message(from, ExpectedText.bytes(notation.substring(mark + 2)));
   }
 }

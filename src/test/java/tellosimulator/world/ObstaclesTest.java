@@ -15,11 +15,11 @@ import tellosimulator.math.Vec3;
 
 class ObstaclesTest {
 
-  private static final Hull HULL = new Hull(0.1, 0.04);
+  private static final Collider COLLIDER = new Collider(0.1, 0.04);
   private static final double STEP = 0.005;
   private static final double ROUNDING = 1e-9;
 
-  /** The box is 0.4 m deep and 0.6 m wide, the hull's radius 0.1 m. */
+  /** The box is 0.4 m deep and 0.6 m wide, the collider's radius 0.1 m. */
   @ParameterizedTest
   @CsvSource({"1, 0, 0.3, 0", "-1, 0, -0.3, 0", "0, 1, 0, 0.4", "0, -1, 0, -0.4"})
   void aBoxStopsABodyFromEachSide(double fromX, double fromY, double endX, double endY) {
@@ -28,7 +28,8 @@ class ObstaclesTest {
     Vec3 velocity = new Vec3(-fromX, -fromY, 0);
 
     Collision hit =
-        box.collide(from, new Vec3(0.05 * fromX, 0.05 * fromY, 0.5), velocity, HULL).orElseThrow();
+        box.collide(from, new Vec3(0.05 * fromX, 0.05 * fromY, 0.5), velocity, COLLIDER)
+            .orElseThrow();
 
     assertThat(hit.position().distanceTo(new Vec3(endX, endY, 0.5))).isLessThan(ROUNDING);
     assertThat(hit.normal()).isEqualTo(new Vec3(fromX, fromY, 0));
@@ -43,7 +44,7 @@ class ObstaclesTest {
     Obstacles box = obstacles(new Shape.Box(1, 1, 1), Vec3.ZERO, Math.PI / 4);
 
     Collision hit =
-        box.collide(new Vec3(0.8, 0.8, 0), new Vec3(0.3, 0.3, 0), new Vec3(-1, -1, 0), HULL)
+        box.collide(new Vec3(0.8, 0.8, 0), new Vec3(0.3, 0.3, 0), new Vec3(-1, -1, 0), COLLIDER)
             .orElseThrow();
 
     double diagonal = Math.sqrt(0.5);
@@ -59,7 +60,7 @@ class ObstaclesTest {
     Obstacles wall = obstacles(new Shape.Box(0.1, 4, 2), Vec3.ZERO, 0);
 
     Collision hit =
-        wall.collide(new Vec3(-0.16, 0, 1), new Vec3(-0.12, 0.04, 1), new Vec3(8, 8, 0), HULL)
+        wall.collide(new Vec3(-0.16, 0, 1), new Vec3(-0.12, 0.04, 1), new Vec3(8, 8, 0), COLLIDER)
             .orElseThrow();
 
     assertThat(hit.velocity()).isEqualTo(new Vec3(0, 8, 0));
@@ -71,7 +72,7 @@ class ObstaclesTest {
     Obstacles box = obstacles(new Shape.Box(1, 1, 0.5), Vec3.ZERO, 0);
 
     Collision hit =
-        box.collide(new Vec3(0.2, 0, 0.501), new Vec3(0.2, 0, 0.49), new Vec3(0, 0, -2), HULL)
+        box.collide(new Vec3(0.2, 0, 0.501), new Vec3(0.2, 0, 0.49), new Vec3(0, 0, -2), COLLIDER)
             .orElseThrow();
 
     assertThat(hit.position().z()).isCloseTo(0.5, within(1e-12));
@@ -84,7 +85,7 @@ class ObstaclesTest {
 
     Collision hit =
         shelf
-            .collide(new Vec3(0, 0, 0.95), new Vec3(0, 0, 0.97), new Vec3(0, 0, 1), HULL)
+            .collide(new Vec3(0, 0, 0.95), new Vec3(0, 0, 0.97), new Vec3(0, 0, 1), COLLIDER)
             .orElseThrow();
 
     assertThat(hit.position().z()).as("below by its height").isCloseTo(0.96, within(1e-12));
@@ -97,7 +98,7 @@ class ObstaclesTest {
 
     Collision hit =
         pillar
-            .collide(new Vec3(1, 0.5, 1), new Vec3(1, 0.75, 1), new Vec3(0, 1, 0), HULL)
+            .collide(new Vec3(1, 0.5, 1), new Vec3(1, 0.75, 1), new Vec3(0, 1, 0), COLLIDER)
             .orElseThrow();
 
     assertThat(hit.position().distanceTo(new Vec3(1, 0.7, 1))).isLessThan(1e-9);
@@ -119,11 +120,11 @@ class ObstaclesTest {
       Vec3 position = new Vec3(side * random.nextDouble(0.11, 0.6), 0, 1.5);
       for (int step = 0; step < 60; step++) {
         Vec3 next = position.plusScaled(velocity, STEP);
-        Optional<Collision> hit = wall.collide(position, next, velocity, HULL);
+        Optional<Collision> hit = wall.collide(position, next, velocity, COLLIDER);
         position = hit.map(Collision::position).orElse(next);
         velocity = hit.map(Collision::velocity).orElse(velocity);
         if (Math.abs(position.y()) < 1.9) {
-          assertThat(side * position.x()).isGreaterThan(HULL.radius());
+          assertThat(side * position.x()).isGreaterThan(COLLIDER.radius());
         }
       }
     }
@@ -137,7 +138,7 @@ class ObstaclesTest {
     Vec3 velocity = new Vec3(0, 0, -speed);
     for (int step = 0; step < 100; step++) {
       Vec3 next = position.plusScaled(velocity, STEP);
-      Optional<Collision> hit = plate.collide(position, next, velocity, HULL);
+      Optional<Collision> hit = plate.collide(position, next, velocity, COLLIDER);
       position = hit.map(Collision::position).orElse(next);
       velocity = hit.map(Collision::velocity).orElse(velocity);
     }
@@ -222,7 +223,32 @@ class ObstaclesTest {
             .toList();
     Obstacles all = Obstacles.of(Arena.DEFAULT.withRoom(hall).withObstacles(many));
     for (Obstacle one : many) {
-      assertThat(all.around(one.foot().plus(new Vec3(0.25, 0, 1)), HULL)).isPresent();
+      assertThat(all.around(one.foot().plus(new Vec3(0.25, 0, 1)), COLLIDER)).isPresent();
+    }
+  }
+
+  /** The index and each obstacle alone say the same, as the plan asks the latter. */
+  @Test
+  void aBodyIsInAnObstacleExactlyIfTheIndexFindsIt() {
+    SplittableRandom random = new SplittableRandom(4);
+    List<Shape> shapes =
+        List.of(
+            new Shape.Box(1, 0.5, 0.3),
+            new Shape.Cylinder(0.4, 1),
+            new Shape.Ring(0.5, 0.1, 0.7),
+            new Shape.Frame(1, 1, 0.1, 0.6));
+    for (Shape shape : shapes) {
+      Obstacle one = thing(shape, new Vec3(0.2, -0.3, 0), 0.7);
+      Obstacles index = obstacles(shape, one.foot(), one.heading());
+      int found = 0;
+      for (int i = 0; i < 1000; i++) {
+        Vec3 place =
+            new Vec3(random.nextDouble(-1, 1), random.nextDouble(-1, 1), random.nextDouble(0, 1));
+        boolean indexed = index.around(place, COLLIDER).isPresent();
+        assertThat(one.intersects(place, COLLIDER)).as("%s at %s", shape, place).isEqualTo(indexed);
+        found += indexed ? 1 : 0;
+      }
+      assertThat(found).isBetween(10, 990);
     }
   }
 
@@ -242,7 +268,8 @@ class ObstaclesTest {
     // in each of the 64 by 64 cells they would take 4096 · 1000 · 4 bytes twice, 33 MB
     assertThat(used).isLessThan(16_000_000);
     Collision hit =
-        all.collide(new Vec3(50, 50, 0.95), new Vec3(50, 50, 0.97), Vec3.UP, HULL).orElseThrow();
+        all.collide(new Vec3(50, 50, 0.95), new Vec3(50, 50, 0.97), Vec3.UP, COLLIDER)
+            .orElseThrow();
     assertThat(hit.position().z()).as("below by its height").isCloseTo(0.96, within(1e-9));
   }
 
@@ -251,7 +278,7 @@ class ObstaclesTest {
     Vec3 position = new Vec3(-1, y, z);
     for (int step = 0; step < 200; step++) {
       Vec3 next = position.plusScaled(velocity, STEP);
-      if (obstacles.collide(position, next, velocity, HULL).isPresent()) {
+      if (obstacles.collide(position, next, velocity, COLLIDER).isPresent()) {
         return true;
       }
       position = next;

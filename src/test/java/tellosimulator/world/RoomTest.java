@@ -14,17 +14,17 @@ class RoomTest {
   /** 4 m wide (y), 6 m deep (x), 3 m high. */
   private static final Room ROOM = new Room(4, 6, 3);
 
-  /** With this hull positions inside are x within 2.75, y within 1.75 and z from 0 to 2.5. */
-  private static final Hull HULL = new Hull(0.25, 0.5);
+  /** With this collider positions inside are x within 2.75, y within 1.75 and z from 0 to 2.5. */
+  private static final Collider COLLIDER = new Collider(0.25, 0.5);
 
   @ParameterizedTest
   @CsvSource({"0,0,0", "2.75,0,1", "-2.75,1.75,2.5", "0,-1.75,0", "1,1,1"})
   void nothingStopsABodyInside(double x, double y, double z) {
     Vec3 position = new Vec3(x, y, z);
 
-    assertThat(ROOM.contains(position, HULL)).isTrue();
-    assertThat(ROOM.nearestInside(position, HULL)).isEqualTo(position);
-    assertThat(ROOM.collide(position, new Vec3(9, 9, 9), HULL)).isEmpty();
+    assertThat(ROOM.contains(position, COLLIDER)).isTrue();
+    assertThat(ROOM.nearestInside(position, COLLIDER)).isEqualTo(position);
+    assertThat(ROOM.collide(position, new Vec3(9, 9, 9), COLLIDER)).isEmpty();
   }
 
   @ParameterizedTest
@@ -54,14 +54,14 @@ class RoomTest {
       double speed,
       String held,
       String left) {
-    Collision collision = ROOM.collide(vec(position), vec(velocity), HULL).orElseThrow();
+    Collision collision = ROOM.collide(vec(position), vec(velocity), COLLIDER).orElseThrow();
 
     assertThat(collision.touched()).isEqualTo(surface);
     assertThat(collision.normal().distanceTo(vec(normal))).isZero();
     assertThat(collision.speed()).isEqualTo(speed);
     assertThat(collision.position()).isEqualTo(vec(held));
     assertThat(collision.velocity().distanceTo(vec(left))).isZero();
-    assertThat(ROOM.contains(collision.position(), HULL)).isTrue();
+    assertThat(ROOM.contains(collision.position(), COLLIDER)).isTrue();
   }
 
   @ParameterizedTest

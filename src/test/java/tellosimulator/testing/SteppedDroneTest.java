@@ -8,15 +8,15 @@ import tellosimulator.profile.Behaviour;
 import tellosimulator.profile.Profile;
 import tellosimulator.sim.SimConfig;
 
-class SimulatedDroneTest {
+class SteppedDroneTest {
 
-  private final SimulatedDrone drone = SimulatedDrone.of(Profile.EDU, Behaviour.REPORT);
+  private final SteppedDrone drone = SteppedDrone.of(Profile.EDU, Behaviour.REPORT);
 
   @Test
   void repliesThatNeedNoTimeAreThereAtOnce() {
     drone.send("command");
 
-    assertThat(drone.replies()).extracting(SimulatedDrone.Sent::text).containsExactly("ok");
+    assertThat(drone.replies()).extracting(SteppedDrone.Sent::text).containsExactly("ok");
     assertThat(drone.seconds()).isZero();
   }
 
@@ -36,16 +36,16 @@ class SimulatedDroneTest {
 
     assertThat(drone.stateLines()).hasSizeBetween(10, 11);
     assertThat(drone.stateLines().get(0).to())
-        .isEqualTo(SimulatedDrone.address("192.168.10.2", 8890));
+        .isEqualTo(SteppedDrone.address("192.168.10.2", 8890));
     assertThat(drone.stateLines().get(0).text()).startsWith("mid:-2;").endsWith("\r\n");
   }
 
   @Test
   void repliesGoToTheFixedPortOfTheClientsHost() {
-    SimulatedDrone fixed = SimulatedDrone.withReplyPort(SimConfig.DEFAULT, 8889);
+    SteppedDrone fixed = SteppedDrone.withReplyPort(SimConfig.DEFAULT, 8889);
 
     fixed.ask("command");
 
-    assertThat(fixed.replies().get(0).to()).isEqualTo(SimulatedDrone.address("192.168.10.2", 8889));
+    assertThat(fixed.replies().get(0).to()).isEqualTo(SteppedDrone.address("192.168.10.2", 8889));
   }
 }

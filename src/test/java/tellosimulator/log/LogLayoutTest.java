@@ -1,4 +1,4 @@
-package tellosimulator;
+package tellosimulator.log;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
@@ -10,14 +10,14 @@ import java.time.LocalDateTime;
 import java.time.ZoneId;
 import org.junit.jupiter.api.Test;
 
-class LogLineTest {
+class LogLayoutTest {
 
-  private final LogLine layout = new LogLine();
+  private final LogLayout layout = new LogLayout();
 
   private String line(Level level, String message, Throwable thrown, Object... arguments) {
     LoggingEvent event =
         new LoggingEvent(
-            LogLineTest.class.getName(),
+            LogLayoutTest.class.getName(),
             new LoggerContext().getLogger("tellosimulator.test"),
             level,
             message,
@@ -47,6 +47,6 @@ class LogLineTest {
         .hasSize(3)
         .contains("14:03:07.095 WARN  failed", "java.lang.IllegalStateException: because");
     assertThat(line.lines().skip(2).findFirst().orElseThrow())
-        .startsWith("\tat tellosimulator.LogLineTest.");
+        .startsWith("\tat tellosimulator.log.LogLayoutTest.");
   }
 }

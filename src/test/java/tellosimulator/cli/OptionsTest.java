@@ -1,4 +1,4 @@
-package tellosimulator;
+package tellosimulator.cli;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
@@ -36,8 +36,8 @@ class OptionsTest {
   void withoutOptionsOneEduStandsInTheMiddleOfTheDefaultRoom() {
     Options options = options("");
 
-    assertThat(options.simConfig()).isEqualTo(SimConfig.DEFAULT);
-    assertThat(options.addressPlan()).isEqualTo(AddressPlan.ofMachine(1, 8879));
+    assertThat(options.scenario().config()).isEqualTo(SimConfig.DEFAULT);
+    assertThat(options.launch().addresses()).isEqualTo(AddressPlan.ofMachine(1, 8879));
     assertThat(options.replyPort()).isEmpty();
     assertThat(options.logLevel()).isEqualTo("info");
     assertThat(options.headless()).isFalse();
@@ -51,7 +51,7 @@ class OptionsTest {
                 + " --behaviour measured --room 600x700.5x250 --start 100,-50 --time-factor 2.5"
                 + " --seed -7 --log-level debug");
 
-    SimConfig config = options.simConfig();
+    SimConfig config = options.scenario().config();
     assertThat(config.drones().get(0).product())
         .isEqualTo(new Product(Profile.TT, Behaviour.MEASURED));
     assertThat(config.arena().room()).isEqualTo(new Room(6, 7.005, 2.5));
@@ -67,7 +67,7 @@ class OptionsTest {
 
   @Test
   void eachDroneMaySendItsVideoToAPortOfItsOwn() {
-    SimConfig config = options("--drones 2 --video-port 11111,11112").simConfig();
+    SimConfig config = options("--drones 2 --video-port 11111,11112").scenario().config();
 
     assertThat(config.drones().get(0).outlets()).isEqualTo(new Outlets(8890, 11111));
     assertThat(config.drones().get(1).outlets()).isEqualTo(new Outlets(8890, 11112));
@@ -77,7 +77,7 @@ class OptionsTest {
   void videoPortsMustFitTheDrones() {
     Options options = options("--drones 3 --video-port 11111,11112");
 
-    assertThatThrownBy(options::simConfig)
+    assertThatThrownBy(options::launch)
         .hasMessage(
             "--video-port has 2 ports for 3 drones, but must have one for each, or one for all");
   }
@@ -85,21 +85,29 @@ class OptionsTest {
   @ParameterizedTest
   @CsvSource({"edu, EDU", "tello, TELLO", "tt, TT"})
   void profilesAreChosenByName(String word, Profile profile) {
-    assertThat(options("--profile " + word).simConfig().drones().get(0).product().profile())
+    assertThat(options("--profile " + word).scenario().config().drones().get(0).product().profile())
         .isEqualTo(profile);
   }
 
   @ParameterizedTest
   @CsvSource({"report, REPORT", "measured, MEASURED"})
   void behavioursAreChosenByName(String word, Behaviour behaviour) {
-    assertThat(options("--behaviour " + word).simConfig().drones().get(0).product().behaviour())
+    assertThat(
+            options("--behaviour " + word)
+                .scenario()
+                .config()
+                .drones()
+                .get(0)
+                .product()
+                .behaviour())
         .isEqualTo(behaviour);
   }
 
   @ParameterizedTest
   @CsvSource({"0.01, 0.01", "1, 1", "20, 20", "5000, 5000", "max, Infinity"})
   void timeFactorsAreNumbersOrMax(String word, double factor) {
-    assertThat(options("--time-factor " + word).simConfig().timeFactor().value()).isEqualTo(factor);
+    assertThat(options("--time-factor " + word).scenario().config().timeFactor().value())
+        .isEqualTo(factor);
   }
 
   @ParameterizedTest
@@ -111,7 +119,7 @@ class OptionsTest {
   @ParameterizedTest
   @ValueSource(ints = {0, 1, 8889, 65535})
   void everyPortCanBeTheCommandPort(int port) {
-    assertThat(options("--command-port " + port).addressPlan())
+    assertThat(options("--command-port " + port).launch().addresses())
         .isEqualTo(AddressPlan.ofMachine(1, port));
   }
 
@@ -120,16 +128,17 @@ class OptionsTest {
   void asManyDronesStandInTheRoomAsAreAskedFor(int drones) {
     Options options = options("--room 2000x2000x300 --drones " + drones);
 
-    assertThat(options.simConfig().starts()).hasSize(drones);
-    assertThat(options.addressPlan().drones()).hasSize(drones);
+    assertThat(options.scenario().config().starts()).hasSize(drones);
+    assertThat(options.launch().addresses().drones()).hasSize(drones);
   }
 
   @Test
   void wallsAreTexturedOrPlain() {
-    assertThat(options("").simConfig().arena().decor().walls()).isEqualTo(Walls.TEXTURED);
-    assertThat(options("--walls textured").simConfig().arena().decor().walls())
+    assertThat(options("").scenario().config().arena().decor().walls()).isEqualTo(Walls.TEXTURED);
+    assertThat(options("--walls textured").scenario().config().arena().decor().walls())
         .isEqualTo(Walls.TEXTURED);
-    assertThat(options("--walls plain").simConfig().arena().decor().walls()).isEqualTo(Walls.PLAIN);
+    assertThat(options("--walls plain").scenario().config().arena().decor().walls())
+        .isEqualTo(Walls.PLAIN);
   }
 
   @ParameterizedTest
@@ -143,7 +152,12 @@ class OptionsTest {
   })
   void postersHangOnAnySideOfTheRoom(String word, Surface surface) {
     List<Poster> posters =
-        options("--poster " + word + ",-50,120,29.7,a,b.png").simConfig().arena().decor().posters();
+        options("--poster " + word + ",-50,120,29.7,a,b.png")
+            .scenario()
+            .config()
+            .arena()
+            .decor()
+            .posters();
 
     assertThat(posters).containsExactly(new Poster(surface, -0.5, 1.2, 0.297, "a,b.png"));
   }
@@ -152,7 +166,8 @@ class OptionsTest {
   void severalPostersHangInTheirOrder() {
     List<Poster> posters =
         options("--poster front,0,120,30,a.png --poster front,10,120,30,b.png")
-            .simConfig()
+            .scenario()
+            .config()
             .arena()
             .decor()
             .posters();
@@ -171,8 +186,8 @@ class OptionsTest {
 
   @Test
   void onlyWithLanTheNetworkReachesTheFirstDrone() {
-    assertThat(options("").addressPlan().reach()).isEqualTo(Reach.THIS_MACHINE);
-    assertThat(options("--lan").addressPlan().reach()).isEqualTo(Reach.NETWORK);
+    assertThat(options("").launch().addresses().reach()).isEqualTo(Reach.THIS_MACHINE);
+    assertThat(options("--lan").launch().addresses().reach()).isEqualTo(Reach.NETWORK);
     assertThat(addresses(options("--lan")).get(0)).contains(at("127.0.0.1", 8879));
     assertThat(addresses(options("--port-per-drone --drones 2")))
         .containsExactly(List.of(at("127.0.0.1", 8879)), List.of(at("127.0.0.1", 8880)));
@@ -180,24 +195,29 @@ class OptionsTest {
 
   @Test
   void whoOperatesCanBeChosen() throws Exception {
-    assertThat(options("").simConfig().rules().operators()).isEqualTo(OperatorRule.FIRST);
-    assertThat(options("--operator first").simConfig().rules().operators())
+    assertThat(options("").scenario().config().rules().operators()).isEqualTo(OperatorRule.FIRST);
+    assertThat(options("--operator first").scenario().config().rules().operators())
         .isEqualTo(OperatorRule.FIRST);
-    assertThat(options("--operator anyone").simConfig().rules().operators())
+    assertThat(options("--operator anyone").scenario().config().rules().operators())
         .isEqualTo(OperatorRule.ANYONE);
-    assertThat(options("--operator 192.168.1.7 --scenario slalom").simConfig().rules().operators())
+    assertThat(
+            options("--operator 192.168.1.7 --scenario slalom")
+                .scenario()
+                .config()
+                .rules()
+                .operators())
         .isEqualTo(OperatorRule.only(InetAddress.getByName("192.168.1.7")));
   }
 
   private static List<List<InetSocketAddress>> addresses(Options options) {
-    return DroneNetwork.of(options.addressPlan()).addresses();
+    return DroneNetwork.of(options.launch().addresses()).addresses();
   }
 
   @Test
   void eachBoundAddressIsADrone() {
     Options options = options("--bind 127.0.0.5,127.0.0.6 --command-port 8889");
 
-    assertThat(options.simConfig().starts()).hasSize(2);
+    assertThat(options.scenario().config().starts()).hasSize(2);
     assertThat(addresses(options))
         .containsExactly(List.of(at("127.0.0.5", 8889)), List.of(at("127.0.0.6", 8889)));
   }
@@ -207,7 +227,7 @@ class OptionsTest {
     Options options = options("--scenario swarm-stage");
 
     assertThat(options.scenario()).isEqualTo(Gallery.find("swarm-stage").orElseThrow());
-    assertThat(options.addressPlan().drones()).hasSize(3);
+    assertThat(options.launch().addresses().drones()).hasSize(3);
   }
 
   @Test
@@ -219,7 +239,7 @@ class OptionsTest {
                 + " --time-factor 3 --seed 8 --command-port 8889");
 
     SimConfig scenario = Gallery.find("swarm-stage").orElseThrow().config();
-    SimConfig config = options.simConfig();
+    SimConfig config = options.scenario().config();
     assertThat(config.starts()).isEqualTo(scenario.starts());
     assertThat(config.drones())
         .extracting(DroneSetup::product)
@@ -234,7 +254,19 @@ class OptionsTest {
     assertThat(config.arena().decor().posters()).hasSize(1);
     assertThat(config.timeFactor()).isEqualTo(new TimeFactor(3));
     assertThat(config.seed()).isEqualTo(8);
-    assertThat(addresses(options).get(2)).containsExactly(at("127.0.0.3", 8889));
+    assertThat(DroneNetwork.of(options.addressPlan(options.scenario())).addresses().get(2))
+        .containsExactly(at("127.0.0.3", 8889));
+  }
+
+  @Test
+  void whatIsLaunchedIsTheScenarioOfTheOptionsWithAnAddressForEachDrone() {
+    Launch launch =
+        options("--scenario swarm-stage --seed 8 --bind 127.0.0.4,127.0.0.5,127.0.0.6").launch();
+
+    assertThat(launch.scenario().known()).contains("swarm-stage");
+    assertThat(launch.scenario().scenario().config().seed()).isEqualTo(8);
+    assertThat(DroneNetwork.of(launch.addresses()).addresses().get(2))
+        .containsExactly(at("127.0.0.6", 8879));
   }
 
   @Test
@@ -322,8 +354,7 @@ class OptionsTest {
 
     assertThatThrownBy(
             () -> {
-              options.simConfig();
-              options.addressPlan();
+              options.launch();
             })
         .isInstanceOf(IllegalArgumentException.class)
         .hasMessage(sentence);

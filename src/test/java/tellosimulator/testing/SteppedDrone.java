@@ -9,6 +9,7 @@ import java.util.OptionalInt;
 import java.util.function.BooleanSupplier;
 import tellosimulator.command.Link;
 import tellosimulator.command.Peer;
+import tellosimulator.fault.LinkPreset;
 import tellosimulator.model.DroneState;
 import tellosimulator.network.CommandResponseSender;
 import tellosimulator.network.Ports;
@@ -27,7 +28,7 @@ import tellosimulator.time.SimTime;
  * One simulated drone, switched on, that a test talks to and whose time it steps: no sockets, no
  * threads, no waiting. What the drone sends is collected as it would leave on the wire.
  */
-public final class SimulatedDrone {
+public final class SteppedDrone {
 
   /** Where the drone is commanded. */
   public static final InetSocketAddress DRONE = address("192.168.10.1", 8889);
@@ -54,7 +55,7 @@ public final class SimulatedDrone {
   private final List<Sent> stateLines = new ArrayList<>();
   private final List<SimEvent> events = new ArrayList<>();
 
-  private SimulatedDrone(SimConfig config, OptionalInt fixedReplyPort) {
+  private SteppedDrone(SimConfig config, OptionalInt fixedReplyPort) {
     CommandResponseSender sender =
         new CommandResponseSender(new Ports(List.of(replyPort)), fixedReplyPort);
     SimListener listener =
@@ -73,19 +74,19 @@ public final class SimulatedDrone {
     control(new Control.Power(1, true));
   }
 
-  /** In the middle of the default room. */
-  public static SimulatedDrone of(Profile profile, Behaviour behaviour) {
-    return of(SimConfig.DEFAULT.withProduct(profile, behaviour));
+  /** In the middle of the default room, on an ideal link. */
+  public static SteppedDrone of(Profile profile, Behaviour behaviour) {
+    return of(SimConfig.DEFAULT.withProduct(profile, behaviour).withLink(LinkPreset.IDEAL));
   }
 
   /** The first drone of a configuration. */
-  public static SimulatedDrone of(SimConfig config) {
-    return new SimulatedDrone(config, OptionalInt.empty());
+  public static SteppedDrone of(SimConfig config) {
+    return new SteppedDrone(config, OptionalInt.empty());
   }
 
   /** The first drone of a configuration, with all replies to one port of the client's host. */
-  public static SimulatedDrone withReplyPort(SimConfig config, int port) {
-    return new SimulatedDrone(config, OptionalInt.of(port));
+  public static SteppedDrone withReplyPort(SimConfig config, int port) {
+    return new SteppedDrone(config, OptionalInt.of(port));
   }
 
   /** An address without any look-up. */

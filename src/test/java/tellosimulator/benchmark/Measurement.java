@@ -14,11 +14,12 @@ import java.util.stream.Collectors;
  * @param measured what was reached
  * @param reached whether that is enough
  */
-public record Row(String what, String target, String measured, boolean reached) {
+public record Measurement(String what, String target, String measured, boolean reached) {
 
   /** A time that shall not be longer. */
-  public static Row atMost(String what, double targetMs, double measuredMs) {
-    return new Row(what, bound(targetMs, "ms"), milliseconds(measuredMs), measuredMs <= targetMs);
+  public static Measurement atMost(String what, double targetMs, double measuredMs) {
+    return new Measurement(
+        what, bound(targetMs, "ms"), milliseconds(measuredMs), measuredMs <= targetMs);
   }
 
   private static String milliseconds(double value) {
@@ -26,8 +27,8 @@ public record Row(String what, String target, String measured, boolean reached) 
   }
 
   /** Anything else that shall not be more. */
-  public static Row atMost(String what, double target, double measured, String unit) {
-    return new Row(
+  public static Measurement atMost(String what, double target, double measured, String unit) {
+    return new Measurement(
         what,
         bound(target, unit),
         String.format(Locale.ROOT, "%.2f %s", measured, unit),
@@ -42,23 +43,23 @@ public record Row(String what, String target, String measured, boolean reached) 
   }
 
   /** The same measured several times: reached where the median is, so in more than half of them. */
-  public static Row ofRuns(List<Row> runs) {
-    Row first = runs.get(0);
-    long reached = runs.stream().filter(Row::reached).count();
-    return new Row(
+  public static Measurement ofRuns(List<Measurement> runs) {
+    Measurement first = runs.get(0);
+    long reached = runs.stream().filter(Measurement::reached).count();
+    return new Measurement(
         first.what,
         first.target,
-        runs.stream().map(Row::measured).collect(Collectors.joining(", ")),
+        runs.stream().map(Measurement::measured).collect(Collectors.joining(", ")),
         2 * reached > runs.size());
   }
 
   /** Something to compare with; nothing is promised. */
-  public static Row beside(String what, String measured) {
-    return new Row(what, "", measured, true);
+  public static Measurement beside(String what, String measured) {
+    return new Measurement(what, "", measured, true);
   }
 
   /** Writes a table in Markdown. */
-  public static void print(List<Row> rows, PrintStream out) {
+  public static void print(List<Measurement> rows, PrintStream out) {
     out.println("| what | target | measured | reached |");
     out.println("|---|---|---|---|");
     rows.forEach(row -> out.println(row.markdown()));

@@ -1,4 +1,4 @@
-package tellosimulator;
+package tellosimulator.concurrent;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
@@ -8,9 +8,6 @@ import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
-import tellosimulator.concurrent.Agent;
-import tellosimulator.concurrent.Verdict;
-import tellosimulator.concurrent.Worker;
 import tellosimulator.testing.CapturedLog;
 
 @Timeout(value = 60, unit = TimeUnit.SECONDS, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)

@@ -10,14 +10,14 @@ import java.util.List;
 /**
  * A student's program: takes off, flies a metre there and back, lands, and is told ok each time.
  */
-final class Flight {
+final class StudentProgram {
 
   private static final List<String> COMMANDS =
       List.of("command", "takeoff", "forward 50", "cw 180", "forward 50", "land");
 
   private static final int PATIENCE_MS = 10_000;
 
-  private Flight() {}
+  private StudentProgram() {}
 
   /**
    * Prints {@code flown}, or ends with an error.
