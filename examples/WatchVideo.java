@@ -37,7 +37,7 @@ import org.jcodec.common.model.Picture;
  */
 public final class WatchVideo {
 
-  private static final int PATIENCE_MS = 5_000;
+  private static final int PATIENCE_MS = 20_000;
 
   /** What the drone answers while it carries out another command, and how long that may take. */
   private static final String BUSY = "error Not joystick";
