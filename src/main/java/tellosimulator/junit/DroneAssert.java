@@ -6,8 +6,8 @@ import java.util.stream.Collectors;
 import org.assertj.core.api.AbstractAssert;
 
 /**
- * Assertions about a drone, in centimetres and degrees. Whoever does without AssertJ finds the same
- * in {@link SimulatedDrone#truth}.
+ * Assertions about a drone, in centimetres and degrees. A drone that falls is let fall before one
+ * of them looks. Whoever does without AssertJ finds the same in {@link SimulatedDrone#truth}.
  */
 public final class DroneAssert extends AbstractAssert<DroneAssert, SimulatedDrone> {
 
@@ -173,6 +173,7 @@ public final class DroneAssert extends AbstractAssert<DroneAssert, SimulatedDron
 
   private DroneTruth truth() {
     isNotNull();
+    actual.awaitFalls();
     return actual.truth();
   }
 

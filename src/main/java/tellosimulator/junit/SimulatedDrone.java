@@ -135,6 +135,11 @@ public final class SimulatedDrone {
     return new OperatorProgram(List.of(command), this);
   }
 
+  /** See {@link TelloSimulator#awaitFalls}. */
+  void awaitFalls() {
+    simulator.awaitFalls();
+  }
+
   /** What goes wrong with it, each in a line. */
   List<String> faults() {
     return simulator.snapshot().drones().get(number - 1).faults().faults().stream()
