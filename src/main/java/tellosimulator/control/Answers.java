@@ -10,7 +10,7 @@ import tellosimulator.junit.JournalEntry;
 import tellosimulator.junit.Position;
 import tellosimulator.junit.SimulatedDrone;
 
-/** What the kit tells, as {@link Json} writes it: centimetres, degrees and seconds. */
+/** What the kit tells, as {@code Json} writes it: centimetres, degrees and seconds. */
 final class Answers {
 
   /** Decimals of lengths, angles and times. Decided: a millisecond. */

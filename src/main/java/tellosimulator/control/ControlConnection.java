@@ -12,6 +12,7 @@ import java.util.Optional;
 import java.util.function.Consumer;
 import tellosimulator.concurrent.Agent;
 import tellosimulator.concurrent.Verdict;
+import tellosimulator.json.Json;
 
 /**
  * Takes a client's requests, one a line, and answers each before it takes the next. It ends with
@@ -22,6 +23,8 @@ final class ControlConnection implements Agent {
 
   /** Longest request [bytes]. Decided. */
   static final int LONGEST_LINE = 64 * 1024;
+
+  private static final String EXAMPLE = "{\"id\": 1, \"token\": \"…\", \"do\": \"truth\"}";
 
   private static final String WRONG_TOKEN =
       "the token is %s: it stands in the line that begins with `control:`";
@@ -83,7 +86,7 @@ final class ControlConnection implements Agent {
   private Outcome take(String line) throws IOException {
     Map<String, Object> request;
     try {
-      request = Json.object(line);
+      request = Json.flatObject(line, EXAMPLE);
     } catch (IllegalArgumentException e) {
       refuse(socket, e.getMessage());
       return Outcome.WORKED;

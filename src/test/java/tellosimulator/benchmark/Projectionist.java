@@ -2,7 +2,7 @@ package tellosimulator.benchmark;
 
 import java.util.ArrayList;
 import java.util.List;
-import tellosimulator.benchmark.RecordedFlight.Moment;
+import tellosimulator.benchmark.FlightPoses.Moment;
 import tellosimulator.model.DroneState;
 import tellosimulator.model.FlightPhase;
 import tellosimulator.model.Motion;
@@ -19,7 +19,7 @@ import tellosimulator.video.picture.Picture;
 /** Films the recorded flight with the software camera, in the default room. */
 final class Projectionist {
 
-  private final RecordedFlight flight = RecordedFlight.read(RecordedFlight.FILE);
+  private final FlightPoses flight = FlightPoses.read(FlightPoses.FILE);
   private final SimSnapshot empty =
       new Simulation(SimConfig.DEFAULT, drone -> (peer, text) -> {}, report -> {}, List.of())
           .snapshot();

@@ -4,7 +4,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.util.ArrayList;
 import java.util.List;
-import tellosimulator.benchmark.RecordedFlight.Moment;
+import tellosimulator.benchmark.FlightPoses.Moment;
 import tellosimulator.math.Vec3;
 import tellosimulator.sim.SimConfig;
 import tellosimulator.sim.Swarm;
@@ -12,11 +12,11 @@ import tellosimulator.testing.SteppedDrone;
 import tellosimulator.world.Room;
 
 /**
- * Records {@link RecordedFlight}: a drone in the default room takes off 1.8 m behind the middle,
+ * Writes {@link FlightPoses}: a drone in the default room takes off 1.8 m behind the middle,
  * hovers, flies forward and turns by {@code rc}, in the simulator's own flight model. Parts begin
  * when its speed is steady. Running it writes the file anew.
  */
-public final class FlightRecorder {
+public final class FlightPosesWriter {
 
   private static final Vec3 START = new Vec3(-1.8, 0.4, 0);
 
@@ -33,13 +33,13 @@ public final class FlightRecorder {
 
   private final List<Moment> moments = new ArrayList<>();
 
-  private FlightRecorder() {}
+  private FlightPosesWriter() {}
 
   public static void main(String[] args) throws IOException {
-    Files.write(RecordedFlight.FILE, new FlightRecorder().flight().lines());
+    Files.write(FlightPoses.FILE, new FlightPosesWriter().flight().lines());
   }
 
-  private RecordedFlight flight() {
+  private FlightPoses flight() {
     drone.ask("command");
     drone.ask("takeoff");
     drone.ask("up 50");
@@ -48,7 +48,7 @@ public final class FlightRecorder {
     drone.send("rc 0 0 0 0");
     drone.advance(SETTLING);
     record(FlightPart.TURN, "rc 0 0 0 55");
-    return new RecordedFlight(moments);
+    return new FlightPoses(moments);
   }
 
   private void record(FlightPart part, String command) {

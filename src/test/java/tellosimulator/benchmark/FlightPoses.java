@@ -12,12 +12,12 @@ import tellosimulator.math.Pose;
 import tellosimulator.math.Vec3;
 
 /**
- * Where a drone was, thirty times a second, in a flight that {@link FlightRecorder} let it fly.
+ * Where a drone was, thirty times a second, in a flight that {@link FlightPosesWriter} let it fly.
  * Kept as a table, so that pictures stay the same when the flight model changes: part, seconds,
  * place in centimetres, yaw, pitch and roll in degrees (counter-clockwise, nose up, right side
  * down).
  */
-record RecordedFlight(List<Moment> moments) {
+record FlightPoses(List<Moment> moments) {
 
   /** The flight whose pictures are encoded. */
   static final Path FILE = Path.of("src/test/resources/video/flight.csv");
@@ -45,11 +45,11 @@ record RecordedFlight(List<Moment> moments) {
     }
   }
 
-  RecordedFlight {
+  FlightPoses {
     moments = List.copyOf(moments);
   }
 
-  static RecordedFlight read(Path file) {
+  static FlightPoses read(Path file) {
     try {
       return parse(file.getFileName().toString(), Files.readAllLines(file));
     } catch (IOException e) {
@@ -60,7 +60,7 @@ record RecordedFlight(List<Moment> moments) {
   /**
    * @param name of the file, for complaints
    */
-  static RecordedFlight parse(String name, List<String> lines) {
+  static FlightPoses parse(String name, List<String> lines) {
     List<Moment> moments = new ArrayList<>();
     for (int i = 1; i < lines.size(); i++) {
       try {
@@ -70,7 +70,7 @@ record RecordedFlight(List<Moment> moments) {
             name + ":" + (i + 1) + ": expected " + HEADER + ", found \"" + lines.get(i) + "\"", e);
       }
     }
-    return new RecordedFlight(moments);
+    return new FlightPoses(moments);
   }
 
   private static Moment moment(String[] cells) {

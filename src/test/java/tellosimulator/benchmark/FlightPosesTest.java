@@ -6,16 +6,16 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.util.List;
 import org.junit.jupiter.api.Test;
-import tellosimulator.benchmark.RecordedFlight.Moment;
+import tellosimulator.benchmark.FlightPoses.Moment;
 import tellosimulator.math.Attitude;
 import tellosimulator.math.Pose;
 import tellosimulator.math.Vec3;
 
-class RecordedFlightTest {
+class FlightPosesTest {
 
   private static final String HEADER = "anything";
 
-  private final RecordedFlight flight = RecordedFlight.read(RecordedFlight.FILE);
+  private final FlightPoses flight = FlightPoses.read(FlightPoses.FILE);
 
   @Test
   void hoveringStaysWhereItIs() {
@@ -49,8 +49,8 @@ class RecordedFlightTest {
 
   @Test
   void thePoseOfEachLineIsRead() {
-    RecordedFlight one =
-        RecordedFlight.parse("a.csv", List.of(HEADER, "turn,0.035,10,-20,80.5,120,10,-20"));
+    FlightPoses one =
+        FlightPoses.parse("a.csv", List.of(HEADER, "turn,0.035,10,-20,80.5,120,10,-20"));
 
     Moment moment = one.moments().get(0);
     assertThat(moment.part()).isEqualTo(FlightPart.TURN);
@@ -65,7 +65,7 @@ class RecordedFlightTest {
 
   @Test
   void whatIsWrittenIsReadAgain() {
-    List<Moment> again = RecordedFlight.parse("again.csv", flight.lines()).moments();
+    List<Moment> again = FlightPoses.parse("again.csv", flight.lines()).moments();
 
     assertThat(again).hasSameSizeAs(flight.moments());
     for (int i = 0; i < again.size(); i++) {
@@ -81,11 +81,11 @@ class RecordedFlightTest {
   @Test
   void lineThatIsNoPoseIsNamed() {
     assertThatIllegalArgumentException()
-        .isThrownBy(() -> RecordedFlight.parse("a.csv", List.of(HEADER, "turn,0,1,2,x,4,5,6")))
+        .isThrownBy(() -> FlightPoses.parse("a.csv", List.of(HEADER, "turn,0,1,2,x,4,5,6")))
         .withMessageStartingWith("a.csv:2: expected part,seconds,")
         .withMessageEndingWith("found \"turn,0,1,2,x,4,5,6\"");
     assertThatIllegalArgumentException()
-        .isThrownBy(() -> RecordedFlight.parse("a.csv", List.of(HEADER, "turn,0,1")));
+        .isThrownBy(() -> FlightPoses.parse("a.csv", List.of(HEADER, "turn,0,1")));
   }
 
   private static double way(List<Moment> moments) {
