@@ -3,7 +3,6 @@ package tellosimulator.sim;
 import java.net.InetSocketAddress;
 import java.util.List;
 import java.util.Optional;
-import java.util.Set;
 import java.util.function.Consumer;
 import tellosimulator.command.CommandHandler;
 import tellosimulator.command.OperatorSession;
@@ -26,14 +25,11 @@ import tellosimulator.model.DroneModel;
 import tellosimulator.model.DroneSpec;
 import tellosimulator.model.DroneState;
 import tellosimulator.model.FlightPhase;
-import tellosimulator.model.PadSighting;
-import tellosimulator.model.Perception;
 import tellosimulator.physics.QuadcopterDynamics;
 import tellosimulator.physics.Setpoint;
 import tellosimulator.profile.Behaviour;
 import tellosimulator.profile.Profile;
 import tellosimulator.sensor.Instruments;
-import tellosimulator.sensor.PadDetector;
 import tellosimulator.sensor.SeededNoise;
 import tellosimulator.sim.SimConfig.Outlets;
 import tellosimulator.sim.SimConfig.Rules;
@@ -45,14 +41,6 @@ import tellosimulator.world.Room;
 
 /** One drone with all its parts, and its share of each part of a step. */
 final class SimDrone {
-
-  /** Battery percentages worth a line: no flip, soon no takeoff, no takeoff, lands by itself. */
-  private static final Set<Integer> TOLD_PERCENTAGES =
-      Set.of(
-          Battery.LEAST_FOR_FLIP - 1,
-          2 * Battery.TOO_LOW_FOR_TAKEOFF,
-          Battery.TOO_LOW_FOR_TAKEOFF,
-          Battery.LANDS_BY_ITSELF);
 
   private final DroneSetup setup;
   private final Neighbourhood neighbourhood;
@@ -69,7 +57,7 @@ final class SimDrone {
   private final DroneEvents events;
   private final StateLines stateLines;
   private final StateFaults stateFaults = new StateFaults();
-  private final PadDetector padDetector = new PadDetector();
+  private final PadSense padSense = new PadSense();
   private SimTime now = SimTime.ZERO;
   private Vec3 before;
   private DroneState state;
@@ -348,25 +336,14 @@ final class SimDrone {
 
   /** Looks for mission pads. */
   void sense(Surroundings surroundings) {
-    Perception before = model.perception();
-    if (faults().find(FaultKind.PAD_BLIND).isPresent()) {
-      if (!before.pads().isEmpty()) {
-        model.setPerception(new Perception(before.padMode(), true, List.of()));
-      }
-    } else if (PadDetector.looksAt(now, before.padMode())) {
-      PadSighting.Moment moment = new PadSighting.Moment(now, model.motion().pose());
-      model.setPerception(
-          padDetector.look(moment, before, surroundings.cards(), surroundings::free));
-    }
+    boolean blind = faults().find(FaultKind.PAD_BLIND).isPresent();
+    padSense.sense(model, now, blind, surroundings);
   }
 
   void consume() {
     int before = model.battery().percent();
     model.consume(SimTime.STEP, behaviour.filmingEndurance());
-    int left = model.battery().percent();
-    if (left != before && TOLD_PERCENTAGES.contains(left)) {
-      note(Phrase.of("has %d %% of its battery left", left));
-    }
+    BatteryNotes.note(before, model.battery().percent()).ifPresent(this::note);
   }
 
   void finish() {

@@ -5,19 +5,10 @@ import java.net.InetSocketAddress;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
-import java.util.Optional;
-import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.function.IntFunction;
-import org.slf4j.Logger;
-import org.slf4j.LoggerFactory;
 import tellosimulator.command.OperatorRule;
 import tellosimulator.command.Peer;
 import tellosimulator.command.ReplyPort;
-import tellosimulator.concurrent.Exceptions;
-import tellosimulator.controller.FlightEvent;
-import tellosimulator.fault.Fault;
-import tellosimulator.fault.FaultSchedule;
-import tellosimulator.fault.LinkPreset;
 import tellosimulator.math.Vec3;
 import tellosimulator.sim.SimDrone.Neighbourhood;
 import tellosimulator.sim.SimSnapshot.Clock;
@@ -38,14 +29,6 @@ import tellosimulator.world.Room;
  */
 public final class Simulation {
 
-  private static final Logger LOG = LoggerFactory.getLogger(Simulation.class);
-
-  /**
-   * How long a datagram waits at the most for what earlier ones have caused [s]. Decided: longer
-   * than a drone takes to restart; some things never end, such as a landing on a hovering drone.
-   */
-  private static final double LONGEST_DEBT = 20;
-
   /** Datagrams that are taken between two steps at the most, so that a flood never stops time. */
   private static final int MOST_AT_ONCE = 256;
 
@@ -57,8 +40,7 @@ public final class Simulation {
   private final List<Runnable> shown = new ArrayList<>();
 
   private final List<SimDrone> drones = new ArrayList<>();
-  private final List<SimEvent> events = new ArrayList<>();
-  private final List<SimListener> listeners;
+  private final EventDispatcher events;
   private final IntFunction<ReplyPort> replies;
   private final StatePort states;
 
@@ -67,15 +49,11 @@ public final class Simulation {
 
   private Surroundings surroundings;
   private volatile OperatorRule operators;
-  private FaultSchedule faults;
-  private Optional<LinkPreset> link = Optional.empty();
+  private FaultInjection faults;
+  private TimeDemand demand;
+  private SilenceHint hint;
   private Clock clock;
   private SimTime now;
-  private SimTime lastTaken;
-  private SimTime passUntil;
-
-  /** Whether people were told why drones land by themselves as fast as possible. */
-  private boolean explained;
 
   private volatile SimSnapshot snapshot;
   private volatile Runnable wake = () -> {};
@@ -92,7 +70,7 @@ public final class Simulation {
       List<SimListener> listeners) {
     this.replies = replies;
     this.states = states;
-    this.listeners = new CopyOnWriteArrayList<>(listeners);
+    this.events = new EventDispatcher(listeners);
     begin(config);
     publish();
   }
@@ -103,19 +81,16 @@ public final class Simulation {
     clock = new Clock(config.timeFactor(), false);
     operators = config.rules().operators();
     now = SimTime.ZERO;
-    lastTaken = SimTime.ZERO;
-    passUntil = SimTime.ZERO;
-    explained = false;
+    demand = new TimeDemand(drones);
+    hint = new SilenceHint();
     Neighbourhood neighbourhood =
         new Neighbourhood(config.seed(), config.rules(), surroundings, states, this::happened);
     for (DroneSetup setup : config.drones()) {
       int number = drones.size() + 1;
       drones.add(new SimDrone(number, setup, replies.apply(number), neighbourhood));
     }
-    link = config.rules().faults().link();
-    faults = new FaultSchedule(config.rules().faults(), drones.size(), new FaultNews());
-    drones.forEach(this::disturb);
-    faults.advance(now);
+    faults = new FaultInjection(config.rules().faults(), drones, () -> now, events::add);
+    faults.begin();
   }
 
   private void restart(SimConfig config) {
@@ -229,7 +204,7 @@ public final class Simulation {
     if (!onceStill.isEmpty() && inbox.isEmpty() && demand() == Demand.NONE) {
       List<Runnable> told = List.copyOf(onceStill);
       onceStill.clear();
-      told.forEach(work -> guarded("Who waits for rest cannot be told", work));
+      told.forEach(work -> EventDispatcher.guarded("Who waits for rest cannot be told", work));
     }
   }
 
@@ -244,7 +219,7 @@ public final class Simulation {
 
   /** Tells one more listener what happens, after all others. For any thread. */
   public void listen(SimListener listener) {
-    listeners.add(listener);
+    events.listen(listener);
   }
 
   /** The latest completed step. For any thread. */
@@ -254,35 +229,7 @@ public final class Simulation {
 
   /** Why time must pass. For the owning thread. */
   public Demand demand() {
-    Demand demand = now.isBefore(passUntil) ? Demand.DEBT : Demand.NONE;
-    for (SimDrone drone : drones) {
-      demand = demand.or(drone.demand());
-    }
-    return demand == Demand.DEBT && late() ? Demand.MOTION : demand;
-  }
-
-  /** Whether what datagrams have caused takes longer than others can wait for. */
-  private boolean late() {
-    return now.since(lastTaken) >= LONGEST_DEBT && !answers() && !now.isBefore(passUntil);
-  }
-
-  private boolean answers() {
-    for (SimDrone drone : drones) {
-      if (drone.answers()) {
-        return true;
-      }
-    }
-    return false;
-  }
-
-  /**
-   * Whether a datagram may be taken now. As fast as possible, when it comes tells nothing about
-   * simulated time, which runs until everything is over that the datagrams before it have caused:
-   * so the next one is taken at a moment that depends on these alone. Only while somebody waits for
-   * an answer anything is taken at once, because it may be meant to interrupt.
-   */
-  private boolean open() {
-    return !clock.factor().unlimited() || clock.paused() || demand() != Demand.DEBT || answers();
+    return demand.demand(now);
   }
 
   /** Sets what {@link #submit} and {@link #control} call to wake the owning thread. */
@@ -318,7 +265,8 @@ public final class Simulation {
       int datagrams = 0;
       boolean changed = false;
       Inbox.Item next = inbox.peek();
-      while (next instanceof Inbox.Call || (next != null && datagrams < MOST_AT_ONCE && open())) {
+      while (next instanceof Inbox.Call
+          || (next != null && datagrams < MOST_AT_ONCE && demand.open(now, clock))) {
         if (next instanceof Inbox.Call call) {
           take(call);
         } else {
@@ -330,7 +278,7 @@ public final class Simulation {
       }
       if (changed) {
         publish();
-        tellEvents();
+        events.dispatch();
         tellStill();
       }
     } finally {
@@ -342,13 +290,13 @@ public final class Simulation {
   private void take(Inbox.Call call) {
     shown.add(call.shown()); // which may fail for want of memory: then it waits on
     inbox.poll();
-    guarded(call.failure(), call.work());
+    EventDispatcher.guarded(call.failure(), call.work());
   }
 
   private void take(Inbox.Datagram datagram) {
     inbox.poll();
-    lastTaken = now;
-    guarded(COMMAND_FAILED, () -> drone(datagram.drone()).receive(datagram));
+    demand.taken(now);
+    EventDispatcher.guarded(COMMAND_FAILED, () -> drone(datagram.drone()).receive(datagram));
   }
 
   /** Moves everything on by one step of {@link SimTime#STEP}. */
@@ -356,11 +304,11 @@ public final class Simulation {
     drain();
     for (SimDrone drone : drones) {
       if (drone.expectsCommands()) {
-        guarded(COMMAND_FAILED, drone::receiveDelayed);
+        EventDispatcher.guarded(COMMAND_FAILED, drone::receiveDelayed);
       }
     }
     now = now.next();
-    faults.advance(now);
+    faults.advance();
     for (SimDrone drone : drones) {
       drone.plan(now);
     }
@@ -383,17 +331,15 @@ public final class Simulation {
     for (SimDrone drone : drones) {
       drone.output();
     }
-    tellEvents();
-    for (SimListener listener : listeners) {
-      guarded("A listener failed", () -> listener.stepped(snapshot));
-    }
+    events.dispatch();
+    events.stepped(snapshot);
     tellStill();
   }
 
   private void apply(Control control) {
     if (control instanceof Control.Configure change) {
       drones.set(change.drone() - 1, drone(change.drone()).configured(change));
-      disturb(drone(change.drone()));
+      faults.disturb(drone(change.drone()));
     } else if (control instanceof Control.ForDrone forDrone) {
       drone(forDrone.drone()).apply(forDrone, surroundings.arena().room());
     } else if (control instanceof Control.SetRoom change) {
@@ -410,17 +356,16 @@ public final class Simulation {
     } else if (control instanceof Control.Decorate change) {
       furnish(surroundings.arena().withDecor(change.decor()));
     } else if (control instanceof Control.InjectFault injected) {
-      faults.inject(injected.fault(), now);
+      faults.inject(injected.fault());
     } else if (control instanceof Control.ClearFaults) {
       faults.clear();
     } else if (control instanceof Control.SetLink change) {
-      link = Optional.of(change.link());
-      drones.forEach(this::disturb);
+      faults.setLink(change.link());
       tell(Phrase.of("the link is %s now", change.link().option()));
     } else if (control instanceof Control.Restart anew) {
       restart(anew.config());
     } else if (control instanceof Control.PassTime passing) {
-      passUntil = now.plus(passing.seconds());
+      demand.passUntil(now.plus(passing.seconds()));
     } else if (control instanceof Control.Pause pause) {
       clock = clock.withPaused(pause.paused());
       tell(pause.paused() ? Phrase.of("time stands still") : Phrase.of("time goes on"));
@@ -431,38 +376,9 @@ public final class Simulation {
     }
   }
 
-  private void disturb(SimDrone drone) {
-    drone.disturb(link, faults.acting(drone.number()));
-  }
-
-  /** Lets drones and people know what begins and ends. */
-  private final class FaultNews implements FaultSchedule.Observer {
-
-    @Override
-    public void began(int drone, Fault fault) {
-      events.add(new SimEvent.FaultBegan(now, drone, fault));
-      disturb(drone(drone));
-    }
-
-    @Override
-    public void ended(int drone, Fault fault) {
-      events.add(new SimEvent.FaultEnded(now, drone, fault));
-      disturb(drone(drone));
-    }
-  }
-
   private void furnish(Arena arena) {
     surroundings.change(arena);
     drones.forEach(drone -> drone.lookAround(surroundings));
-  }
-
-  private static void guarded(String failure, Runnable work) {
-    try {
-      work.run();
-    } catch (Throwable e) { // a stack that overflowed, too, concerns this work alone
-      Exceptions.throwIfFatal(e);
-      LOG.error("{}; please report this: {}", failure, e.toString(), e);
-    }
   }
 
   private void publish() {
@@ -476,44 +392,12 @@ public final class Simulation {
 
   private void happened(SimEvent event) {
     events.add(event);
-    if (event instanceof SimEvent.CommandReceived command) {
-      faults.commanded(command.drone(), command.text(), now);
-    } else if (event instanceof SimEvent.DroneFlight flight) {
-      if (flight.event() instanceof FlightEvent.TookOff) {
-        faults.tookOff(now);
-      } else if (flight.event() instanceof FlightEvent.PutBack) {
-        faults.restart(now);
-      }
-    }
-    boolean silence =
-        event instanceof SimEvent.DroneFlight flight
-            && flight.event() instanceof FlightEvent.LandsByItself landing
-            && landing.silence();
-    if (silence && clock.factor().unlimited() && !explained) {
-      explained = true;
-      tell(
-          Phrase.of(
-              "with time factor max a drone is soon without commands for 15 s, because they pass"
-                  + " in an instant while another one flies; --no-safety-landing keeps it in the"
-                  + " air"));
-    }
+    faults.observe(event);
+    hint.after(event, clock.factor().unlimited()).ifPresent(this::tell);
   }
 
   private void tell(Phrase phrase) {
     events.add(new SimEvent.WorldChanged(now, phrase));
-  }
-
-  private void tellEvents() {
-    if (events.isEmpty()) {
-      return;
-    }
-    List<SimEvent> happened = List.copyOf(events);
-    events.clear();
-    for (SimEvent event : happened) {
-      for (SimListener listener : listeners) {
-        guarded("A listener failed", () -> listener.event(event));
-      }
-    }
   }
 
   private SimDrone drone(int number) {

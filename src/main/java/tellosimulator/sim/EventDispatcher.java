@@ -1,0 +1,72 @@
+package tellosimulator.sim;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.CopyOnWriteArrayList;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+import tellosimulator.concurrent.Exceptions;
+
+/**
+ * Keeps what happens until the snapshot shows it, and tells the listeners then. What one of them
+ * throws concerns nobody else. For the simulation thread but for {@link #listen}.
+ */
+final class EventDispatcher {
+
+  private static final Logger LOG = LoggerFactory.getLogger(Simulation.class);
+
+  private final List<SimEvent> waiting = new ArrayList<>();
+  private final List<SimListener> listeners;
+
+  /**
+   * @param listeners in the order in which they are told
+   */
+  EventDispatcher(List<SimListener> listeners) {
+    this.listeners = new CopyOnWriteArrayList<>(listeners);
+  }
+
+  /** Tells one more listener, after all others. For any thread. */
+  void listen(SimListener listener) {
+    listeners.add(listener);
+  }
+
+  void add(SimEvent event) {
+    waiting.add(event);
+  }
+
+  /** Forgets what nobody was told yet. */
+  void clear() {
+    waiting.clear();
+  }
+
+  /** Tells what has happened since the last time. */
+  void dispatch() {
+    if (waiting.isEmpty()) {
+      return;
+    }
+    List<SimEvent> happened = List.copyOf(waiting);
+    waiting.clear();
+    for (SimEvent event : happened) {
+      for (SimListener listener : listeners) {
+        guarded("A listener failed", () -> listener.event(event));
+      }
+    }
+  }
+
+  /** Tells that a step was completed. */
+  void stepped(SimSnapshot snapshot) {
+    for (SimListener listener : listeners) {
+      guarded("A listener failed", () -> listener.stepped(snapshot));
+    }
+  }
+
+  /** Carries something out; what it throws is logged, unless nothing can go on after it. */
+  static void guarded(String failure, Runnable work) {
+    try {
+      work.run();
+    } catch (Throwable e) { // a stack that overflowed, too, concerns this work alone
+      Exceptions.throwIfFatal(e);
+      LOG.error("{}; please report this: {}", failure, e.toString(), e);
+    }
+  }
+}
