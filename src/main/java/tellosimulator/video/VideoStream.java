@@ -61,6 +61,9 @@ public final class VideoStream implements AutoCloseable {
   private final Worker worker;
   private volatile boolean starved;
 
+  /** Whether the simulation has begun anew since the last picture. */
+  private volatile boolean anew;
+
   /** Whether somebody looks who has seen no picture yet. */
   private volatile boolean unseen;
 
@@ -118,6 +121,11 @@ public final class VideoStream implements AutoCloseable {
     wake();
   }
 
+  /** The simulation has begun anew: the next picture that is sent begins a stream. */
+  void restart() {
+    anew = true;
+  }
+
   /** The drone's operator has sent something. */
   void heard() {
     reachability.heard();
@@ -163,6 +171,7 @@ public final class VideoStream implements AutoCloseable {
   }
 
   private boolean turn() {
+    forgetIfAnew();
     DroneSnapshot now = drone(snapshots.get());
     Wish wish = wish(now);
     start = wish.start;
@@ -186,7 +195,17 @@ public final class VideoStream implements AutoCloseable {
     return true;
   }
 
+  /** Requests are counted from the simulation's start, so the next one may look like the last. */
+  private void forgetIfAnew() {
+    if (anew) {
+      anew = false;
+      last = Wish.NOTHING;
+      connection.close();
+    }
+  }
+
   private void film(SimSnapshot newest) {
+    forgetIfAnew();
     DroneSnapshot now = drone(newest);
     faults.set(now.faults());
     faults.deliver(metronome.nanos());

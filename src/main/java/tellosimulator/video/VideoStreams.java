@@ -59,6 +59,9 @@ public final class VideoStreams implements SimListener, AutoCloseable {
   /** A drone was told something, perhaps to film. */
   @Override
   public void event(SimEvent event) {
+    if (event instanceof SimEvent.Restarted) {
+      streams.forEach(VideoStream::restart);
+    }
     if (!(event instanceof SimEvent.ForDrone one)) {
       streams.forEach(VideoStream::wake);
       return;

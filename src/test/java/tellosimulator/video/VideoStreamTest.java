@@ -42,15 +42,10 @@ class VideoStreamTest {
 
   private static final String RESTS = "The video of drone 1 rests until the next streamon: ";
 
+  private static final SimConfig CONFIG = SimConfig.DEFAULT.withOutlets(new Outlets(9, 9));
+
   private final Simulation simulation =
-      new Simulation(
-          SimConfig.DEFAULT.withDrones(
-              SimConfig.DEFAULT.drones().stream()
-                  .map(drone -> drone.withOutlets(new Outlets(9, 9)))
-                  .toList()),
-          drone -> (peer, text) -> {},
-          report -> {},
-          List.of());
+      new Simulation(CONFIG, drone -> (peer, text) -> {}, report -> {}, List.of());
   private final AtomicReference<Error> failure = new AtomicReference<>();
   private final BlockingQueue<String> filmed = new LinkedBlockingQueue<>();
   private final AtomicReference<CameraView> view = new AtomicReference<>(view(0));
@@ -205,6 +200,35 @@ class VideoStreamTest {
 
     assertThat(filmed.take()).isEqualTo("picture");
     assertThat(filmed.take()).isEqualTo("picture");
+  }
+
+  @Test
+  void afterTheSimulationBeganAnewAStreamBeginsWithAKeyPicture() throws InterruptedException {
+    BlockingQueue<String> seen = new LinkedBlockingQueue<>();
+    stream.watch(picture -> seen.add(kind(picture)));
+    switchOn();
+    tell("streamon");
+    while (!seen.take().equals("key")) {
+      // taken before it was asked for
+    }
+    assertThat(seen.take()).isEqualTo("predicted");
+
+    simulation.control(new Control.Restart(CONFIG));
+    simulation.drain();
+    stream.restart();
+    simulation.control(new Control.Power(1, true));
+    simulation.submit(1, OPERATOR, "command");
+    simulation.submit(1, OPERATOR, "streamon");
+    simulation.drain();
+    seen.clear();
+
+    assertThat(List.of(seen.take(), seen.take(), seen.take()))
+        .as("one that was begun before, and those after")
+        .contains("key");
+  }
+
+  private static String kind(FilmedPicture picture) {
+    return picture.encoded().map(unit -> unit.idr() ? "key" : "predicted").orElse("preview");
   }
 
   private void assertGoesOnAfterTheFailure() throws InterruptedException {
