@@ -1,6 +1,7 @@
 package tellosimulator.view.world;
 
 import java.util.List;
+import java.util.Optional;
 import javafx.application.ConditionalFeature;
 import javafx.application.Platform;
 import javafx.beans.property.BooleanProperty;
@@ -23,8 +24,8 @@ import tellosimulator.view.model.ViewContext;
 
 /**
  * The room with its drones in 3D, seen through one of two cameras; over it the inset with the
- * drone's camera and where the wind blows. Where JavaFX has no 3D, the software camera draws it.
- * For the JavaFX thread.
+ * drone's camera, the faults that act, and where the wind blows. Where JavaFX has no 3D, the
+ * software camera draws it. For the JavaFX thread.
  */
 public final class Simulator3DScene extends Region {
 
@@ -44,6 +45,7 @@ public final class Simulator3DScene extends Region {
   private final SceneView view;
   private final DroneCameraInset inset;
   private final WindArrow wind;
+  private final FaultTags faults;
 
   public Simulator3DScene(ViewContext context) {
     simulation = context.simulation();
@@ -57,6 +59,7 @@ public final class Simulator3DScene extends Region {
             : new SoftwareSceneView();
     inset = new DroneCameraInset(context);
     wind = new WindArrow(context, camera);
+    faults = new FaultTags(simulation.drones().size());
     initializeSelf();
     layoutParts();
     setupEventHandlers();
@@ -114,7 +117,7 @@ public final class Simulator3DScene extends Region {
   }
 
   private void layoutParts() {
-    getChildren().addAll(view.node(), wind, inset);
+    getChildren().addAll(view.node(), faults, wind, inset);
   }
 
   private void setupEventHandlers() {
@@ -139,9 +142,11 @@ public final class Simulator3DScene extends Region {
     overlay.advance(snapshot, nanos);
     if (viewCamera.get() == ViewCamera.DRONE) {
       view.show(scenes.scene(snapshot, simulation.selected().number()), onDrone(), nanos);
+      faults.advance(snapshot, Optional.empty());
     } else {
       List<Instance> aids = overlay.instances(snapshot, camera.pose());
       view.show(scenes.scene(snapshot).withOverlay(aids), camera.viewpoint(), nanos);
+      faults.advance(snapshot, Optional.of(camera.viewpoint()));
     }
   }
 
@@ -178,6 +183,7 @@ public final class Simulator3DScene extends Region {
     double width = onDrone ? Math.min(getWidth(), getHeight() * ratio) : getWidth();
     double height = onDrone ? width / ratio : getHeight();
     view.resize(width, height);
+    faults.resizeRelocate(0, 0, getWidth(), getHeight());
     view.node().relocate((getWidth() - width) / 2, (getHeight() - height) / 2);
   }
 }

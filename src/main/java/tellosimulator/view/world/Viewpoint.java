@@ -1,6 +1,10 @@
 package tellosimulator.view.world;
 
+import java.util.Optional;
+import javafx.geometry.Point2D;
+import javafx.geometry.Rectangle2D;
 import tellosimulator.math.Pose;
+import tellosimulator.math.Vec3;
 import tellosimulator.video.camera.CameraIntrinsics;
 import tellosimulator.video.camera.PinholeCamera;
 
@@ -14,6 +18,23 @@ import tellosimulator.video.camera.PinholeCamera;
  * @param far farther things need not be drawn [m]
  */
 record Viewpoint(Pose pose, double fieldOfView, boolean vertical, double near, double far) {
+
+  /**
+   * Where a place is seen in an image of this size [pixels from its top left corner].
+   *
+   * @return empty if it is behind the camera or outside of the image
+   */
+  Optional<Point2D> project(Vec3 place, double width, double height) {
+    Vec3 seen = pose.attitude().toBody(place.minus(pose.position()));
+    double across = (vertical ? height : width) / 2;
+    double focalLength = across / Math.tan(fieldOfView / 2);
+    Point2D pixel =
+        new Point2D(
+            width / 2 - focalLength * seen.y() / seen.x(),
+            height / 2 - focalLength * seen.z() / seen.x());
+    boolean inImage = new Rectangle2D(0, 0, width, height).contains(pixel);
+    return seen.x() > near && inImage ? Optional.of(pixel) : Optional.empty();
+  }
 
   /** A pinhole camera with an image of this size [pixels]. */
   PinholeCamera pinhole(int width, int height) {

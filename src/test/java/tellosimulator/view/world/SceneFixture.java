@@ -24,6 +24,9 @@ import org.junit.jupiter.api.extension.BeforeEachCallback;
 import org.junit.jupiter.api.extension.ExtensionContext;
 import org.testfx.api.FxToolkit;
 import org.testfx.util.WaitForAsyncUtils;
+import tellosimulator.fault.ActiveFaults;
+import tellosimulator.fault.Fault;
+import tellosimulator.fault.LinkPreset;
 import tellosimulator.math.Pose;
 import tellosimulator.model.DroneState;
 import tellosimulator.model.FlightPhase;
@@ -168,6 +171,17 @@ public final class SceneFixture implements BeforeEachCallback, AfterEachCallback
     drones.set(0, old.withState(now));
     SimTime time = snapshot.time();
     snapshot = new SimSnapshot(time, snapshot.clock(), snapshot.arena(), drones);
+  }
+
+  /** Lets faults act on the first drone; the next beat shows it. */
+  void disturb(Fault... faults) {
+    List<DroneSnapshot> drones = new ArrayList<>(snapshot.drones());
+    DroneSnapshot old = drones.get(0);
+    ActiveFaults acting = new ActiveFaults(LinkPreset.IDEAL, List.of(faults));
+    drones.set(
+        0,
+        new DroneSnapshot(old.state(), old.link(), old.product(), old.start(), old.rgb(), acting));
+    snapshot = snapshot.withDrones(drones);
   }
 
   /** Changes the looks of the room; the next beat shows it. */

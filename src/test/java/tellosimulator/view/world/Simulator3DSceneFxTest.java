@@ -5,12 +5,15 @@ import static org.assertj.core.api.Assertions.within;
 
 import javafx.event.Event;
 import javafx.event.EventType;
+import javafx.geometry.Bounds;
 import javafx.scene.control.Button;
+import javafx.scene.control.Label;
 import javafx.scene.input.MouseButton;
 import javafx.scene.input.MouseEvent;
 import javafx.scene.input.ScrollEvent;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.extension.RegisterExtension;
+import tellosimulator.fault.Fault;
 import tellosimulator.math.Attitude;
 import tellosimulator.math.Pose;
 import tellosimulator.math.Vec3;
@@ -153,6 +156,26 @@ class Simulator3DSceneFxTest {
     assertThat(scene.insetVisibleProperty().get()).isTrue();
     assertThat(scene.insetEnlargedProperty().get()).isTrue();
     assertThat(scene.lookup("#inset-picture").isVisible()).isTrue();
+  }
+
+  @Test
+  void faultsAreNamedBelowTheirDrone() {
+    Label tag = (Label) fixture.scene().lookup(".fault-tag");
+    assertThat(tag.isVisible()).isFalse();
+
+    fly(0, new Vec3(0.5, 0, 1));
+    fixture.disturb(Fault.of("loss 20%"), Fault.of("loss 30%"), Fault.of("dark"));
+    fixture.pass(0.1);
+
+    assertThat(tag.isVisible()).isTrue();
+    assertThat(tag.getText()).isEqualTo("loss, dark");
+    Bounds bounds = tag.getBoundsInParent(); // the camera looks at the drone
+    assertThat(bounds.getCenterX()).isCloseTo(SceneFixture.WIDTH / 2.0, within(2.0));
+    assertThat(bounds.getMinY()).isBetween(SceneFixture.HEIGHT / 2.0, SceneFixture.HEIGHT * 0.75);
+
+    fixture.change(() -> fixture.scene().viewCameraProperty().set(ViewCamera.DRONE));
+    fixture.pass(0.1);
+    assertThat(tag.isVisible()).isFalse();
   }
 
   private SimulatorCamera camera() {
