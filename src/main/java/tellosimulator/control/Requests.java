@@ -29,33 +29,46 @@ final class Requests {
 
   Requests(TelloSimulator simulator) {
     this.simulator = simulator;
-    tell("drones", List.of(), p -> simulator.drones().stream().map(Answers::drone).toList());
-    tell("truth", List.of("drone"), p -> Answers.truth(drone(p).truth()));
+    tell("drones", List.of(), request -> simulator.drones().stream().map(Answers::drone).toList());
+    tell("truth", List.of("drone"), request -> Answers.truth(drone(request).truth()));
     tell("journal", List.of("drone"), this::journal);
-    tell("goals", List.of(), p -> Answers.goals(simulator.simulation().goals()));
-    tell("explanation", List.of(), p -> simulator.explanation());
-    tell("faults", List.of("drone"), p -> simulator.simulation().faults().running(p.drone()));
+    tell("goals", List.of(), request -> Answers.goals(simulator.simulation().goals()));
+    tell("explanation", List.of(), request -> simulator.explanation());
+    tell(
+        "faults",
+        List.of("drone"),
+        request -> simulator.simulation().faults().running(request.drone()));
     carryOut(
-        "inject", List.of("fault"), p -> simulator.simulation().faults().inject(p.text("fault")));
-    carryOut("clear-faults", List.of(), p -> simulator.simulation().faults().clear());
+        "inject",
+        List.of("fault"),
+        request -> simulator.simulation().faults().inject(request.text("fault")));
+    carryOut("clear-faults", List.of(), request -> simulator.simulation().faults().clear());
     carryOut(
-        "link", List.of("preset"), p -> simulator.simulation().faults().link(p.text("preset")));
-    carryOut("reset", List.of(), p -> simulator.reset());
-    carryOut("battery", List.of("drone", "percent"), p -> drone(p).battery(p.number("percent")));
+        "link",
+        List.of("preset"),
+        request -> simulator.simulation().faults().link(request.text("preset")));
+    carryOut("reset", List.of(), request -> simulator.reset());
+    carryOut(
+        "battery",
+        List.of("drone", "percent"),
+        request -> drone(request).battery(request.number("percent")));
     carryOut(
         "place",
         List.of("drone", "x", "y", "heading"),
-        p -> drone(p).placeAt(p.number("x"), p.number("y"), p.number("heading", 0)));
-    carryOut("power", List.of("drone", "on"), p -> drone(p).power(p.flag("on")));
+        request ->
+            drone(request)
+                .placeAt(request.number("x"), request.number("y"), request.number("heading", 0)));
+    carryOut("power", List.of("drone", "on"), request -> drone(request).power(request.flag("on")));
     carryOut(
         "wind",
         List.of("speed", "towards"),
-        p -> simulator.simulation().wind(p.number("speed"), p.number("towards", 0)));
+        request ->
+            simulator.simulation().wind(request.number("speed"), request.number("towards", 0)));
     tell("advance", List.of("seconds"), this::advance);
     carryOut(
         "await-still",
         List.of("timeout"),
-        p -> simulator.simulation().awaitStill(p.seconds("timeout", PATIENCE)));
+        request -> simulator.simulation().awaitStill(request.seconds("timeout", PATIENCE)));
     tell("await-goals", List.of("timeout"), this::awaitGoals);
     tell("await", List.of("drone", "command", "timeout"), this::await);
   }
@@ -68,8 +81,8 @@ final class Requests {
     tell(
         name,
         parameters,
-        p -> {
-          what.accept(p);
+        request -> {
+          what.accept(request);
           return Map.of();
         });
   }

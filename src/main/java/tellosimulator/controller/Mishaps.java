@@ -49,23 +49,16 @@ final class Mishaps {
   /** Why it does not take off; empty if no fault keeps it. */
   Optional<Objection> objectionToTakeoff() {
     return acting(FaultKind.SENSOR_ERROR)
-        .map(fault -> new Objection(Reply.ERROR, Phrase.of("the fault %s acts", fault.text())))
+        .map(fault -> new Objection(Reply.ERROR, cause(fault)))
         .or(
             () ->
                 acting(FaultKind.OVERHEAT)
-                    .map(
-                        fault ->
-                            new Objection(
-                                Reply.HIGH_TEMPERATURE,
-                                Phrase.of("the fault %s acts", fault.text()))));
+                    .map(fault -> new Objection(Reply.HIGH_TEMPERATURE, cause(fault))));
   }
 
   /** Why it does not move; empty if no fault keeps it. */
   Optional<Objection> objectionToMove() {
-    return lost()
-        .map(
-            fault ->
-                new Objection(Reply.NO_VALID_IMU, Phrase.of("the fault %s acts", fault.text())));
+    return lost().map(fault -> new Objection(Reply.NO_VALID_IMU, cause(fault)));
   }
 
   /** How high a takeoff gets, if that is less than usual [m]. */
@@ -139,7 +132,7 @@ final class Mishaps {
   private void overheat(Fault fault) {
     model.heat(fault.value(FaultParameter.HEAT));
     if (flight.airborne() && model.phase() != FlightPhase.LANDING) {
-      Phrase reason = Phrase.of("the fault %s acts", fault.text());
+      Phrase reason = cause(fault);
       flight.interrupt(Reply.AUTO_LAND, reason);
       flight.land(Task.NOBODY);
       observer.happened(new LandsByItself(reason, false));
@@ -147,7 +140,7 @@ final class Mishaps {
   }
 
   private void stopMotors(Fault fault) {
-    Phrase reason = Phrase.of("the fault %s acts", fault.text());
+    Phrase reason = cause(fault);
     flight.interrupt(Reply.MOTOR_STOP, reason);
     flight.motorsOff(FlightPhase.FALLING);
     observer.happened(new Fell(reason));
@@ -155,7 +148,7 @@ final class Mishaps {
 
   private void landSilently(Fault fault) {
     flight.land(Task.NOBODY);
-    observer.happened(new LandsByItself(Phrase.of("the fault %s acts", fault.text()), false));
+    observer.happened(new LandsByItself(cause(fault), false));
   }
 
   /** What it does not know its place by. */
@@ -169,5 +162,9 @@ final class Mishaps {
 
   private Optional<Fault> acting(FaultKind kind) {
     return none() ? Optional.empty() : faults.get().find(kind);
+  }
+
+  private static Phrase cause(Fault fault) {
+    return Phrase.of("the fault %s acts", fault.text());
   }
 }

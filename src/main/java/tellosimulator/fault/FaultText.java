@@ -99,14 +99,13 @@ public final class FaultText {
 
   /** A word that is none of those that are known. */
   static FaultTextException unknown(String word, Collection<String> known) {
-    String all = String.join(", ", known);
     return new FaultTextException(
         Spelling.meant(word, known)
-            .map(
-                meant ->
+            .map(meant -> Phrase.of("there is no %s, did you mean %s?", shown(word), meant))
+            .orElseGet(
+                () ->
                     Phrase.of(
-                        "expected one of %s, found %s, did you mean %s?", all, shown(word), meant))
-            .orElseGet(() -> Phrase.of("expected one of %s, found %s", all, shown(word))));
+                        "expected one of %s, found %s", String.join(", ", known), shown(word))));
   }
 
   private static List<Token> tokens(String text) {

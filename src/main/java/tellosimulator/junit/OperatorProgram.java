@@ -5,9 +5,14 @@ import java.nio.charset.Charset;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.concurrent.TimeUnit;
+import java.util.function.Consumer;
+import java.util.regex.Pattern;
+import tellosimulator.words.Spelling;
 
 /**
  * A program in any language that flies a drone: a process whose output is kept, and which is killed
@@ -18,22 +23,49 @@ public final class OperatorProgram {
   /** Lines of output in a failure. Decided: a stack trace of Python and what led to it. */
   private static final int SHOWN_LINES = 40;
 
+  private static final Pattern PLACEHOLDER = Pattern.compile("\\{[A-Za-z]+}");
+
   private final List<String> command;
   private final SimulatedDrone drone;
+  private final Consumer<OperatorProgram> started;
   private Duration limit = Duration.ofSeconds(60);
   private Path directory = Path.of("").toAbsolutePath();
   private String output = "";
 
-  OperatorProgram(List<String> command, SimulatedDrone drone) {
-    this.command = command.stream().map(word -> filled(word, drone)).toList();
+  /**
+   * @param started is told when it is run
+   * @throws IllegalArgumentException if a word is an unknown placeholder
+   */
+  OperatorProgram(List<String> command, SimulatedDrone drone, Consumer<OperatorProgram> started) {
+    Map<String, String> values = placeholders(drone);
+    this.command = command.stream().map(word -> filled(word, values)).toList();
     this.drone = drone;
+    this.started = started;
   }
 
-  private static String filled(String word, SimulatedDrone drone) {
-    return word.replace("{host}", drone.host())
-        .replace("{commandPort}", Integer.toString(drone.commandPort()))
-        .replace("{statePort}", Integer.toString(drone.statePort()))
-        .replace("{videoPort}", Integer.toString(drone.videoPort()));
+  private static Map<String, String> placeholders(SimulatedDrone drone) {
+    Map<String, String> values = new LinkedHashMap<>();
+    values.put("{host}", drone.host());
+    values.put("{commandPort}", Integer.toString(drone.commandPort()));
+    values.put("{statePort}", Integer.toString(drone.statePort()));
+    values.put("{videoPort}", Integer.toString(drone.videoPort()));
+    return values;
+  }
+
+  private static String filled(String word, Map<String, String> values) {
+    if (PLACEHOLDER.matcher(word).matches() && !values.containsKey(word)) {
+      throw new IllegalArgumentException(
+          "there is no placeholder "
+              + word
+              + Spelling.meant(word, values.keySet())
+                  .map(meant -> ", did you mean " + meant + "?")
+                  .orElse(", but only " + String.join(", ", values.keySet())));
+    }
+    String filled = word;
+    for (Map.Entry<String, String> value : values.entrySet()) {
+      filled = filled.replace(value.getKey(), value.getValue());
+    }
+    return filled;
   }
 
   /** Kills it after so long by the wall clock; without this, after a minute. */
@@ -42,8 +74,16 @@ public final class OperatorProgram {
     return this;
   }
 
-  /** Where it runs; without this, where the test does. */
+  /**
+   * Where it runs; without this, where the test does.
+   *
+   * @throws IllegalArgumentException if there is no such folder
+   */
   public OperatorProgram in(Path newDirectory) {
+    if (!Files.isDirectory(newDirectory)) {
+      throw new IllegalArgumentException(
+          "there is no folder " + newDirectory.toAbsolutePath() + " to run the program in");
+    }
     directory = newDirectory;
     return this;
   }
@@ -70,6 +110,7 @@ public final class OperatorProgram {
    * @throws AssertionError with the end of its output, if it cannot be started, or if it was killed
    */
   public int exitCode() {
+    started.accept(this);
     try {
       Path kept = Files.createTempFile("operator", ".log");
       try {
@@ -122,11 +163,17 @@ public final class OperatorProgram {
         String.format(
             Locale.ROOT,
             "%s for %s %s%s%s",
-            String.join(" ", command),
+            this,
             drone,
             what,
             last.isEmpty() ? "" : System.lineSeparator(),
             String.join(System.lineSeparator(), last)));
+  }
+
+  /** Its command line. */
+  @Override
+  public String toString() {
+    return String.join(" ", command);
   }
 
   /** What it wrote to standard output and standard error. */

@@ -127,12 +127,16 @@ public final class SimulatedDrone {
    *
    * @param command program and arguments, in which {@code {host}}, {@code {commandPort}}, {@code
    *     {statePort}} and {@code {videoPort}} stand for this drone's
+   * @return which is to be {@link OperatorProgram#run run}; a test that forgets it fails
+   * @throws IllegalArgumentException if a word is a placeholder that is none of these
    */
   public OperatorProgram program(String... command) {
     if (command.length == 0) {
       throw new IllegalArgumentException("command is empty, but must name a program");
     }
-    return new OperatorProgram(List.of(command), this);
+    OperatorProgram program = new OperatorProgram(List.of(command), this, simulator::started);
+    simulator.named(program);
+    return program;
   }
 
   /** See {@link TelloSimulator#awaitFalls}. */

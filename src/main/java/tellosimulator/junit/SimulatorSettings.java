@@ -143,11 +143,16 @@ public abstract sealed class SimulatorSettings<T extends SimulatorSettings<T>>
                   empty.arena().room(),
                   Swarm.row(count, empty.starts().get(0).position(), empty.arena().room()))));
     }
-    if (drones != 0) {
-      throw new IllegalArgumentException("drones does not go with scenario, which says it");
-    }
     try {
-      return changed(OpenedScenario.named(scenario).scenario());
+      Scenario opened = OpenedScenario.named(scenario).scenario();
+      if (drones != 0) {
+        throw new IllegalArgumentException(
+            "drones does not go with scenario "
+                + scenario
+                + ", which has "
+                + opened.config().drones().size());
+      }
+      return changed(opened);
     } catch (ScenarioException e) {
       throw new IllegalArgumentException(e.getMessage(), e);
     }

@@ -5,8 +5,10 @@ import java.net.InetSocketAddress;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalInt;
+import java.util.concurrent.CopyOnWriteArrayList;
 import tellosimulator.goal.GoalWatch;
 import tellosimulator.goal.Progress;
 import tellosimulator.model.FlightPhase;
@@ -48,6 +50,10 @@ public final class TelloSimulator implements AutoCloseable {
   private final GoalWatch goals;
   private final SimConfig config;
   private final OnlineSimulation online;
+
+  /** Programs that a test has named and not run yet. */
+  private final List<OperatorProgram> unstarted = new CopyOnWriteArrayList<>();
+
   private final List<SimulatedDrone> drones = new ArrayList<>();
   private final TelloSimulation simulation = new TelloSimulation(this);
 
@@ -122,9 +128,19 @@ public final class TelloSimulator implements AutoCloseable {
       online.switchAllOn();
     } catch (PortTakenException e) {
       close();
-      throw new IllegalStateException(e.getMessage(), e);
+      throw new IllegalStateException(
+          settings.ports() == PortChoice.REAL ? withoutRealPorts(e) : e.getMessage(), e);
     }
     addDrones();
+  }
+
+  private static String withoutRealPorts(PortTakenException taken) {
+    return String.format(
+        Locale.ROOT,
+        "ports = REAL needs port %d of %s, which another program has: end that program, or use the"
+            + " ports that ports = FREE gives",
+        taken.address().getPort(),
+        taken.address().getAddress().getHostAddress());
   }
 
   private TelloSimulator(OnlineSimulation online, Scenario scenario, GoalWatch goals) {
@@ -211,6 +227,7 @@ public final class TelloSimulator implements AutoCloseable {
    */
   public void reset() {
     checkOpen();
+    unstarted.clear();
     try {
       online.restart(config);
     } catch (PortTakenException e) {
@@ -303,6 +320,21 @@ public final class TelloSimulator implements AutoCloseable {
 
   boolean closed() {
     return closed;
+  }
+
+  /** A program was named that is to be run. */
+  void named(OperatorProgram program) {
+    unstarted.add(program);
+  }
+
+  /** It is run. */
+  void started(OperatorProgram program) {
+    unstarted.remove(program);
+  }
+
+  /** Programs that were named since the last reset and never run. */
+  List<OperatorProgram> unstarted() {
+    return List.copyOf(unstarted);
   }
 
   /** Waits until drones that fall lie on the ground, so that it is known whether they crashed. */

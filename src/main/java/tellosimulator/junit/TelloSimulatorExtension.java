@@ -209,12 +209,18 @@ public final class TelloSimulatorExtension
   @Override
   public void afterTestExecution(ExtensionContext context) throws Exception {
     Optional<Running> running = running(context);
-    if (context.getExecutionException().isPresent()
-        || running.isEmpty()
-        || running.get().onCrash == OnCrash.ALLOW) {
+    if (context.getExecutionException().isPresent() || running.isEmpty()) {
       return;
     }
     TelloSimulator simulator = running.get().simulator;
+    List<OperatorProgram> unstarted = simulator.unstarted();
+    if (!unstarted.isEmpty()) {
+      throw new AssertionFailedError(
+          "the program " + unstarted.get(0) + " was never run: call run() or exitCode() of it");
+    }
+    if (running.get().onCrash == OnCrash.ALLOW) {
+      return;
+    }
     simulator.awaitFalls();
     List<String> unasked = new ArrayList<>();
     for (SimulatedDrone drone : simulator.drones()) {

@@ -29,7 +29,7 @@ public final class KitClasses {
     long descriptors = descriptors();
     for (int run = 0; run < runs; run++) {
       List<Throwable> failures = run(each);
-      failures.forEach(failure -> failure.printStackTrace());
+      failures.forEach(failure -> System.out.println("failed: " + failure));
       System.out.printf(
           "run %d %d %d %d%n",
           THREADS * each, failures.size(), left(before), descriptors() - descriptors);

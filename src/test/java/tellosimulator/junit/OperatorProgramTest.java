@@ -84,6 +84,18 @@ class OperatorProgramTest {
   }
 
   @Test
+  void whatCannotBeMeantIsRefusedBeforeItIsRun(SimulatedDrone drone) {
+    assertThatThrownBy(() -> drone.program("fly", "{comandPort}"))
+        .isInstanceOf(IllegalArgumentException.class)
+        .hasMessage("there is no placeholder {comandPort}, did you mean {commandPort}?");
+    OperatorProgram program = drone.program(JAVA, "--version");
+    assertThatThrownBy(() -> program.in(folder.resolve("nope")))
+        .isInstanceOf(IllegalArgumentException.class)
+        .hasMessage("there is no folder " + folder.resolve("nope") + " to run the program in");
+    program.run();
+  }
+
+  @Test
   void aProgramThatIsNotThereIsNamed(SimulatedDrone drone) {
     assertThatThrownBy(() -> drone.program("no-such-program", "{host}:{commandPort}").run())
         .isInstanceOf(AssertionError.class)

@@ -295,6 +295,20 @@ class TelloSimulatorExtensionTest {
     assertThat(failures).doesNotContainKey("doesNothing").hasSize(5);
   }
 
+  @TelloTest(onCrash = OnCrash.ALLOW)
+  static final class Forgetting {
+    @Test
+    void namesAProgram(SimulatedDrone drone) {
+      assertThat(drone.program("python3", "fly.py").output()).isEmpty();
+    }
+  }
+
+  @Test
+  void aProgramThatIsNamedAndNeverRunFailsItsTest() {
+    assertThat(failures(selectClass(Forgetting.class)).get("namesAProgram"))
+        .hasMessage("the program python3 fly.py was never run: call run() or exitCode() of it");
+  }
+
   @TelloTest(scenario = "gate-race", onCrash = OnCrash.ALLOW)
   static final class Allowing {
     @Test

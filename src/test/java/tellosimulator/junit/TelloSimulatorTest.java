@@ -211,7 +211,7 @@ class TelloSimulatorTest {
         .withMessage("drones is 0, but must be at least 1");
     assertThatIllegalArgumentException()
         .isThrownBy(() -> TelloSimulator.builder().scenario("slalom").drones(2).start())
-        .withMessage("drones does not go with scenario, which says it");
+        .withMessage("drones does not go with scenario slalom, which has 1");
   }
 
   @Test

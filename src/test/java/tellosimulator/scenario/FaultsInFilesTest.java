@@ -55,8 +55,8 @@ class FaultsInFilesTest {
       delimiter = '|',
       textBlock =
           """
-          lots                                  | 2:5: expected one of bandwidth
-          los 20%                               | 2:5: expected one of bandwidth
+          xyz                                   | 2:5: expected one of bandwidth
+          los 20%                               | 2:5: there is no "los", did you mean loss?
           loss 120%                             | 2:5: share is 120%, but must be from 0% to 100%
           cut drone 2                           | 2:5: there is no drone 2, the drones are 1 to 1
           [cut]                                 | 2:5: expected a fault such as loss state 20%, found a list of 1
