@@ -20,12 +20,12 @@ class TexturesTest {
   @CsvSource(
       textBlock =
           """
-          bricks,    -1352148022
-          hexagons,  -1990222715
-          boards,    1023131869
-          triangles, -1772744082
+          bricks,    -1427392798
+          hexagons,  -1199305545
+          boards,    2073844047
+          triangles, 2049821430
           panels,    -2024680950
-          parquet,   -599973097
+          parquet,   -1796736606
           """)
   void texturesAreTheSameOnEveryMachine(String name, int hash) {
     assertThat(Arrays.hashCode(texture(name).argbArray())).isEqualTo(hash);

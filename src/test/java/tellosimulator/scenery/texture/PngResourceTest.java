@@ -9,6 +9,7 @@ import java.io.ByteArrayOutputStream;
 import java.io.DataInputStream;
 import java.io.IOException;
 import java.util.Arrays;
+import java.util.List;
 import java.util.zip.DataFormatException;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Test;
@@ -17,17 +18,28 @@ import org.junit.jupiter.api.Test;
 class PngResourceTest {
 
   @Test
-  void decodesAsTheJdkDoes() throws IOException, DataFormatException {
-    byte[] png = png(BufferedImage.TYPE_INT_RGB, 64);
+  void theTexturesOfTheRoomAreDecodedAsTheJdkDoes() throws IOException, DataFormatException {
+    for (String name : List.of("boards", "bricks", "hexagons", "panels", "parquet", "triangles")) {
+      byte[] png =
+          PngResource.class
+              .getResourceAsStream("/tellosimulator/scenery/room/" + name + ".png")
+              .readAllBytes();
+      BufferedImage image = ImageIO.read(new ByteArrayInputStream(png));
 
-    assertThat(PngResource.decode(new DataInputStream(new ByteArrayInputStream(png)), 64))
-        .isEqualTo(pixels(ImageIO.read(new ByteArrayInputStream(png))));
+      assertThat(
+              PngResource.decode(
+                  new DataInputStream(new ByteArrayInputStream(png)), image.getWidth()))
+          .as(name)
+          .isEqualTo(pixels(image));
+    }
   }
 
   @Test
-  void whatIsNoRgbSquareOfTheSizeIsRefused() throws IOException {
-    assertRefused(png(BufferedImage.TYPE_INT_ARGB, 64), 64, "8-bit RGB pixels, 64 by 64");
-    assertRefused(png(BufferedImage.TYPE_INT_RGB, 32), 64, "8-bit RGB pixels, 64 by 64");
+  void whatIsNoSquareOfTheSizeWithAPaletteIsRefused() throws IOException {
+    assertRefused(png(BufferedImage.TYPE_INT_RGB, 64), 64, "8-bit palette, and pixels 64 by 64");
+    assertRefused(
+        png(BufferedImage.TYPE_BYTE_INDEXED, 32), 64, "8-bit palette, and pixels 64 by 64");
+    assertRefused(png(BufferedImage.TYPE_BYTE_INDEXED, 64), 64, "rows must not be filtered");
     assertRefused(new byte[64], 64, "no PNG");
   }
 
