@@ -1,0 +1,200 @@
+package tellosimulator.recording;
+
+import java.io.BufferedReader;
+import java.io.IOException;
+import java.io.InputStreamReader;
+import java.nio.ByteBuffer;
+import java.nio.channels.SeekableByteChannel;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Consumer;
+import java.util.stream.Stream;
+import tellosimulator.files.IoReason;
+import tellosimulator.json.Json;
+import tellosimulator.scenario.Scenario;
+import tellosimulator.scenario.ScenarioException;
+import tellosimulator.scenario.ScenarioFile;
+import tellosimulator.words.Phrase;
+
+/** Reads the files of a recording, and notes what is missing. For one thread, once. */
+final class RecordingReader {
+
+  private static final String RUN = "run.json";
+
+  private final Path folder;
+  private final List<Phrase> remarks = new ArrayList<>();
+
+  RecordingReader(Path folder) {
+    this.folder = folder;
+  }
+
+  RecordedFlight read() throws UnreadableRecordingException {
+    RecordedRun run = run();
+    List<Track> tracks = tracks();
+    List<RecordedEvent> events = new ArrayList<>();
+    CommandPairing pairing = new CommandPairing();
+    readLines("events.jsonl", line -> events.add(RecordedEvent.of(Fields.of(line))));
+    if (events.isEmpty()) {
+      readLines("wire.jsonl", line -> takeFromWire(pairing, line));
+    } else {
+      events.forEach(pairing::take);
+    }
+    return new RecordedFlight(
+        run, tracks, pairing.commands(), events, goals(), scenario(), remarks);
+  }
+
+  private RecordedRun run() throws UnreadableRecordingException {
+    Path file = folder.resolve(RUN);
+    if (!Files.isDirectory(folder)) {
+      throw new UnreadableRecordingException(
+          Files.exists(folder)
+              ? folder + " is no folder; name the folder of a recording."
+              : "There is no folder " + folder + "; name the folder of a recording.");
+    }
+    if (!Files.isRegularFile(file)) {
+      throw new UnreadableRecordingException(
+          folder + " is no recording, because there is no " + RUN + " in it" + nearby() + ".");
+    }
+    try {
+      Fields fields = Fields.of(Files.readString(file));
+      RecordedRun run = RecordedRun.of(fields);
+      remarkOn(run, fields.whole("format").orElse(RecordedRun.FORMAT));
+      return run;
+    } catch (IllegalArgumentException e) {
+      throw new UnreadableRecordingException(
+          file + " is damaged, so that the recording cannot be read.", e);
+    } catch (IOException e) {
+      throw new UnreadableRecordingException(
+          file + " cannot be read: " + IoReason.ofReading(e) + ".", e);
+    }
+  }
+
+  private void remarkOn(RecordedRun run, int format) {
+    if (format > RecordedRun.FORMAT) {
+      remarks.add(
+          Phrase.of(
+              "it is from a newer version of the program (format %d, here %d); what this version"
+                  + " does not know is not shown",
+              format, RecordedRun.FORMAT));
+    }
+    if (run.ended().isEmpty()) {
+      remarks.add(
+          Phrase.of(
+              "the recording was cut off, because the program ended before the flight; what was"
+                  + " written until then is shown"));
+    }
+  }
+
+  /** The recordings in a folder that is none itself, so that one can be named. */
+  private String nearby() {
+    try (Stream<Path> below = Files.list(folder)) {
+      return below
+          .filter(each -> Files.isRegularFile(each.resolve(RUN)))
+          .sorted()
+          .findFirst()
+          .map(first -> "; name one of the recordings in it, such as " + first)
+          .orElse("");
+    } catch (IOException e) {
+      return "";
+    }
+  }
+
+  private List<Track> tracks() {
+    FlightTable[] table = new FlightTable[1];
+    readLines(
+        "flight.csv",
+        line -> {
+          if (table[0] == null) {
+            table[0] = new FlightTable(line);
+          } else {
+            table[0].take(line);
+          }
+        });
+    return table[0] == null ? List.of() : table[0].tracks();
+  }
+
+  /** State and video are most of the wire; they are not looked into. */
+  private static void takeFromWire(CommandPairing pairing, String line) {
+    if (line.contains("\"command\"") || line.contains("\"reply\"")) {
+      pairing.take(Fields.of(line));
+    }
+  }
+
+  private List<RecordedGoal> goals() {
+    Path file = folder.resolve("goals.json");
+    if (!Files.isRegularFile(file)) {
+      return List.of();
+    }
+    try {
+      return Json.value(Files.readString(file)) instanceof List<?> items
+          ? Fields.objects(items).stream()
+              .map(goal -> new RecordedGoal(goal.text("text"), goal.number("reached")))
+              .toList()
+          : List.of();
+    } catch (IllegalArgumentException | IOException e) {
+      remarks.add(Phrase.of("%s cannot be read and is left out", "goals.json"));
+      return List.of();
+    }
+  }
+
+  private Optional<Scenario> scenario() {
+    Path file = folder.resolve("scenario.yaml");
+    if (!Files.isRegularFile(file)) {
+      return Optional.empty();
+    }
+    try {
+      return Optional.of(ScenarioFile.read(file));
+    } catch (ScenarioException e) {
+      remarks.add(Phrase.of("%s cannot be read and is left out", "scenario.yaml"));
+      return Optional.empty();
+    }
+  }
+
+  /**
+   * Hands the lines of a file on, if there is one. What comes after the last end of a line was cut
+   * off and is left out.
+   *
+   * @param consumer refuses a line by an {@code IllegalArgumentException}
+   */
+  private void readLines(String name, Consumer<String> consumer) {
+    Path file = folder.resolve(name);
+    if (!Files.isRegularFile(file)) {
+      return;
+    }
+    int refused = 0;
+    try (BufferedReader reader =
+        new BufferedReader(
+            new InputStreamReader(Files.newInputStream(file), StandardCharsets.UTF_8))) {
+      boolean whole = endsWithLine(file);
+      String line = reader.readLine();
+      while (line != null) {
+        String next = reader.readLine();
+        if (next != null || whole) {
+          try {
+            consumer.accept(line);
+          } catch (IllegalArgumentException e) {
+            refused++;
+          }
+        }
+        line = next;
+      }
+    } catch (IOException e) {
+      remarks.add(Phrase.of("%s cannot be read and is left out", name));
+    }
+    if (refused > 0) {
+      remarks.add(Phrase.of("%d lines of %s are damaged and left out", refused, name));
+    }
+  }
+
+  private static boolean endsWithLine(Path file) throws IOException {
+    try (SeekableByteChannel channel = Files.newByteChannel(file)) {
+      ByteBuffer last = ByteBuffer.allocate(1);
+      channel.position(Math.max(0, channel.size() - 1));
+      return channel.read(last) == 1 && last.get(0) == '\n';
+    }
+  }
+}
