@@ -1,9 +1,13 @@
 package tellosimulator;
 
 import java.io.BufferedReader;
+import java.io.IOException;
 import java.io.InputStreamReader;
 import java.io.PrintStream;
 import java.nio.charset.Charset;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.Locale;
 import java.util.Optional;
 import picocli.CommandLine;
 import picocli.CommandLine.IVersionProvider;
@@ -12,22 +16,30 @@ import picocli.CommandLine.ParseResult;
 import picocli.CommandLine.UnmatchedArgumentException;
 import tellosimulator.cli.Launch;
 import tellosimulator.cli.Options;
+import tellosimulator.cli.ReportOptions;
 import tellosimulator.cli.ScenarioOptions;
+import tellosimulator.cli.Subcommand;
 import tellosimulator.concurrent.FatalExit;
+import tellosimulator.files.IoReason;
 import tellosimulator.goal.Progress.Status;
 import tellosimulator.headless.HeadlessSimulator;
 import tellosimulator.log.LogSetup;
 import tellosimulator.log.StandardErrorLog;
 import tellosimulator.network.PortTakenException;
+import tellosimulator.recording.RecordedFlight;
+import tellosimulator.recording.UnreadableRecordingException;
+import tellosimulator.report.FlightReport;
+import tellosimulator.report.ReportTexts;
 import tellosimulator.scenario.ScenarioException;
 import tellosimulator.video.SoftwareCameras;
 import tellosimulator.view.app.SimulatorApp;
 import tellosimulator.view.app.Toolkit;
 import tellosimulator.view.layout.WindowState;
 import tellosimulator.view.settings.Settings;
+import tellosimulator.view.text.Language;
 import tellosimulator.words.Spelling;
 
-/** The command line: reads the options, then runs the simulator. */
+/** The command line: reads the options, then runs the simulator or a {@link Subcommand}. */
 public final class Main {
 
   private static final int FAILED = 1;
@@ -66,7 +78,20 @@ public final class Main {
   }
 
   private int run(String... args) {
-    CommandLine commandLine = options.commandLine(new Version());
+    if (Subcommand.of(args).isPresent()) {
+      ReportOptions reportOptions = new ReportOptions();
+      String[] rest = Arrays.copyOfRange(args, 1, args.length);
+      return run(reportOptions.commandLine(new Version()), rest, () -> report(reportOptions));
+    }
+    return run(options.commandLine(new Version()), args, this::start);
+  }
+
+  /** What is done once the command line is read. */
+  private interface Action {
+    int run() throws PortTakenException, InterruptedException;
+  }
+
+  private int run(CommandLine commandLine, String[] args, Action action) {
     try {
       ParseResult parsed = commandLine.parseArgs(args);
       if (parsed.isUsageHelpRequested()) {
@@ -77,12 +102,7 @@ public final class Main {
         commandLine.printVersionHelp(out);
         return 0;
       }
-      if (options.listScenarios()) {
-        ScenarioOptions.list(out);
-        return 0;
-      }
-      LogSetup.setLevel(options.logLevel());
-      return simulate();
+      return action.run();
     } catch (UnmatchedArgumentException e) {
       err.println(
           "There is no option "
@@ -107,6 +127,37 @@ public final class Main {
       Thread.currentThread().interrupt();
       return FAILED;
     }
+  }
+
+  private int report(ReportOptions reportOptions) {
+    Path file = reportOptions.output();
+    try {
+      RecordedFlight flight = RecordedFlight.read(reportOptions.folder());
+      new FlightReport(flight, new ReportTexts(language().translation())).write(file);
+      out.println("report: " + file);
+      return 0;
+    } catch (UnreadableRecordingException e) {
+      err.println(e.getMessage());
+    } catch (IOException e) {
+      err.println("The report was not written to " + file + ": " + IoReason.of(e) + ".");
+    }
+    return FAILED;
+  }
+
+  /** That of the window. */
+  private static Language language() {
+    Language language = new Language(Locale.getDefault());
+    Settings.load(Settings.file()).bind("language", language.localeProperty(), Language.codec());
+    return language;
+  }
+
+  private int start() throws PortTakenException, InterruptedException {
+    if (options.listScenarios()) {
+      ScenarioOptions.list(out);
+      return 0;
+    }
+    LogSetup.setLevel(options.logLevel());
+    return simulate();
   }
 
   private int simulate() throws PortTakenException, InterruptedException {

@@ -65,6 +65,7 @@ class ArchitectureTest {
           Map.entry("junit", List.of("recording")),
           Map.entry("control", List.of("junit", "json")),
           Map.entry("headless", List.of("control", "recording")),
+          Map.entry("report", List.of("recording", "video")),
           Map.entry("cli", List.of("scenario", "video")),
           Map.entry("log", List.of("concurrent")),
           Map.entry("view.fx", List.of("scenery")),
@@ -204,15 +205,17 @@ class ArchitectureTest {
   }
 
   @Test
-  void nobodyDrawsWithAwtAndOnlyPostersAreReadWithIt() {
+  void nobodyDrawsWithAwtAndOnlyPostersAreReadAndPicturesOfReportsEncodedWithIt() {
     noClasses().should().dependOnClassesThat().resideInAPackage("java.awt").check(CLASSES);
     noClasses()
         .that()
         .doNotHaveFullyQualifiedName(ROOT + ".scenery.texture.ImageFile")
+        .and()
+        .doNotHaveFullyQualifiedName(ROOT + ".report.JpegEncoder")
         .should()
         .dependOnClassesThat()
         .resideInAnyPackage("java.awt..", "javax.imageio..")
-        .because("the JDK's readers of image files give their images as java.awt.image has them")
+        .because("the JDK's readers and writers of image files have them as java.awt.image does")
         .check(CLASSES);
   }
 

@@ -22,6 +22,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import picocli.CommandLine.Model.OptionSpec;
 import tellosimulator.cli.Options;
+import tellosimulator.recording.RecordingFixture;
 import tellosimulator.scenario.Gallery;
 
 class MainTest {
@@ -94,6 +95,53 @@ class MainTest {
 
     assertThat(lines(err)).isEqualTo(sentence + "\n");
     assertThat(lines(out)).isEmpty();
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      textBlock =
+          """
+          report                | 2 | Missing required parameter: 'FOLDER'. Try --help.
+          report --fly x        | 2 | There is no option --fly. Try --help.
+          report x y            | 2 | There is no option y. Try --help.
+          report x -o           | 2 | Missing required parameter for option '--output' (FILE). Try --help.
+          report x -o=          | 2 | Invalid value for option '--output': expected the name of a file or a folder, found nothing. Try --help.
+          report no-such-folder | 1 | There is no folder no-such-folder; name the folder of a recording.
+          report docs           | 1 | docs is no recording, because there is no run.json in it.
+          """)
+  void aReportThatCannotBeMadeIsOneSentence(String line, int exitCode, String sentence) {
+    assertThat(run(line)).isEqualTo(exitCode);
+
+    assertThat(lines(err)).isEqualTo(sentence + "\n");
+    assertThat(lines(out)).isEmpty();
+  }
+
+  @Test
+  void aReportExplainsItself() {
+    assertThat(run("report --help")).isZero();
+
+    assertThat(lines(out)).contains("report", "FOLDER", "-o", "FILE", "Exit code 0").isASCII();
+    assertThat(lines(out).lines()).allMatch(printed -> printed.length() <= 80);
+  }
+
+  @Test
+  void aReportIsWrittenIntoTheFolderOrToTheFileThatIsNamed(@TempDir Path folder) {
+    RecordingFixture.in(folder);
+    Path file = folder.resolve("named.html");
+
+    assertThat(run("report " + folder)).isZero();
+    assertThat(run("report " + folder + " -o " + file)).isZero();
+    assertThat(run("report " + folder + " -o " + folder)).isEqualTo(1);
+
+    assertThat(folder.resolve("report.html")).isNotEmptyFile();
+    assertThat(file).isNotEmptyFile();
+    assertThat(lines(out))
+        .isEqualTo("report: " + folder.resolve("report.html") + "\nreport: " + file + "\n");
+    assertThat(lines(err))
+        .isEqualTo(
+            "The report was not written to %1$s: %1$s is a folder, a pipe or a device, not a file.\n"
+                .formatted(folder));
   }
 
   @Test

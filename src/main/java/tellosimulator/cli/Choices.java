@@ -20,7 +20,9 @@ final class Choices {
     "the drone's address becomes 127.0.0.1, and the command port becomes 8879.",
     "",
     "While it runs, type: help, reset [N], power on|off [N], battery PERCENT [N],",
-    "fault TEXT, pause, resume, state or quit. N is a drone's number; without it, all drones."
+    "fault TEXT, pause, resume, state or quit. N is a drone's number; without it, all drones.",
+    "",
+    "report FOLDER, instead of options, makes an HTML file of a recording: report --help."
   };
 
   private final CommandSpec spec = CommandSpec.create().name("tello-simulator");

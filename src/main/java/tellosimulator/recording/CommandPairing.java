@@ -7,8 +7,8 @@ import tellosimulator.recording.RecordedCommand.Outcome;
 
 /**
  * Finds out which reply belongs to which command. Events say it. Of the wire alone it follows from
- * how the drone works: it carries out one command at a time, and answers reads and refusals at once.
- * For one thread; each recording needs its own.
+ * how the drone works: it carries out one command at a time, and answers reads and refusals at
+ * once. For one thread; each recording needs its own.
  */
 final class CommandPairing {
 
@@ -39,8 +39,7 @@ final class CommandPairing {
 
   private void begin(int drone, double time, String text) {
     commands.add(
-        new RecordedCommand(
-            drone, time, text, Outcome.UNANSWERED, OptionalDouble.empty(), "", ""));
+        new RecordedCommand(drone, time, text, Outcome.UNANSWERED, OptionalDouble.empty(), "", ""));
   }
 
   private void end(int drone, RecordedEvent event, Outcome outcome) {

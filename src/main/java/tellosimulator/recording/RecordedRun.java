@@ -3,9 +3,9 @@ package tellosimulator.recording;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import tellosimulator.math.Attitude;
 import tellosimulator.math.Frames;
 import tellosimulator.math.Pose;
-import tellosimulator.math.Attitude;
 import tellosimulator.math.Vec3;
 import tellosimulator.world.Room;
 
@@ -41,8 +41,7 @@ public record RecordedRun(
    * @param scenario title or file of the scenario; may be empty
    * @param options words of the command line, as far as they are known
    */
-  public record Setting(
-      String scenario, Room room, List<DroneEntry> drones, List<String> options) {
+  public record Setting(String scenario, Room room, List<DroneEntry> drones, List<String> options) {
 
     public Setting {
       drones = List.copyOf(drones);

@@ -1,0 +1,75 @@
+package tellosimulator.recording;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.nio.file.Path;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import tellosimulator.recording.RecordedCommand.Outcome;
+
+/**
+ * Without events, as a proxy of a real drone records, the wire alone says what belongs together.
+ */
+class CommandPairingTest {
+
+  @TempDir private Path folder;
+
+  @Test
+  void readsAndRefusalsAreAnsweredBeforeTheCommandThatRuns() throws Exception {
+    List<RecordedCommand> commands =
+        commands(
+            """
+            {"t":1,"drone":1,"dir":"in","kind":"command","text":"forward 100"}
+            {"t":1.5,"drone":1,"dir":"in","kind":"command","text":"battery?"}
+            {"t":1.6,"drone":1,"dir":"out","kind":"reply","text":"87\\r\\n"}
+            {"t":2,"drone":1,"dir":"in","kind":"command","text":"cw 90"}
+            {"t":2.1,"drone":1,"dir":"out","kind":"reply","text":"error Not joystick"}
+            {"t":2.2,"drone":1,"dir":"out","kind":"state","text":"pitch:0;"}
+            {"t":3,"drone":1,"dir":"out","kind":"reply","text":"ok"}
+            """);
+
+    assertThat(commands)
+        .extracting(each -> each.text() + " " + each.outcome() + " " + each.reply())
+        .containsExactly(
+            "forward 100 ANSWERED ok", "battery? ANSWERED 87", "cw 90 REFUSED error Not joystick");
+    assertThat(commands.get(0).duration()).hasValue(2);
+  }
+
+  @Test
+  void steeringIsNeverAnswered() throws Exception {
+    List<RecordedCommand> commands =
+        commands(
+            """
+            {"t":1,"drone":1,"kind":"command","text":"takeoff"}
+            {"t":2,"drone":1,"kind":"command","text":"rc 0 0 0 0"}
+            {"t":5,"drone":1,"kind":"reply","text":"ok"}
+            """);
+
+    assertThat(commands)
+        .extracting(RecordedCommand::outcome)
+        .containsExactly(Outcome.ANSWERED, Outcome.UNANSWERED);
+  }
+
+  @Test
+  void eachDroneAnswersForItself() throws Exception {
+    List<RecordedCommand> commands =
+        commands(
+            """
+            {"t":1,"drone":1,"kind":"command","text":"takeoff"}
+            {"t":1,"drone":2,"kind":"command","text":"takeoff"}
+            {"t":4,"drone":2,"kind":"reply","text":"ok"}
+            {"t":5,"drone":1,"kind":"reply","text":"error"}
+            {"t":6,"drone":1,"kind":"reply","text":"to nothing"}
+            """);
+
+    assertThat(commands)
+        .extracting(each -> each.drone() + " " + each.reply())
+        .containsExactly("1 error", "2 ok");
+  }
+
+  private List<RecordedCommand> commands(String wire) throws UnreadableRecordingException {
+    new RecordingFixture(folder).run("{\"format\":1,\"ended\":9}").with("wire.jsonl", wire);
+    return RecordedFlight.read(folder).commands();
+  }
+}

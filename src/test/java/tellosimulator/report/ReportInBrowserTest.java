@@ -1,0 +1,135 @@
+package tellosimulator.report;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import tellosimulator.recording.RecordedFlight;
+import tellosimulator.recording.RecordingFixture;
+import tellosimulator.testing.Chromium;
+import tellosimulator.words.Translation;
+
+/** What a browser makes of a report that it opens as a file. */
+class ReportInBrowserTest {
+
+  @TempDir private Path folder;
+
+  private Chromium browser;
+  private Path page;
+
+  @BeforeEach
+  void writeReport() throws Exception {
+    browser = Chromium.installed();
+    page = folder.resolve("report.html");
+    RecordedFlight flight = RecordedFlight.read(RecordingFixture.in(folder.resolve("flight")));
+    new FlightReport(flight, new ReportTexts(Translation.ENGLISH)).write(page);
+  }
+
+  @Test
+  void theAddressSaysWhichMomentIsShown() {
+    String dom = dom(page, "#t=9");
+
+    // 1 s at 50 cm/s from -100 cm on, and battery 90 - 9 s
+    assertThat(shown(dom, "now")).isEqualTo("9.0 s");
+    assertThat(shown(dom, "since")).isEqualTo("5.0 s after takeoff");
+    assertThat(shown(dom, "place")).isEqualTo("x -50, y 50, z 80 cm · flying · forward 100");
+    assertThat(shown(dom, "film-time")).isEqualTo("9.0 s");
+    assertThat(chosenEntry(dom)).contains("cw 90").contains("is not over");
+    assertThat(dom).contains("81<small> %</small>").contains("translate(-50 50) rotate(0)");
+  }
+
+  @Test
+  void withoutAnAddressItBeginsAtTheTakeoff() {
+    assertThat(shown(dom(page, ""), "now")).isEqualTo("4.0 s");
+  }
+
+  @Test
+  void theSliderMovesEverything() throws IOException {
+    String dom =
+        dom(
+            with(
+                """
+                const slider = document.getElementById('slider');
+                slider.value = 12;
+                slider.dispatchEvent(new Event('input'));
+                slider.dispatchEvent(new KeyboardEvent('keydown', {key: 'ArrowRight', shiftKey: true}));
+                """),
+            "#t=9");
+
+    // down from 80 cm on at 40 cm/s from 12 s on
+    assertThat(shown(dom, "now")).isEqualTo("13.0 s");
+    assertThat(shown(dom, "place")).isEqualTo("x 0, y 50, z 40 cm · landing");
+    assertThat(chosenEntry(dom)).contains("<code>land</code>");
+  }
+
+  @Test
+  void anEntryJumpsToItsMoment() throws IOException {
+    String dom = dom(with("document.querySelectorAll('#commands button')[3].click();"), "");
+
+    assertThat(shown(dom, "now")).isEqualTo("8.0 s");
+    assertThat(chosenEntry(dom)).contains("forward 100");
+  }
+
+  @Test
+  void chartsAndPlanAreToldInWords() {
+    String dom = dom(page, "");
+
+    assertThat(dom)
+        .contains("aria-label=\"Height over time, at least 0 cm, at most 80 cm\"")
+        .contains("aria-label=\"Battery over time, at least 75 %, at most 86 %\"")
+        .contains("aria-label=\"The room from above, 500 cm wide and 600 cm deep");
+  }
+
+  /** Neither with the page's policy nor with escaping alone. */
+  @Test
+  void noTextOfACommandRunsAsCode() throws IOException {
+    for (Path each : new Path[] {page, with("")}) {
+      String dom = dom(each, "#t=11");
+
+      assertThat(dom).contains("<title>Two &lt;b&gt;gates&lt;/b&gt; – flight report</title>");
+      assertThat(chosenEntry(dom))
+          .contains("&lt;/script&gt;&lt;script&gt;document.title='run'&lt;/script&gt;");
+    }
+  }
+
+  @Test
+  void itIsUsableSoon() throws IOException {
+    String dom = dom(with("document.body.dataset.ready = Math.round(performance.now());"), "");
+
+    Matcher ready = Pattern.compile("data-ready=\"(\\d+)\"").matcher(dom);
+    assertThat(ready.find()).isTrue();
+    // 1 s is promised; the machine of a test may be busy with others
+    assertThat(Integer.parseInt(ready.group(1))).isLessThan(5_000);
+  }
+
+  private String dom(Path file, String anchor) {
+    return browser.dom(file, anchor, folder);
+  }
+
+  /** A copy of the page with one more script, which its policy would not let run. */
+  private Path with(String script) throws IOException {
+    String html =
+        Files.readString(page)
+            .replaceFirst("<meta http-equiv=\"Content-Security-Policy\"[^>]*>", "")
+            .replace("</body>", "<script>" + script + "</script></body>");
+    return Files.writeString(folder.resolve("copy.html"), html);
+  }
+
+  private static String shown(String dom, String id) {
+    Matcher matcher = Pattern.compile("id=\"" + id + "\"[^>]*>([^<]*)<").matcher(dom);
+    assertThat(matcher.find()).as("an element %s", id).isTrue();
+    return matcher.group(1);
+  }
+
+  private static String chosenEntry(String dom) {
+    int at = dom.indexOf("aria-current=\"true\"");
+    assertThat(at).as("a chosen entry").isPositive();
+    return dom.substring(at, dom.indexOf("</button>", at));
+  }
+}
