@@ -9,9 +9,11 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
 import java.util.regex.Pattern;
+import java.util.stream.Stream;
 import tellosimulator.words.Spelling;
 
 /**
@@ -22,6 +24,9 @@ public final class OperatorProgram {
 
   /** Lines of output in a failure. Decided: a stack trace of Python and what led to it. */
   private static final int SHOWN_LINES = 40;
+
+  /** How long a program that was killed may take to end. Decided: longer than any system needs. */
+  private static final Duration PATIENCE = Duration.ofSeconds(10);
 
   private static final Pattern PLACEHOLDER = Pattern.compile("\\{[A-Za-z]+}");
 
@@ -151,9 +156,16 @@ public final class OperatorProgram {
     }
   }
 
+  /** Ends it with all that it started, and waits until they have ended. */
   private static void kill(Process process) {
-    process.descendants().forEach(ProcessHandle::destroyForcibly);
-    process.destroyForcibly();
+    List<ProcessHandle> all =
+        Stream.concat(process.descendants(), Stream.of(process.toHandle())).toList();
+    all.forEach(ProcessHandle::destroyForcibly);
+    CompletableFuture<?>[] ends =
+        all.stream().map(ProcessHandle::onExit).toArray(CompletableFuture<?>[]::new);
+    CompletableFuture.allOf(ends)
+        .completeOnTimeout(null, PATIENCE.toMillis(), TimeUnit.MILLISECONDS)
+        .join();
   }
 
   private AssertionError failure(String what) {
