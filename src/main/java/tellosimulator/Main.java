@@ -7,6 +7,7 @@ import java.io.PrintStream;
 import java.nio.charset.Charset;
 import java.nio.file.Path;
 import java.util.Arrays;
+import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import picocli.CommandLine;
@@ -27,6 +28,7 @@ import tellosimulator.log.LogSetup;
 import tellosimulator.log.StandardErrorLog;
 import tellosimulator.network.PortTakenException;
 import tellosimulator.recording.RecordedFlight;
+import tellosimulator.recording.RecordingFolder;
 import tellosimulator.recording.UnreadableRecordingException;
 import tellosimulator.report.FlightReport;
 import tellosimulator.report.ReportTexts;
@@ -83,7 +85,7 @@ public final class Main {
       String[] rest = Arrays.copyOfRange(args, 1, args.length);
       return run(reportOptions.commandLine(new Version()), rest, () -> report(reportOptions));
     }
-    return run(options.commandLine(new Version()), args, this::start);
+    return run(options.commandLine(new Version()), args, () -> start(List.of(args)));
   }
 
   /** What is done once the command line is read. */
@@ -151,16 +153,16 @@ public final class Main {
     return language;
   }
 
-  private int start() throws PortTakenException, InterruptedException {
+  private int start(List<String> words) throws PortTakenException, InterruptedException {
     if (options.listScenarios()) {
       ScenarioOptions.list(out);
       return 0;
     }
     LogSetup.setLevel(options.logLevel());
-    return simulate();
+    return simulate(words);
   }
 
-  private int simulate() throws PortTakenException, InterruptedException {
+  private int simulate(List<String> words) throws PortTakenException, InterruptedException {
     Launch launch = options.launch();
     if (!options.headless()) {
       StandardErrorLog.install();
@@ -173,7 +175,7 @@ public final class Main {
       }
       err.println(obstacle.get());
     }
-    return simulateHeadless(launch);
+    return simulateHeadless(launch, words);
   }
 
   private int simulateInWindow(Launch launch, Settings settings, WindowState state)
@@ -190,7 +192,8 @@ public final class Main {
     }
   }
 
-  private int simulateHeadless(Launch launch) throws PortTakenException, InterruptedException {
+  private int simulateHeadless(Launch launch, List<String> words)
+      throws PortTakenException, InterruptedException {
     try (HeadlessSimulator simulator =
         new HeadlessSimulator(
             launch.scenario().scenario(),
@@ -201,6 +204,10 @@ public final class Main {
       if (options.control().isPresent()) {
         simulator.openControl(options.control().get(), out);
       }
+      options
+          .record()
+          .map(RecordingFolder::at)
+          .ifPresent(folder -> simulator.record(folder, launch.scenario().title(), words));
       simulator.sayReady(out);
       Charset charset = Charset.defaultCharset();
       BufferedReader in = new BufferedReader(new InputStreamReader(System.in, charset));

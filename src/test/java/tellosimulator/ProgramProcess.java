@@ -104,6 +104,12 @@ final class ProgramProcess implements AutoCloseable {
     process.destroy();
   }
 
+  /** Ends it without asking, as {@code kill -9} does. */
+  void kill() throws InterruptedException {
+    process.destroyForcibly();
+    process.waitFor();
+  }
+
   boolean isAlive() {
     return process.isAlive();
   }

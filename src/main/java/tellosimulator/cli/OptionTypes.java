@@ -2,6 +2,8 @@ package tellosimulator.cli;
 
 import java.net.InetAddress;
 import java.net.UnknownHostException;
+import java.nio.file.InvalidPathException;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -66,6 +68,14 @@ final class OptionTypes {
         ? OptionalInt.empty()
         : OptionalInt.of(
             wholeNumber(word, 1, AddressPlan.HIGHEST_PORT, "sender or a port from 1 to 65535"));
+  }
+
+  static Path path(String word) {
+    try {
+      return Path.of(word);
+    } catch (InvalidPathException e) {
+      throw mistake("the path of a folder", word);
+    }
   }
 
   static Double fieldOfView(String word) {

@@ -1,6 +1,7 @@
 package tellosimulator.cli;
 
 import java.net.InetAddress;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
@@ -59,8 +60,8 @@ public final class Options {
           .option(
               "--video-port",
               "PORT,...",
-              "Where your program takes the drone's video: one port for all drones, or one for each."
-                  + " Default: 11111.")
+              "Where your program takes the drone's video: one port for all drones, or one for"
+                  + " each. Default: 11111.")
           .read(OptionTypes::portsOfDrones, "11111");
 
   private final Choice<Double> fieldOfViewDeg =
@@ -68,8 +69,8 @@ public final class Options {
           .option(
               "--camera-fov",
               "DEG|manual",
-              "What the camera sees from left to right, in degrees: 55 as measured, or manual for the"
-                  + " 82.6 degrees from corner to corner of the manual. Default: 55.")
+              "What the camera sees from left to right, in degrees: 55 as measured, or manual for"
+                  + " the 82.6 degrees from corner to corner of the manual. Default: 55.")
           .read(OptionTypes::fieldOfView, "55");
 
   private final Choice<Double> tiltDeg =
@@ -99,15 +100,16 @@ public final class Options {
           .option(
               "--bind",
               "A,B,...",
-              "One address of this machine for each drone. Default: 127.0.0.1 for drone 1, 127.0.0.2"
-                  + " for drone 2, and so on.")
+              "One address of this machine for each drone. Default: 127.0.0.1 for drone 1,"
+                  + " 127.0.0.2 for drone 2, and so on.")
           .readIfGiven(OptionTypes::addresses);
 
   private final Choice<Boolean> lan =
       choices.flag(
           "--lan",
-          "Let other machines of the local network fly: drone 1, or with --port-per-drone each drone,"
-              + " also listens on this machine's addresses there. Otherwise only this machine does.");
+          "Let other machines of the local network fly: drone 1, or with --port-per-drone each"
+              + " drone, also listens on this machine's addresses there. Otherwise only this"
+              + " machine does.");
 
   private final Choice<OperatorRule> operators =
       choices
@@ -115,14 +117,15 @@ public final class Options {
               "--operator",
               "first|ADDRESS|anyone",
               "Who operates a drone: the host that first sends command, until it lets go; one host"
-                  + " alone; or anyone, as with the real drone. Others may only read. Default: first.")
+                  + " alone; or anyone, as with the real drone. Others may only read. Default:"
+                  + " first.")
           .read(OptionTypes::operators, "first");
 
   private final Choice<Boolean> portPerDrone =
       choices.flag(
           "--port-per-drone",
-          "Give all drones the same addresses and count the port up: 8879, 8880 and so on, leaving out"
-              + " 8889, 8890 and 11111.");
+          "Give all drones the same addresses and count the port up: 8879, 8880 and so on, leaving"
+              + " out 8889, 8890 and 11111.");
 
   private final Choice<Profile> profile =
       choices
@@ -165,9 +168,9 @@ public final class Options {
           .option(
               CONTROL,
               "PORT",
-              "With --headless: let tests in other languages see what drones really do, reset, advance"
-                  + " and break things, with JSON lines over TCP on this machine; 0 chooses a free"
-                  + " port. A line that begins with control says where, and the token.")
+              "With --headless: let tests in other languages see what drones really do, reset,"
+                  + " advance and break things, with JSON lines over TCP on this machine; 0 chooses"
+                  + " a free port. A line that begins with control says where, and the token.")
           .readIfGiven(OptionTypes::portOrFree);
 
   private final Choice<Long> seed =
@@ -175,17 +178,19 @@ public final class Options {
           .option(
               "--seed",
               "N",
-              "The same seed and the same commands give the same flight; with --time-factor max also"
-                  + " to the byte, for a program that waits for each reply. Default: 1.")
+              "The same seed and the same commands give the same flight; with --time-factor max"
+                  + " also to the byte, for a program that waits for each reply. Default: 1.")
           .read(OptionTypes::seed, "1");
+
+  private final RecordingOptions recordingOptions = new RecordingOptions(choices);
 
   private final Choice<String> logLevel =
       choices
           .option(
               "--log-level",
               "LEVEL",
-              "error, warn (refused commands), info (all commands and replies), debug (also reads and"
-                  + " rc), or off. Default: info.")
+              "error, warn (refused commands), info (all commands and replies), debug (also reads"
+                  + " and rc), or off. Default: info.")
           .read(OptionTypes::logLevel, "info");
 
   /** Reads the command line into these options, and explains them. */
@@ -212,6 +217,11 @@ public final class Options {
 
   public OptionalInt replyPort() {
     return replyPort.value();
+  }
+
+  /** The folder in which flights are recorded, as far as it is said. */
+  public Optional<Path> record() {
+    return recordingOptions.folder();
   }
 
   /** The port of the control channel, 0 for a free one; empty for no such channel. */
@@ -255,6 +265,7 @@ public final class Options {
               : CONTROL + " needs --headless");
     }
     ScenarioOptions.checkPictures(scenario.config().arena());
+    recordingOptions.check();
     OpenedScenario opened =
         scenarioOptions
             .opened()

@@ -14,6 +14,9 @@ import tellosimulator.junit.TelloSimulator;
 import tellosimulator.network.AddressPlan;
 import tellosimulator.network.OnlineSimulation;
 import tellosimulator.network.PortTakenException;
+import tellosimulator.recording.FlightRecorder;
+import tellosimulator.recording.FlightRecorder.Subject;
+import tellosimulator.recording.RecordingFolder;
 import tellosimulator.scenario.Scenario;
 import tellosimulator.sim.LogLimiter;
 import tellosimulator.sim.SimSnapshot;
@@ -31,6 +34,7 @@ public final class HeadlessSimulator implements AutoCloseable {
   private final OnlineSimulation simulation;
   private final VideoStreams video;
   private volatile Optional<ControlServer> control = Optional.empty();
+  private volatile Optional<FlightRecorder> recorder = Optional.empty();
 
   /**
    * Opens the sockets and starts the simulation; all drones are on.
@@ -44,7 +48,13 @@ public final class HeadlessSimulator implements AutoCloseable {
       throws PortTakenException {
     this.scenario = scenario;
     EventLog log = new EventLog();
-    goals = new GoalWatch(scenario.challenge(), log::event);
+    goals =
+        new GoalWatch(
+            scenario.challenge(),
+            news -> {
+              log.event(news);
+              recorder.ifPresent(each -> each.event(news));
+            });
     ending = new Ending(goals);
     simulation =
         new OnlineSimulation(
@@ -68,6 +78,19 @@ public final class HeadlessSimulator implements AutoCloseable {
     ControlServer server = new ControlServer(TelloSimulator.of(simulation, scenario, goals), port);
     control = Optional.of(server);
     out.println(server.line());
+  }
+
+  /**
+   * Records all flights from now on. Before {@link #sayReady}.
+   *
+   * @param title of the scenario, or the name of its file
+   * @param options words of the command line
+   */
+  public void record(RecordingFolder folder, String title, List<String> options) {
+    Subject subject = new Subject(title, scenario, options, goals);
+    FlightRecorder started = FlightRecorder.start(folder, subject, reason -> {});
+    started.attach(simulation, video);
+    recorder = Optional.of(started);
   }
 
   /** Says that it is ready, and where the drones are. */
@@ -144,5 +167,6 @@ public final class HeadlessSimulator implements AutoCloseable {
     control.ifPresent(ControlServer::close);
     video.close();
     simulation.close();
+    recorder.ifPresent(FlightRecorder::close);
   }
 }

@@ -77,6 +77,7 @@ final class CommandConnection {
 
   /** Gives a datagram to the simulation. */
   void handOver(Simulation simulation, DatagramBatch.Entry entry) {
+    ports.tap().received(drone, entry.peer(), entry.text()); // before its answer can be sent
     if (!simulation.submit(drone, entry.peer(), entry.text())) {
       traffic.countDropped();
     }
@@ -85,8 +86,8 @@ final class CommandConnection {
   private void tellLoop() {
     if (!loopTold) {
       LOG.warn(
-          "Drone {} receives its own replies or state lines at {}: give --command-port, --state-port"
-              + " and --reply-port different ports",
+          "Drone {} receives its own replies or state lines at {}: give --command-port,"
+              + " --state-port and --reply-port different ports",
           drone,
           address);
     }

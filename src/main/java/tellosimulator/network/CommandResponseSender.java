@@ -7,6 +7,7 @@ import tellosimulator.command.Link;
 import tellosimulator.command.Peer;
 import tellosimulator.command.ReplyPort;
 import tellosimulator.command.WireText;
+import tellosimulator.network.Ports.Outgoing;
 
 /**
  * The only source of a drone's replies: through the port that received the command, to where it
@@ -14,21 +15,26 @@ import tellosimulator.command.WireText;
  */
 public final class CommandResponseSender implements ReplyPort {
 
+  private final int drone;
   private final Ports ports;
   private final OptionalInt fixedPort;
   private final Consumer<Link> linked;
 
   /**
+   * Of drone 1.
+   *
    * @param fixedPort the port to which all replies go; empty for the port each command came from
    */
   public CommandResponseSender(Ports ports, OptionalInt fixedPort) {
-    this(ports, fixedPort, link -> {});
+    this(1, ports, fixedPort, link -> {});
   }
 
   /**
+   * @param drone its number, from 1
    * @param linked is told of each other link
    */
-  CommandResponseSender(Ports ports, OptionalInt fixedPort, Consumer<Link> linked) {
+  CommandResponseSender(int drone, Ports ports, OptionalInt fixedPort, Consumer<Link> linked) {
+    this.drone = drone;
     this.ports = ports;
     this.fixedPort = fixedPort;
     this.linked = linked;
@@ -40,7 +46,8 @@ public final class CommandResponseSender implements ReplyPort {
         fixedPort.isPresent()
             ? new InetSocketAddress(peer.address().getAddress(), fixedPort.getAsInt())
             : peer.address();
-    ports.send(peer.via(), WireText.encode(text), to);
+    Outgoing reply = new Outgoing(drone, WireTap.Kind.REPLY, WireText.encode(text));
+    ports.send(peer.via(), reply, to);
   }
 
   @Override

@@ -102,7 +102,17 @@ public final class DroneNetwork implements AutoCloseable {
 
   /** The way out for the replies of the drone of a number; see {@link CommandResponseSender}. */
   public IntFunction<ReplyPort> replies(OptionalInt fixedPort) {
-    return drone -> new CommandResponseSender(ports, fixedPort, link -> connect(drone, link));
+    return drone ->
+        new CommandResponseSender(drone, ports, fixedPort, link -> connect(drone, link));
+  }
+
+  /** Who sees what comes to the drones and what leaves them, from now on. */
+  void setTap(WireTap tap) {
+    ports.setTap(tap);
+  }
+
+  WireTap tap() {
+    return ports.tap();
   }
 
   /** The way out for state lines. */

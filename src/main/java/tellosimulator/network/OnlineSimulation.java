@@ -16,6 +16,7 @@ import tellosimulator.sim.SimSnapshot;
 import tellosimulator.sim.Simulation;
 import tellosimulator.sim.SimulationLoop;
 import tellosimulator.time.Metronome;
+import tellosimulator.time.SimTime;
 
 /**
  * A simulation that runs at the pace of its clock, with drones that programs reach over UDP while
@@ -162,6 +163,21 @@ public final class OnlineSimulation implements AutoCloseable {
   /** Tells one more listener what happens, on the simulation thread. */
   public void listen(SimListener listener) {
     simulation.listen(listener);
+  }
+
+  /** Shows somebody what comes to the drones and what leaves them, from now on. */
+  public void setTap(WireTap tap) {
+    network.setTap(tap);
+  }
+
+  /** Who sees what comes to the drones and what leaves them. */
+  public WireTap tap() {
+    return network.tap();
+  }
+
+  /** Until when the simulation has come: the end of the step that is being made, if one is. */
+  public SimTime time() {
+    return simulation.time();
   }
 
   /** The latest completed step. */

@@ -12,6 +12,11 @@ public final class Ports {
   private record Open(DatagramPort port, Traffic traffic) {}
 
   private final Map<InetSocketAddress, Open> byAddress = new ConcurrentHashMap<>();
+  private volatile WireTap tap = WireTap.NONE;
+
+  /** What leaves a drone. */
+  @SuppressWarnings("ArrayRecordComponent") // never compared, and nobody changes the bytes
+  record Outgoing(int drone, WireTap.Kind kind, byte[] bytes) {}
 
   /** None are open yet. */
   Ports() {}
@@ -37,12 +42,23 @@ public final class Ports {
     }
   }
 
+  /** Who sees what passes, from now on. */
+  void setTap(WireTap newTap) {
+    tap = newTap;
+  }
+
+  /** Who sees what passes. */
+  WireTap tap() {
+    return tap;
+  }
+
   /** Sends from the port at {@code from}, if it is still there. */
-  void send(InetSocketAddress from, byte[] bytes, InetSocketAddress to) {
+  void send(InetSocketAddress from, Outgoing datagram, InetSocketAddress to) {
     Open open = byAddress.get(from);
     if (open != null) {
       open.traffic().countSent(); // first, so that who has a reply finds it counted
-      open.port().send(bytes, to);
+      tap.sent(datagram.drone(), datagram.kind(), from, to, datagram.bytes());
+      open.port().send(datagram.bytes(), to);
     }
   }
 

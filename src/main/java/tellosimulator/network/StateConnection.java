@@ -3,6 +3,7 @@ package tellosimulator.network;
 import java.net.InetSocketAddress;
 import tellosimulator.command.Peer;
 import tellosimulator.command.WireText;
+import tellosimulator.network.Ports.Outgoing;
 import tellosimulator.sim.StatePort;
 
 /**
@@ -27,7 +28,8 @@ public final class StateConnection implements StatePort {
 
   private void send(Peer operator, int statePort, StateReport report) {
     InetSocketAddress to = new InetSocketAddress(operator.address().getAddress(), statePort);
-    ports.send(
-        operator.via(), WireText.encode(report.corruption().applied(StateLine.format(report))), to);
+    byte[] bytes = WireText.encode(report.corruption().applied(StateLine.format(report)));
+    Outgoing line = new Outgoing(report.state().drone(), WireTap.Kind.STATE, bytes);
+    ports.send(operator.via(), line, to);
   }
 }

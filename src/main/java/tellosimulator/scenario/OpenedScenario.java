@@ -53,6 +53,13 @@ public record OpenedScenario(
         .orElseThrow(() -> new IllegalArgumentException(unknown(fileOrName)));
   }
 
+  /** Its name for people, or that of its file; may be empty. */
+  public String title() {
+    return scenario.name().isEmpty()
+        ? file.map(path -> String.valueOf(path.getFileName())).or(() -> known).orElse("")
+        : scenario.name();
+  }
+
   private static Optional<Path> path(String word) {
     try {
       return Optional.of(Path.of(word));

@@ -1,13 +1,18 @@
 package tellosimulator.scenario;
 
 import java.net.InetAddress;
+import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalInt;
 import tellosimulator.goal.Challenge;
 import tellosimulator.network.AddressPlan;
+import tellosimulator.sim.DroneSetup;
 import tellosimulator.sim.SimConfig;
+import tellosimulator.sim.SimConfig.Outlets;
+import tellosimulator.sim.SimSnapshot;
+import tellosimulator.sim.SimSnapshot.DroneSnapshot;
 
 /**
  * A room that can be handed out: what is in it, which drones fly there, and what they shall do.
@@ -55,6 +60,21 @@ public record Scenario(
   /** The same with as many drones, but something else to simulate. */
   public Scenario withConfig(SimConfig newConfig) {
     return new Scenario(name, teaches, newConfig, stations, challenge);
+  }
+
+  /**
+   * The same with room, starts, products and ports as they are in a simulation of it now.
+   *
+   * @param snapshot with as many drones
+   */
+  public Scenario asIn(SimSnapshot snapshot) {
+    List<DroneSetup> setups = new ArrayList<>();
+    for (DroneSnapshot drone : snapshot.drones()) {
+      DroneSetup first = config.drones().get(setups.size());
+      Outlets outlets = new Outlets(drone.link().statePort(), drone.link().videoPort());
+      setups.add(first.withStart(drone.start()).withProduct(drone.product()).withOutlets(outlets));
+    }
+    return withConfig(config.withArena(snapshot.arena()).withDrones(setups));
   }
 
   /** The same with all drones at one port. */

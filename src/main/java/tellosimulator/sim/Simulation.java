@@ -53,7 +53,7 @@ public final class Simulation {
   private TimeDemand demand;
   private SilenceHint hint;
   private Clock clock;
-  private SimTime now;
+  private volatile SimTime now;
 
   private volatile SimSnapshot snapshot;
   private volatile Runnable wake = () -> {};
@@ -225,6 +225,11 @@ public final class Simulation {
   /** The latest completed step. For any thread. */
   public SimSnapshot snapshot() {
     return snapshot;
+  }
+
+  /** The end of the step that is being made, or of the last one. For any thread. */
+  public SimTime time() {
+    return now;
   }
 
   /** Why time must pass. For the owning thread. */

@@ -5,6 +5,7 @@ import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.UnaryOperator;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 import tellosimulator.command.Link;
@@ -55,6 +56,7 @@ final class VideoConnection implements AutoCloseable {
   private final Runnable unreachable;
   private final Connector connector;
   private final VideoFaults faults;
+  private final UnaryOperator<DatagramPort> tapped;
   private Optional<DatagramPort> port = Optional.empty();
   private Route opened;
   private InetAddress refused;
@@ -67,13 +69,23 @@ final class VideoConnection implements AutoCloseable {
    *
    * @param unreachable is called when another machine says that nothing receives there
    * @param faults what goes wrong on the way
+   * @param tapped lets somebody see what is sent through a port
    */
-  VideoConnection(Metronome metronome, Runnable unreachable, VideoFaults faults) {
-    this(metronome, unreachable, faults, UdpPort::connect);
+  VideoConnection(
+      Metronome metronome,
+      Runnable unreachable,
+      VideoFaults faults,
+      UnaryOperator<DatagramPort> tapped) {
+    this(metronome, unreachable, faults, tapped, UdpPort::connect);
   }
 
   VideoConnection(
-      Metronome metronome, Runnable unreachable, VideoFaults faults, Connector connector) {
+      Metronome metronome,
+      Runnable unreachable,
+      VideoFaults faults,
+      UnaryOperator<DatagramPort> tapped,
+      Connector connector) {
+    this.tapped = tapped;
     this.faults = faults;
     this.metronome = metronome;
     this.unreachable = unreachable;
@@ -137,9 +149,10 @@ final class VideoConnection implements AutoCloseable {
     InetSocketAddress from = new InetSocketAddress(route.from(), port);
     try {
       return Optional.of(
-          route.to().getAddress().isLoopbackAddress()
-              ? UdpPort.open(from)
-              : connector.connect(from, route.to(), peer -> lost()));
+          tapped.apply(
+              route.to().getAddress().isLoopbackAddress()
+                  ? UdpPort.open(from)
+                  : connector.connect(from, route.to(), peer -> lost())));
     } catch (IOException e) {
       LOG.debug("No socket for video at {}: {}", from, e.toString());
       return Optional.empty();

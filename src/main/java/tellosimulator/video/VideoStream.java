@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.function.Supplier;
+import java.util.function.UnaryOperator;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 import tellosimulator.concurrent.Agent;
@@ -12,6 +13,8 @@ import tellosimulator.concurrent.Verdict;
 import tellosimulator.concurrent.Worker;
 import tellosimulator.model.FlightPhase;
 import tellosimulator.model.VideoSettings;
+import tellosimulator.network.DatagramPort;
+import tellosimulator.network.WireTap;
 import tellosimulator.sim.SimSnapshot;
 import tellosimulator.sim.SimSnapshot.DroneSnapshot;
 import tellosimulator.time.Metronome;
@@ -99,11 +102,23 @@ public final class VideoStream implements AutoCloseable {
    * @param films creates what renders and encodes; called on the stream's thread
    */
   VideoStream(int drone, Supplier<SimSnapshot> snapshots, Supplier<Film> films) {
+    this(drone, snapshots, films, () -> WireTap.NONE);
+  }
+
+  /**
+   * Starts to rest at once.
+   *
+   * @param films creates what renders and encodes; called on the stream's thread
+   * @param taps who sees what is sent
+   */
+  VideoStream(
+      int drone, Supplier<SimSnapshot> snapshots, Supplier<Film> films, Supplier<WireTap> taps) {
     this.drone = drone;
     this.snapshots = snapshots;
     this.films = films;
     this.faults = new VideoFaults(drone);
-    this.connection = new VideoConnection(metronome, reachability::unreachable, faults);
+    UnaryOperator<DatagramPort> tapped = port -> new TappedPort(drone, port, taps);
+    this.connection = new VideoConnection(metronome, reachability::unreachable, faults, tapped);
     this.worker = Worker.start("video-" + drone, new Filming());
   }
 
@@ -292,7 +307,7 @@ public final class VideoStream implements AutoCloseable {
             && !VideoFaults.silent(now.faults())
             && !reachability.rests(now.link());
     boolean encoded = sent || (powered && watchers.stream().anyMatch(VideoWatcher::needsStream));
-    boolean seen = encoded || !watchers.isEmpty();
+    boolean seen = encoded || watchers.stream().anyMatch(VideoWatcher::needsPictures);
     return new Wish(sent, encoded, seen, Route.of(now.link()), video.starts());
   }
 

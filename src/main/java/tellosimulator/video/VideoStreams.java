@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.function.Supplier;
 import java.util.stream.IntStream;
 import tellosimulator.network.OnlineSimulation;
+import tellosimulator.network.WireTap;
 import tellosimulator.sim.SimEvent;
 import tellosimulator.sim.SimListener;
 import tellosimulator.sim.SimSnapshot;
@@ -28,13 +29,30 @@ public final class VideoStreams implements SimListener, AutoCloseable {
       Supplier<SimSnapshot> snapshots,
       Supplier<FrameSource> cameras,
       VideoEncoder.Factory encoders) {
+    this(snapshots, cameras, encoders, () -> WireTap.NONE);
+  }
+
+  /**
+   * Films the drones of a simulation whenever somebody wants their pictures. Who makes one listens
+   * to the simulation for it.
+   *
+   * @param snapshots the newest one
+   * @param cameras creates a camera for each drone when it films first
+   * @param encoders creates an encoder for each frame size
+   * @param taps who sees what is sent
+   */
+  public VideoStreams(
+      Supplier<SimSnapshot> snapshots,
+      Supplier<FrameSource> cameras,
+      VideoEncoder.Factory encoders,
+      Supplier<WireTap> taps) {
     this.snapshots = snapshots;
     streams =
         IntStream.rangeClosed(1, snapshots.get().drones().size())
             .mapToObj(
                 drone ->
                     new VideoStream(
-                        drone, snapshots, () -> new Film(drone, cameras.get(), encoders)))
+                        drone, snapshots, () -> new Film(drone, cameras.get(), encoders), taps))
             .toList();
   }
 
@@ -46,7 +64,8 @@ public final class VideoStreams implements SimListener, AutoCloseable {
    */
   public static VideoStreams of(
       OnlineSimulation simulation, Supplier<FrameSource> cameras, VideoEncoder.Factory encoders) {
-    VideoStreams streams = new VideoStreams(simulation::snapshot, cameras, encoders);
+    VideoStreams streams =
+        new VideoStreams(simulation::snapshot, cameras, encoders, simulation::tap);
     simulation.listen(streams);
     return streams;
   }

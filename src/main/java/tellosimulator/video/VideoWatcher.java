@@ -8,6 +8,14 @@ public interface VideoWatcher {
     return false;
   }
 
+  /**
+   * Whether pictures are to be made for it; otherwise it sees only those that others want. For any
+   * thread.
+   */
+  default boolean needsPictures() {
+    return true;
+  }
+
   /** A picture was made. Called on the drone's video thread: it must be quick, and not throw. */
   void filmed(FilmedPicture picture);
 }

@@ -16,6 +16,7 @@ import tellosimulator.network.StateConnection;
 import tellosimulator.sim.Control;
 import tellosimulator.sim.SimConfig;
 import tellosimulator.sim.SimListener;
+import tellosimulator.sim.SimSnapshot;
 import tellosimulator.sim.Simulation;
 import tellosimulator.time.SimTime;
 
@@ -125,6 +126,11 @@ public final class SimulatedDrones {
   /** A drone at the end of the last step. */
   public DroneState state(int drone) {
     return simulation.snapshot().drones().get(drone - 1).state();
+  }
+
+  /** All drones at the end of the last step. */
+  public SimSnapshot snapshot() {
+    return simulation.snapshot();
   }
 
   private void await(BooleanSupplier reached, String what) {

@@ -33,7 +33,7 @@ class VideoConnectionTest {
 
   private final Metronome metronome = new Metronome();
   private final VideoConnection connection =
-      new VideoConnection(metronome, () -> {}, new VideoFaults(1));
+      new VideoConnection(metronome, () -> {}, new VideoFaults(1), port -> port);
   private VideoReceiver receiver;
 
   @BeforeEach
@@ -114,7 +114,8 @@ class VideoConnectionTest {
         };
 
     try (VideoConnection tried =
-        new VideoConnection(metronome, told::incrementAndGet, new VideoFaults(1), silent)) {
+        new VideoConnection(
+            metronome, told::incrementAndGet, new VideoFaults(1), port -> port, silent)) {
       tried.send(TEN, route, 0);
       assertThat(sent).hasSize(1);
       assertThat(told).hasValue(1);

@@ -1,7 +1,6 @@
 package tellosimulator.view.app;
 
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.OptionalInt;
 import java.util.function.Function;
@@ -14,11 +13,7 @@ import tellosimulator.scenario.OpenedScenario;
 import tellosimulator.scenario.Scenario;
 import tellosimulator.scenario.ScenarioDocument;
 import tellosimulator.scenario.ScenarioFile;
-import tellosimulator.sim.DroneSetup;
 import tellosimulator.sim.LogLimiter;
-import tellosimulator.sim.SimConfig.Outlets;
-import tellosimulator.sim.SimSnapshot;
-import tellosimulator.sim.SimSnapshot.DroneSnapshot;
 import tellosimulator.video.camera.DroneOptics;
 import tellosimulator.view.layout.QuestionPage.Question;
 import tellosimulator.view.layout.WindowState;
@@ -127,16 +122,7 @@ final class ScenarioSession implements AutoCloseable {
 
   /** The scenario with room and starts as they are now. */
   private Scenario present() {
-    SimSnapshot snapshot = simulation.snapshot();
-    List<DroneSetup> setups = new ArrayList<>();
-    for (DroneSnapshot drone : snapshot.drones()) {
-      DroneSetup first = opened.scenario().config().drones().get(setups.size());
-      Outlets outlets = new Outlets(drone.link().statePort(), drone.link().videoPort());
-      setups.add(first.withStart(drone.start()).withProduct(drone.product()).withOutlets(outlets));
-    }
-    return opened
-        .scenario()
-        .withConfig(opened.scenario().config().withArena(snapshot.arena()).withDrones(setups));
+    return opened.scenario().asIn(simulation.snapshot());
   }
 
   /** The document of what is there now, as it would be in a file. */

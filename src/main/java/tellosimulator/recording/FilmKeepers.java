@@ -1,0 +1,137 @@
+package tellosimulator.recording;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Consumer;
+import java.util.function.Supplier;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+import tellosimulator.files.IoReason;
+import tellosimulator.time.SimTime;
+import tellosimulator.video.FilmedPicture;
+import tellosimulator.video.Recording;
+import tellosimulator.video.VideoStreams;
+import tellosimulator.video.VideoWatcher;
+import tellosimulator.words.Phrase;
+
+/**
+ * Keeps what the drones film while a flight is recorded, a file for each drone. No camera films for
+ * it: it sees only what somebody else wants. For any thread; pictures are kept on the threads of
+ * the videos.
+ */
+final class FilmKeepers {
+
+  private static final Logger LOG = LoggerFactory.getLogger(FilmKeepers.class);
+
+  private final List<FilmKeeper> keepers = new ArrayList<>();
+  private volatile Supplier<SimTime> clock = () -> SimTime.ZERO;
+
+  /**
+   * A film that was kept.
+   *
+   * @param drone its number, from 1
+   * @param file its name
+   * @param begun when its first picture was taken
+   */
+  record Kept(int drone, String file, SimTime begun) {}
+
+  FilmKeepers(int drones) {
+    for (int drone = 1; drone <= drones; drone++) {
+      keepers.add(new FilmKeeper(drone));
+    }
+  }
+
+  /** Looks at the drones' video from now on. */
+  void watch(VideoStreams streams, Supplier<SimTime> newClock) {
+    clock = newClock;
+    keepers.forEach(keeper -> streams.stream(keeper.drone).watch(keeper));
+  }
+
+  /**
+   * A flight begins.
+   *
+   * @param told takes a sentence if a film cannot be kept any more
+   */
+  void begin(Path folder, Consumer<Phrase> told) {
+    keepers.forEach(keeper -> keeper.begin(folder, told));
+  }
+
+  /** The flight is over; returns its films. */
+  List<Kept> end() {
+    return keepers.stream().flatMap(keeper -> keeper.end().stream()).toList();
+  }
+
+  /** That of one drone. */
+  private final class FilmKeeper implements VideoWatcher {
+
+    private final int drone;
+    private Optional<Path> file = Optional.empty();
+    private Optional<Recording> film = Optional.empty();
+    private Optional<SimTime> begun = Optional.empty();
+    private Consumer<Phrase> told = phrase -> {};
+
+    FilmKeeper(int drone) {
+      this.drone = drone;
+    }
+
+    @Override
+    public boolean needsPictures() {
+      return false;
+    }
+
+    synchronized void begin(Path folder, Consumer<Phrase> newTold) {
+      file = Optional.of(folder.resolve("video-" + drone + ".mp4"));
+      told = newTold;
+    }
+
+    @Override
+    public synchronized void filmed(FilmedPicture picture) {
+      if (file.isEmpty() || picture.encoded().isEmpty()) {
+        return;
+      }
+      try {
+        if (film.isEmpty()) {
+          film = Optional.of(Recording.to(file.get()));
+        }
+        Recording kept = film.get();
+        kept.filmed(picture);
+        if (begun.isEmpty() && picture.encoded().get().idr()) {
+          begun = Optional.of(clock.get());
+        }
+        kept.failure().ifPresent(this::giveUp);
+      } catch (IOException e) {
+        giveUp(
+            Phrase.of(
+                "the recording %s ended, because it cannot be written: %s",
+                file.get(), IoReason.of(e)));
+      }
+    }
+
+    /** The rest of the flight has no film. */
+    private void giveUp(Phrase reason) {
+      told.accept(reason);
+      file = Optional.empty();
+    }
+
+    synchronized Optional<Kept> end() {
+      try {
+        if (film.isPresent()) {
+          film.get().close();
+        }
+      } catch (IOException e) {
+        LOG.warn("The end of the film of drone {} is missing: {}", drone, IoReason.of(e));
+      }
+      Optional<Kept> kept =
+          begun.map(
+              moment ->
+                  new Kept(drone, String.valueOf(film.orElseThrow().file().getFileName()), moment));
+      file = Optional.empty();
+      film = Optional.empty();
+      begun = Optional.empty();
+      return kept;
+    }
+  }
+}

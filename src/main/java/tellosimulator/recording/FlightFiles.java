@@ -1,0 +1,159 @@
+package tellosimulator.recording;
+
+import java.io.IOException;
+import java.io.OutputStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.OptionalDouble;
+import tellosimulator.goal.Goal;
+import tellosimulator.json.Json;
+import tellosimulator.scenario.ScenarioDocument;
+import tellosimulator.scenario.ScenarioFile;
+import tellosimulator.time.WallTime;
+
+/** The files of one recording. For the writer's thread. */
+final class FlightFiles implements AutoCloseable {
+
+  private static final String GOALS = "goals.json";
+  private static final String SCENARIO = "scenario.yaml";
+
+  private final Path folder;
+  private final RecordingFolder.Disk disk;
+  private final RunText run;
+  private final WallTime begun;
+  private final List<TextFile> open = new ArrayList<>();
+  private final TextFile wire;
+  private final TextFile events;
+  private final TextFile table;
+
+  /**
+   * Begins them.
+   *
+   * @throws IOException if one cannot be written
+   */
+  FlightFiles(
+      Path folder, RecordingFolder.Disk disk, FlightRecorder.Subject subject, Entry.Begin begin)
+      throws IOException {
+    this.folder = folder;
+    this.disk = disk;
+    this.run = new RunText(subject, begin);
+    this.begun = begin.wall();
+    try {
+      writeAnew(RecordingFolder.RUN, run.begun());
+      wire = open("wire.jsonl");
+      events = open("events.jsonl");
+      table = open("flight.csv");
+      table.row().raw(Lines.HEADER);
+      Path scenario = folder.resolve(SCENARIO);
+      ScenarioDocument document = ScenarioDocument.of(subject.scenario());
+      ScenarioFile.write(
+          document.changedTo(subject.scenario().asIn(begin.snapshot()), folder), scenario);
+    } catch (IOException | RuntimeException e) {
+      closeQuietly();
+      throw e;
+    }
+  }
+
+  private TextFile open(String name) throws IOException {
+    TextFile file = new TextFile(folder.resolve(name), disk);
+    open.add(file);
+    return file;
+  }
+
+  Path folder() {
+    return folder;
+  }
+
+  WallTime begun() {
+    return begun;
+  }
+
+  TextFile wire() {
+    return wire;
+  }
+
+  TextFile events() {
+    return events;
+  }
+
+  TextFile table() {
+    return table;
+  }
+
+  /** Hands all that is written to the system. */
+  void flush() throws IOException {
+    for (TextFile file : open) {
+      file.flush();
+    }
+  }
+
+  /** Writes what is known at the end, and closes all. */
+  void finish(Entry.End end, List<FilmKeepers.Kept> films) throws IOException {
+    for (TextFile file : open) {
+      file.close();
+    }
+    open.clear();
+    if (!end.goals().progress().challenge().goals().isEmpty()) {
+      writeAnew(GOALS, Json.text(goals(end.goals())));
+    }
+    writeAnew(RecordingFolder.RUN, run.ended(end, films));
+  }
+
+  private static List<Object> goals(GoalResult result) {
+    List<Object> goals = new ArrayList<>();
+    List<Goal> asked = result.progress().challenge().goals();
+    for (int i = 0; i < asked.size(); i++) {
+      Map<String, Object> goal = new LinkedHashMap<>();
+      OptionalDouble reached = result.reached(i);
+      goal.put("text", asked.get(i).phrase().english());
+      goal.put("reached", reached.isPresent() ? RunText.rounded(reached.getAsDouble()) : null);
+      goals.add(goal);
+    }
+    return goals;
+  }
+
+  /** Writes all of a file, or leaves it as it was. */
+  private void writeAnew(String name, String text) throws IOException {
+    Path beside = folder.resolve("." + name);
+    try (OutputStream out = disk.create(beside)) {
+      out.write((text + "\n").getBytes(StandardCharsets.US_ASCII));
+    }
+    Files.move(
+        beside,
+        folder.resolve(name),
+        StandardCopyOption.ATOMIC_MOVE,
+        StandardCopyOption.REPLACE_EXISTING);
+  }
+
+  private void closeQuietly() {
+    try {
+      close();
+    } catch (IOException e) {
+      // there is a better reason already
+    }
+  }
+
+  /** Closes all as they are, as if the recording was cut off here. */
+  @Override
+  public void close() throws IOException {
+    List<TextFile> files = List.copyOf(open);
+    open.clear();
+    IOException failure = null;
+    for (TextFile file : files) {
+      try {
+        file.close();
+      } catch (IOException e) {
+        failure = e;
+      }
+    }
+    if (failure != null) {
+      throw failure;
+    }
+  }
+}

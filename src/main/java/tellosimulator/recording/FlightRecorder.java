@@ -1,0 +1,247 @@
+package tellosimulator.recording;
+
+import java.net.InetSocketAddress;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Consumer;
+import java.util.function.Supplier;
+import tellosimulator.command.Peer;
+import tellosimulator.concurrent.Worker;
+import tellosimulator.controller.FlightEvent;
+import tellosimulator.goal.GoalWatch;
+import tellosimulator.goal.Progress;
+import tellosimulator.math.Vec3;
+import tellosimulator.model.FlightPhase;
+import tellosimulator.network.OnlineSimulation;
+import tellosimulator.network.WireTap;
+import tellosimulator.recording.Entry.Ends;
+import tellosimulator.scenario.Scenario;
+import tellosimulator.sim.SimEvent;
+import tellosimulator.sim.SimListener;
+import tellosimulator.sim.SimSnapshot;
+import tellosimulator.time.SimTime;
+import tellosimulator.time.WallTime;
+import tellosimulator.video.VideoStreams;
+import tellosimulator.words.Phrase;
+
+/**
+ * Records the flights of a simulation, each into a folder of its own. A flight goes from a first
+ * takeoff until all drones have been down for three seconds, or until the simulation begins anew or
+ * ends.
+ *
+ * <p>It is told on the threads of simulation, network and video, on which it only puts records into
+ * a queue; {@link #setRecording} and {@link #close} are for any thread.
+ */
+public final class FlightRecorder implements SimListener, WireTap, AutoCloseable {
+
+  /** Steps from sample to sample: 20 a simulated second. Decided. */
+  private static final long SAMPLE_STEPS = Math.round(0.05 / SimTime.STEP);
+
+  /** How long all drones must be down before a flight is over [s]. Decided. */
+  private static final double REST = 3;
+
+  private final EntryQueue queue;
+  private final FilmKeepers films;
+  private final Worker worker;
+  private final GoalWatch goals;
+  private volatile Supplier<SimTime> clock = () -> SimTime.ZERO;
+  private volatile Supplier<SimSnapshot> snapshots = () -> null;
+  private volatile boolean recording = true;
+
+  /** All that follows is for the simulation thread. */
+  private boolean flying;
+
+  private long steps;
+  private SimTime last = SimTime.ZERO;
+  private Optional<SimTime> down = Optional.empty();
+  private Progress progress;
+  private Optional<GoalResult> result = Optional.empty();
+
+  /**
+   * What is recorded.
+   *
+   * @param title of the scenario, or the name of its file
+   * @param scenario that is flown; room and starts may be changed in between
+   * @param options words of the command line, as far as they are known
+   * @param goals judges the drones, and is told of each step before the recorder
+   */
+  public record Subject(String title, Scenario scenario, List<String> options, GoalWatch goals) {
+
+    public Subject {
+      options = List.copyOf(options);
+    }
+  }
+
+  private FlightRecorder(EntryQueue queue, FilmKeepers films, RecordingWriter writer) {
+    this.queue = queue;
+    this.films = films;
+    this.goals = writer.subject().goals();
+    this.progress = goals.progress();
+    this.worker = Worker.start("recorder", writer);
+  }
+
+  /**
+   * Waits for a first takeoff, once it is attached to a simulation.
+   *
+   * @param folder in which there will be a folder for each flight
+   * @param told takes a sentence for people when a flight cannot be recorded any more; on the
+   *     recorder's thread, and the log has it too
+   */
+  public static FlightRecorder start(
+      RecordingFolder folder, Subject subject, Consumer<Phrase> told) {
+    return start(folder, subject, told, new EntryQueue());
+  }
+
+  static FlightRecorder start(
+      RecordingFolder folder, Subject subject, Consumer<Phrase> told, EntryQueue queue) {
+    FilmKeepers films = new FilmKeepers(subject.scenario().config().drones().size());
+    RecordingWriter writer = new RecordingWriter(queue, folder, subject, films, told);
+    return new FlightRecorder(queue, films, writer);
+  }
+
+  /** Looks at a simulation from now on, with its wire and its drones' films. */
+  public void attach(OnlineSimulation simulation, VideoStreams streams) {
+    follow(simulation::time, simulation::snapshot);
+    simulation.listen(this);
+    simulation.setTap(this);
+    films.watch(streams, simulation::time);
+  }
+
+  /** Whom to ask for the time and for the newest snapshot. */
+  void follow(Supplier<SimTime> newClock, Supplier<SimSnapshot> newSnapshots) {
+    clock = newClock;
+    snapshots = newSnapshots;
+  }
+
+  /** Whether flights are recorded; if not, one that has begun ends with the next step. */
+  public void setRecording(boolean wanted) {
+    recording = wanted;
+  }
+
+  // --- network ---
+
+  @Override
+  public void received(int drone, Peer peer, String text) {
+    if (recording) {
+      Ends ends = new Ends(peer.address(), peer.via());
+      queue.add(new Entry.Received(clock.get(), WallTime.nanoTime(), drone, ends, text));
+    }
+  }
+
+  @Override
+  public void sent(
+      int drone, Kind kind, InetSocketAddress from, InetSocketAddress to, byte[] bytes) {
+    if (recording) {
+      Ends ends = new Ends(from, to);
+      queue.add(new Entry.Sent(clock.get(), WallTime.nanoTime(), drone, kind, ends, bytes));
+    }
+  }
+
+  // --- simulation ---
+
+  @Override
+  public void event(SimEvent event) {
+    if (!recording) {
+      return;
+    }
+    if (event instanceof SimEvent.Restarted) {
+      end(last);
+      last = event.time();
+      result = Optional.empty();
+      queue.add(new Entry.Forget());
+    }
+    SimSnapshot snapshot = snapshots.get();
+    if (!flying && tookOff(event)) {
+      begin(snapshot);
+    }
+    queue.add(new Entry.Happened(event, place(event, snapshot)));
+    if (flying && givesUp(event) && allDown(snapshot)) {
+      end(event.time());
+    }
+  }
+
+  private static boolean tookOff(SimEvent event) {
+    return event instanceof SimEvent.DroneFlight flight
+        && flight.event() instanceof FlightEvent.TookOff;
+  }
+
+  /** Whether a drone was reset or switched off: nothing of its flight follows. */
+  private boolean givesUp(SimEvent event) {
+    return event instanceof SimEvent.DroneFlight flight
+        && (flight.event() instanceof FlightEvent.PutBack
+            || snapshots.get().drones().get(flight.drone() - 1).state().phase() == FlightPhase.OFF);
+  }
+
+  private static Optional<Vec3> place(SimEvent event, SimSnapshot snapshot) {
+    return event instanceof SimEvent.ForDrone one
+        ? Optional.of(snapshot.drones().get(one.drone() - 1).state().motion().position())
+        : Optional.empty();
+  }
+
+  @Override
+  public void stepped(SimSnapshot snapshot) {
+    last = snapshot.time();
+    if (!flying) {
+      return;
+    }
+    if (!recording) {
+      end(last);
+      return;
+    }
+    progress = goals.progress();
+    if (steps++ % SAMPLE_STEPS == 0) {
+      queue.add(new Entry.Sampled(snapshot));
+      result = Optional.of(GoalResult.latest(result, progress, last));
+      endAfterRest(snapshot);
+    }
+  }
+
+  private void endAfterRest(SimSnapshot snapshot) {
+    if (!allDown(snapshot)) {
+      down = Optional.empty();
+      return;
+    }
+    SimTime since = down.orElse(last);
+    down = Optional.of(since);
+    if (last.since(since) >= REST) {
+      end(last);
+    }
+  }
+
+  private static boolean allDown(SimSnapshot snapshot) {
+    for (SimSnapshot.DroneSnapshot drone : snapshot.drones()) {
+      FlightPhase phase = drone.state().phase();
+      if (phase.flying() || phase == FlightPhase.FALLING) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  private void begin(SimSnapshot snapshot) {
+    flying = true;
+    steps = 0;
+    down = Optional.empty();
+    queue.add(new Entry.Begin(WallTime.now(), snapshot));
+  }
+
+  private void end(SimTime time) {
+    if (flying) {
+      flying = false;
+      queue.add(new Entry.End(time, GoalResult.latest(result, progress, last)));
+    }
+  }
+
+  /**
+   * Ends the flight that is recorded, and writes what waits. After the simulation, or the last
+   * things may be missing.
+   */
+  @Override
+  public void close() {
+    end(last);
+    recording = false;
+    worker.end();
+    queue.wake();
+    worker.close();
+  }
+}

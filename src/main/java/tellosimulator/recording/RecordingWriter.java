@@ -1,0 +1,257 @@
+package tellosimulator.recording;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.ArrayDeque;
+import java.util.ArrayList;
+import java.util.Deque;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Consumer;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+import tellosimulator.concurrent.Agent;
+import tellosimulator.concurrent.Verdict;
+import tellosimulator.files.IoReason;
+import tellosimulator.model.FlightPhase;
+import tellosimulator.network.WireTap.Kind;
+import tellosimulator.sim.SimEvent;
+import tellosimulator.sim.SimSnapshot.DroneSnapshot;
+import tellosimulator.words.Phrase;
+
+/**
+ * Writes what the recorder saw. An error ends the recording of the flight, with a sentence; the
+ * next flight is tried anew. For a thread of its own.
+ */
+final class RecordingWriter implements Agent {
+
+  private static final Logger LOG = LoggerFactory.getLogger(RecordingWriter.class);
+
+  /**
+   * From writing to writing [ns]. Decided: a program that is killed loses half a second at most.
+   */
+  private static final long PERIOD = 250_000_000;
+
+  /** What is taken before it is handed to the system, however much waits. */
+  private static final int AT_ONCE = 20_000;
+
+  /** Lines of what came before a takeoff that belong to the flight. Decided. */
+  private static final int MOST_BEFORE = 1000;
+
+  private final Verdict failed = Verdict.goOn("A recording failed");
+  private final EntryQueue queue;
+  private final RecordingFolder folder;
+  private final FlightRecorder.Subject subject;
+  private final FilmKeepers films;
+  private final Consumer<Phrase> told;
+  private final Lines lines = new Lines();
+  private final Deque<Entry> before = new ArrayDeque<>();
+  private final List<PilotState> pilots = new ArrayList<>();
+  private Optional<FlightFiles> files = Optional.empty();
+
+  /** Whether a flight has begun, even if it cannot be recorded. */
+  private boolean flight;
+
+  RecordingWriter(
+      EntryQueue queue,
+      RecordingFolder folder,
+      FlightRecorder.Subject subject,
+      FilmKeepers films,
+      Consumer<Phrase> told) {
+    this.queue = queue;
+    this.folder = folder;
+    this.subject = subject;
+    this.films = films;
+    this.told = told;
+    subject.scenario().config().drones().forEach(drone -> pilots.add(new PilotState()));
+  }
+
+  FlightRecorder.Subject subject() {
+    return subject;
+  }
+
+  @Override
+  public Outcome doWork() {
+    if (flight) {
+      queue.awaitTick(PERIOD);
+    } else {
+      queue.rest();
+    }
+    work();
+    return Outcome.WORKED;
+  }
+
+  /** Takes what waits, but no more than may be lost. */
+  private boolean work() {
+    boolean more = true;
+    for (int i = 0; more && i < AT_ONCE; i++) {
+      Optional<Entry> next = queue.poll();
+      more = next.isPresent();
+      next.ifPresent(this::take);
+    }
+    flush();
+    return more;
+  }
+
+  private void take(Entry entry) {
+    try {
+      if (entry instanceof Entry.Begin begin) {
+        begin(begin);
+      } else if (entry instanceof Entry.End end) {
+        end(end);
+      } else if (entry instanceof Entry.Overrun) {
+        overrun();
+      } else if (entry instanceof Entry.Forget) {
+        before.clear();
+        pilots.replaceAll(pilot -> new PilotState());
+      } else if (files.isPresent()) {
+        write(files.get(), entry);
+      } else {
+        keep(entry);
+      }
+    } catch (IOException e) {
+      fail(e);
+    }
+  }
+
+  private void begin(Entry.Begin begin) throws IOException {
+    flight = true;
+    Path made = folder.create(begin.wall(), subject.title());
+    files = Optional.of(new FlightFiles(made, folder.disk(), subject, begin));
+    films.begin(made, this::tell);
+    for (Entry entry : before) {
+      line(files.get(), entry);
+    }
+    before.clear();
+    LOG.debug("The flight is recorded in {}", made);
+    folder.deleteOld();
+  }
+
+  /** Keeps what may belong to the next flight. */
+  private void keep(Entry entry) {
+    learn(entry);
+    boolean line =
+        entry instanceof Entry.Happened
+            || entry instanceof Entry.Received
+            || (entry instanceof Entry.Sent sent && sent.kind() == Kind.REPLY);
+    if (line && !flight) {
+      before.addLast(entry);
+      if (before.size() > MOST_BEFORE) {
+        before.removeFirst();
+      }
+    }
+  }
+
+  /** What later rows of the table tell. */
+  private void learn(Entry entry) {
+    if (entry instanceof Entry.Happened happened
+        && happened.event() instanceof SimEvent.ForDrone event) {
+      pilots.get(event.drone() - 1).take(event);
+    } else if (entry instanceof Entry.Sent sent && sent.kind() == Kind.STATE) {
+      pilots.get(sent.drone() - 1).report(Lines.text(sent));
+    }
+  }
+
+  private void write(FlightFiles to, Entry entry) throws IOException {
+    learn(entry);
+    if (entry instanceof Entry.Sampled sampled) {
+      for (DroneSnapshot drone : sampled.snapshot().drones()) {
+        PilotState pilot = pilots.get(drone.state().drone() - 1);
+        if (drone.state().phase() == FlightPhase.OFF) {
+          pilot.forgetCommands();
+        }
+        Lines.write(to.table().row(), sampled.snapshot().time(), drone, pilot);
+      }
+      to.table().flushIfLarge();
+    } else {
+      line(to, entry);
+    }
+  }
+
+  private void line(FlightFiles to, Entry entry) throws IOException {
+    if (entry instanceof Entry.Happened happened) {
+      Lines.write(to.events().row(), happened);
+      to.events().flushIfLarge();
+    } else if (entry instanceof Entry.Received received) {
+      lines.write(to.wire().row(), received, to.begun());
+      to.wire().flushIfLarge();
+    } else if (entry instanceof Entry.Sent sent) {
+      lines.write(to.wire().row(), sent, to.begun());
+      to.wire().flushIfLarge();
+    }
+  }
+
+  private void end(Entry.End end) throws IOException {
+    flight = false;
+    List<FilmKeepers.Kept> kept = films.end();
+    if (files.isPresent()) {
+      files.get().finish(end, kept);
+      files = Optional.empty();
+    }
+  }
+
+  private void flush() {
+    try {
+      if (files.isPresent()) {
+        files.get().flush();
+      }
+    } catch (IOException e) {
+      fail(e);
+    }
+  }
+
+  private void overrun() {
+    if (files.isPresent()) {
+      Phrase reason =
+          Phrase.of(
+              "the recording %s ended, because this machine is too busy to write it",
+              files.get().folder());
+      giveUp(reason);
+    }
+  }
+
+  private void fail(IOException e) {
+    Path where = files.map(FlightFiles::folder).orElse(folder.path());
+    giveUp(
+        Phrase.of(
+            "the recording %s ended, because it cannot be written: %s", where, IoReason.of(e)));
+  }
+
+  private void giveUp(Phrase reason) {
+    films.end();
+    if (files.isPresent()) {
+      closeQuietly(files.get());
+      files = Optional.empty();
+    }
+    tell(reason);
+  }
+
+  private void closeQuietly(FlightFiles left) {
+    try {
+      left.close();
+    } catch (IOException e) {
+      LOG.debug("Closing {} failed: {}", left.folder(), e.toString());
+    }
+  }
+
+  private void tell(Phrase reason) {
+    LOG.warn("{}", reason.english());
+    told.accept(reason);
+  }
+
+  @Override
+  public Verdict onError(Throwable failure) {
+    return failed;
+  }
+
+  /** Writes what still waits. */
+  @Override
+  public void onClose() {
+    boolean more = true;
+    while (more) {
+      more = work();
+    }
+    films.end();
+    files.ifPresent(this::closeQuietly);
+  }
+}

@@ -1,0 +1,107 @@
+package tellosimulator.recording;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+import tellosimulator.json.Json;
+import tellosimulator.math.Frames;
+import tellosimulator.math.Vec3;
+import tellosimulator.scenery.drone.Livery;
+import tellosimulator.scenery.mesh.Rgb;
+import tellosimulator.sim.SimSnapshot;
+import tellosimulator.sim.SimSnapshot.DroneSnapshot;
+import tellosimulator.time.TimeFactor;
+import tellosimulator.world.Room;
+
+/** What {@code run.json} says, at the beginning and at the end. For the writer's thread. */
+final class RunText {
+
+  /** Version of the format. */
+  private static final int FORMAT = 1;
+
+  private static final double PRECISION = 1000;
+
+  private final Map<String, Object> members = new LinkedHashMap<>();
+
+  RunText(FlightRecorder.Subject subject, Entry.Begin begin) {
+    SimSnapshot snapshot = begin.snapshot();
+    members.put("format", FORMAT);
+    members.put("program", version());
+    members.put("seed", subject.scenario().config().seed());
+    members.put("timeFactor", factor(snapshot.clock().factor()));
+    members.put("begun", begin.wall().iso());
+    members.put("started", rounded(snapshot.time().seconds()));
+    members.put("scenario", subject.title());
+    members.put("room", room(snapshot.room()));
+    members.put("drones", snapshot.drones().stream().map(RunText::drone).toList());
+    members.put("options", subject.options());
+  }
+
+  private static String version() {
+    return Optional.ofNullable(RunText.class.getPackage().getImplementationVersion())
+        .orElse("development");
+  }
+
+  private static String factor(TimeFactor factor) {
+    return factor.toString().replaceFirst("\\.0$", "");
+  }
+
+  private static Map<String, Object> room(Room room) {
+    Map<String, Object> sizes = new LinkedHashMap<>();
+    sizes.put("width", centimetres(room.width()));
+    sizes.put("depth", centimetres(room.depth()));
+    sizes.put("height", centimetres(room.height()));
+    return sizes;
+  }
+
+  private static Map<String, Object> drone(DroneSnapshot drone) {
+    Map<String, Object> start = new LinkedHashMap<>();
+    Vec3 place = drone.start().position();
+    start.put("x", centimetres(place.x()));
+    start.put("y", centimetres(place.y()));
+    start.put("heading", rounded(Frames.yawOfHeading(drone.start().attitude().heading())));
+    Map<String, Object> members = new LinkedHashMap<>();
+    members.put("number", drone.state().drone());
+    members.put("profile", drone.product().profile().option());
+    members.put("behaviour", drone.product().behaviour().option());
+    members.put("start", start);
+    Rgb color = Livery.of(drone).color();
+    members.put("color", String.format(Locale.ROOT, "#%06x", color.argb() & 0xffffff));
+    return members;
+  }
+
+  /** The text while the flight goes on. */
+  String begun() {
+    return Json.text(members);
+  }
+
+  /** The text of the whole flight. */
+  String ended(Entry.End end, List<FilmKeepers.Kept> films) {
+    members.put("ended", rounded(end.time().seconds()));
+    members.put("result", end.goals().word());
+    List<Object> videos = new ArrayList<>();
+    for (FilmKeepers.Kept film : films) {
+      Map<String, Object> video = new LinkedHashMap<>();
+      video.put("drone", film.drone());
+      video.put("file", film.file());
+      video.put("started", rounded(film.begun().seconds()));
+      videos.add(video);
+    }
+    if (!videos.isEmpty()) {
+      members.put("videos", videos);
+    }
+    return Json.text(members);
+  }
+
+  private static double centimetres(double metres) {
+    return rounded(Frames.centimetres(metres));
+  }
+
+  /** To three decimals, without a negative zero. */
+  static double rounded(double number) {
+    return Math.round(number * PRECISION) / PRECISION + 0.0;
+  }
+}
