@@ -37,6 +37,7 @@ import tellosimulator.video.SoftwareCameras;
 import tellosimulator.view.app.SimulatorApp;
 import tellosimulator.view.app.Toolkit;
 import tellosimulator.view.layout.WindowState;
+import tellosimulator.view.settings.DataFolder;
 import tellosimulator.view.settings.Settings;
 import tellosimulator.view.text.Language;
 import tellosimulator.words.Spelling;
@@ -47,6 +48,9 @@ public final class Main {
   private static final int FAILED = 1;
   private static final int WRONG_OPTIONS = 2;
   private static final int GOALS_MISSED = 3;
+
+  /** Flights of the window that are kept. Decided: those of a lesson. */
+  private static final int RECORDINGS_KEPT = 20;
 
   private final Options options = new Options();
   private final PrintStream out;
@@ -171,17 +175,19 @@ public final class Main {
       state.applyUiScale();
       Optional<String> obstacle = Toolkit.start();
       if (obstacle.isEmpty()) {
-        return simulateInWindow(launch, settings, state);
+        return simulateInWindow(launch, settings, state, words);
       }
       err.println(obstacle.get());
     }
     return simulateHeadless(launch, words);
   }
 
-  private int simulateInWindow(Launch launch, Settings settings, WindowState state)
+  private int simulateInWindow(
+      Launch launch, Settings settings, WindowState state, List<String> words)
       throws InterruptedException, PortTakenException {
     SimulatorApp.Rules rules =
-        new SimulatorApp.Rules(options::applied, options::addressPlan, options.replyPort());
+        new SimulatorApp.Rules(
+            options::applied, options::addressPlan, options.replyPort(), recordings(words));
     try (SimulatorApp app = new SimulatorApp(launch.scenario(), rules, options.optics())) {
       Runtime.getRuntime().addShutdownHook(new Thread(app::close, "shutdown"));
       if (options.on()) {
@@ -190,6 +196,16 @@ public final class Main {
       }
       return app.run(settings, state) ? 0 : FAILED;
     }
+  }
+
+  /** In the window each flight is recorded, so that one can look at it afterwards. */
+  private SimulatorApp.Recordings recordings(List<String> words) {
+    RecordingFolder folder =
+        options
+            .record()
+            .map(RecordingFolder::at)
+            .orElseGet(() -> RecordingFolder.keeping(DataFolder.recordings(), RECORDINGS_KEPT));
+    return new SimulatorApp.Recordings(folder, options.record().isPresent(), words);
   }
 
   private int simulateHeadless(Launch launch, List<String> words)

@@ -69,9 +69,9 @@ final class ProgramProcess implements AutoCloseable {
       builder.command().addAll(List.of("--state-port", "9"));
     }
     builder.environment().remove(hidden);
-    builder
-        .environment()
-        .put("XDG_CONFIG_HOME", Path.of("target", "no-settings").toAbsolutePath().toString());
+    String nothing = Path.of("target", "no-settings").toAbsolutePath().toString();
+    List.of("XDG_CONFIG_HOME", "XDG_DATA_HOME", "APPDATA", "LOCALAPPDATA")
+        .forEach(variable -> builder.environment().put(variable, nothing));
     return new ProgramProcess(builder.start(), errors);
   }
 

@@ -42,7 +42,9 @@ final class Simulator implements AutoCloseable {
     command.addAll(List.of("-jar", System.getProperty("simulator.jar"), way));
     command.addAll(options);
     ProcessBuilder builder = new ProcessBuilder(command);
-    builder.environment().put("XDG_CONFIG_HOME", Files.createTempDirectory("fresh").toString());
+    String fresh = Files.createTempDirectory("fresh").toString();
+    builder.environment().put("XDG_CONFIG_HOME", fresh);
+    builder.environment().put("XDG_DATA_HOME", fresh);
     start = System.nanoTime();
     process = builder.start();
     figures = new ProcessFigures(process);

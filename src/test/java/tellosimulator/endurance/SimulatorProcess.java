@@ -83,7 +83,10 @@ final class SimulatorProcess implements AutoCloseable {
     if (on) {
       command.add("--on");
     }
-    Host here = new Host(List.of("env", "XDG_CONFIG_HOME=" + settings), Host.HERE.address());
+    Host here =
+        new Host(
+            List.of("env", "XDG_CONFIG_HOME=" + settings, "XDG_DATA_HOME=" + settings),
+            Host.HERE.address());
     Program program = here.start(command);
     try {
       return new SimulatorProcess(program, on ? program.await("ready", START_SECONDS) : "");

@@ -6,9 +6,13 @@ import java.util.OptionalInt;
 import java.util.function.Function;
 import javafx.application.Platform;
 import javafx.stage.Stage;
+import javafx.util.Subscription;
+import tellosimulator.goal.GoalNews;
 import tellosimulator.goal.GoalWatch;
 import tellosimulator.network.AddressPlan;
 import tellosimulator.network.OnlineSimulation;
+import tellosimulator.recording.FlightRecorder;
+import tellosimulator.recording.FlightRecorder.Subject;
 import tellosimulator.scenario.OpenedScenario;
 import tellosimulator.scenario.Scenario;
 import tellosimulator.scenario.ScenarioDocument;
@@ -17,6 +21,7 @@ import tellosimulator.sim.LogLimiter;
 import tellosimulator.video.camera.DroneOptics;
 import tellosimulator.view.layout.QuestionPage.Question;
 import tellosimulator.view.layout.WindowState;
+import tellosimulator.view.log.LogLevel;
 import tellosimulator.view.log.LogQueue;
 import tellosimulator.view.model.FxScenario;
 import tellosimulator.view.model.Pulse;
@@ -40,8 +45,9 @@ final class ScenarioSession implements AutoCloseable {
    * How drones and operators reach each other.
    *
    * @param replyPort port to which all replies go; empty for the port each command came from
+   * @param recordings where it is recorded what they say to each other
    */
-  record Wire(AddressPlan plan, OptionalInt replyPort) {}
+  record Wire(AddressPlan plan, OptionalInt replyPort, SimulatorApp.Recordings recordings) {}
 
   /** What stays when the scenario changes. */
   record Frame(Stage stage, Language language, WindowState state, Settings settings) {}
@@ -51,6 +57,9 @@ final class ScenarioSession implements AutoCloseable {
   private final GoalWatch goals;
   private final OnlineSimulation simulation;
   private final WindowVideo video;
+  private final SimulatorApp.Recordings recordings;
+  private final FlightRecorder recorder;
+  private Subscription recording = Subscription.EMPTY;
   private SimulatorWindow window;
   private ViewContext context;
   private Frame frame;
@@ -61,7 +70,13 @@ final class ScenarioSession implements AutoCloseable {
     this.opened = opened;
     this.logQueue = logQueue;
     Scenario scenario = opened.scenario();
-    goals = new GoalWatch(scenario.challenge(), logQueue::event);
+    recordings = wire.recordings();
+    goals = new GoalWatch(scenario.challenge(), this::tell);
+    recorder =
+        FlightRecorder.start(
+            recordings.folder(),
+            new Subject(opened.title(), scenario, recordings.options(), goals),
+            reason -> logQueue.say(LogLevel.WARN, language -> language.say(reason)));
     simulation =
         new OnlineSimulation(
             scenario.config(),
@@ -69,6 +84,12 @@ final class ScenarioSession implements AutoCloseable {
             wire.replyPort(),
             List.of(new LogLimiter(logQueue), goals));
     video = WindowVideo.of(simulation, optics, MediaFolder.ofUser());
+    recorder.attach(simulation, video.streams());
+  }
+
+  private void tell(GoalNews news) {
+    logQueue.event(news);
+    recorder.event(news);
   }
 
   OnlineSimulation simulation() {
@@ -87,6 +108,11 @@ final class ScenarioSession implements AutoCloseable {
     context.pulse().onBeat(nanos -> lookForEdits(scenario));
     window = new SimulatorWindow(frame.stage, context, frame.state.linked(), logQueue);
     window.remember(frame.settings);
+    recording =
+        frame
+            .state
+            .flightsRecordedProperty()
+            .subscribe(wanted -> recorder.setRecording(wanted || recordings.always()));
     window.show();
   }
 
@@ -169,6 +195,7 @@ final class ScenarioSession implements AutoCloseable {
 
   /** Ends the window's part of it; the stage stays. */
   void leave() {
+    recording.unsubscribe();
     window.close();
   }
 
@@ -177,10 +204,11 @@ final class ScenarioSession implements AutoCloseable {
     window.forget(frame.settings);
   }
 
-  /** Ends simulation and video. For any thread. */
+  /** Ends simulation, video and recording. For any thread. */
   @Override
   public void close() {
     video.close();
     simulation.close();
+    recorder.close();
   }
 }

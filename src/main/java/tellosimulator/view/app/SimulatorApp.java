@@ -13,6 +13,7 @@ import javafx.application.Platform;
 import javafx.stage.Stage;
 import tellosimulator.network.AddressPlan;
 import tellosimulator.network.PortTakenException;
+import tellosimulator.recording.RecordingFolder;
 import tellosimulator.scenario.Gallery;
 import tellosimulator.scenario.Mistake;
 import tellosimulator.scenario.OpenedScenario;
@@ -42,11 +43,26 @@ public final class SimulatorApp implements AutoCloseable, ScenarioActions {
    * @param applied gives a scenario what was said about all; fails with a sentence if it cannot
    * @param plan says which drone listens where; fails with a sentence if it cannot
    * @param replyPort port to which all replies go; empty for the port each command came from
+   * @param recordings where flights are recorded
    */
   public record Rules(
       UnaryOperator<Scenario> applied,
       Function<Scenario, AddressPlan> plan,
-      OptionalInt replyPort) {}
+      OptionalInt replyPort,
+      Recordings recordings) {}
+
+  /**
+   * Where flights are recorded.
+   *
+   * @param always whether they are, even if the window says otherwise
+   * @param options words of the command line
+   */
+  public record Recordings(RecordingFolder folder, boolean always, List<String> options) {
+
+    public Recordings {
+      options = List.copyOf(options);
+    }
+  }
 
   private final LogQueue logQueue = new LogQueue();
   private final Rules rules;
@@ -66,13 +82,17 @@ public final class SimulatorApp implements AutoCloseable, ScenarioActions {
     this.rules = rules;
     this.optics = optics;
     AddressPlan plan = rules.plan.apply(first.scenario());
-    running = new ScenarioSession(first, new Wire(plan, rules.replyPort), optics, logQueue);
+    running = new ScenarioSession(first, wireOf(plan), optics, logQueue);
   }
 
   /** How another scenario is reached: from where the present one is. */
   private Wire wire(Scenario scenario) {
     AddressPlan plan = rules.plan.apply(scenario).withReach(running.simulation().reach());
-    return new Wire(plan, rules.replyPort);
+    return wireOf(plan);
+  }
+
+  private Wire wireOf(AddressPlan plan) {
+    return new Wire(plan, rules.replyPort, rules.recordings);
   }
 
   /**

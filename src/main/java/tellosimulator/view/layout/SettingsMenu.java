@@ -33,17 +33,22 @@ final class SettingsMenu extends MenuButton {
     about.setId("about");
     about.textProperty().bind(messages.text("about"));
     about.setOnAction(event -> pages.showAbout());
-    CheckMenuItem smoothEdges = new CheckMenuItem();
-    smoothEdges.setId("smooth-edges");
-    smoothEdges.textProperty().bind(messages.text("smooth-edges"));
-    smoothEdges.selectedProperty().bindBidirectional(smooth);
     getItems()
         .setAll(
             choice("language", Language.OFFERED, language.localeProperty()),
             choice("theme", List.of(Theme.values()), state.themeProperty()),
             choice("scale", List.of(UiScale.values()), state.uiScaleProperty()),
-            smoothEdges,
+            flag("smooth-edges", smooth),
+            flag("record-flights", state.flightsRecordedProperty()),
             about);
+  }
+
+  private CheckMenuItem flag(String key, Property<Boolean> value) {
+    CheckMenuItem item = new CheckMenuItem();
+    item.setId(key);
+    item.textProperty().bind(messages.text(key));
+    item.selectedProperty().bindBidirectional(value);
+    return item;
   }
 
   private <T> Menu choice(String key, List<T> values, Property<T> chosen) {

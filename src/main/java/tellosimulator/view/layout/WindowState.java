@@ -27,6 +27,7 @@ public final class WindowState {
   private final BooleanProperty networkControlsShown = new SimpleBooleanProperty(true);
   private final BooleanProperty logShown = new SimpleBooleanProperty(true);
   private final BooleanProperty dronesShown = new SimpleBooleanProperty(true);
+  private final BooleanProperty flightsRecorded = new SimpleBooleanProperty(true);
   private final BooleanProperty planShown = new SimpleBooleanProperty();
   private final DoubleProperty logHeight = new SimpleDoubleProperty(LOG_HEIGHT);
   private final BooleanProperty fullScreen = new SimpleBooleanProperty();
@@ -42,6 +43,7 @@ public final class WindowState {
     settings.bind("show.drones", state.dronesShown, SettingCodec.flag());
     settings.bind(
         "log.height", state.logHeight, SettingCodec.decimal(LEAST_LOG_HEIGHT, MOST_LOG_HEIGHT));
+    settings.bind("record-flights", state.flightsRecorded, SettingCodec.flag());
     settings.bind("theme", state.theme, SettingCodec.constant(Theme.class));
     settings.bind("ui-scale", state.uiScale, SettingCodec.constant(UiScale.class));
     return state;
@@ -54,6 +56,7 @@ public final class WindowState {
     other.networkControlsShown.bindBidirectional(networkControlsShown);
     other.logShown.bindBidirectional(logShown);
     other.dronesShown.bindBidirectional(dronesShown);
+    other.flightsRecorded.bindBidirectional(flightsRecorded);
     other.planShown.bindBidirectional(planShown);
     other.logHeight.bindBidirectional(logHeight);
     other.fullScreen.bindBidirectional(fullScreen);
@@ -77,6 +80,11 @@ public final class WindowState {
   /** Whether the list of drones is there, if there are several. */
   public BooleanProperty dronesShownProperty() {
     return dronesShown;
+  }
+
+  /** Whether flights are recorded, unless the command line says so anyway. */
+  public BooleanProperty flightsRecordedProperty() {
+    return flightsRecorded;
   }
 
   /** Whether the plan in which one places things lies over the scene. */

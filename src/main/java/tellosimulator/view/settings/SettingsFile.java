@@ -23,7 +23,9 @@ record SettingsFile(Path path) {
   /** What a larger file holds is no settings [bytes]. Decided: a thousand times what is needed. */
   static final int LARGEST = 1 << 20;
 
-  private static final String DIRECTORY = "tello-simulator";
+  /** The program's name, as folders have it. */
+  static final String DIRECTORY = "tello-simulator";
+
   private static final String NAME = "settings.properties";
 
   /** Where this system keeps such files for this user. */
@@ -52,7 +54,8 @@ record SettingsFile(Path path) {
         .resolve(NAME);
   }
 
-  private static Optional<Path> absolute(String text) {
+  /** A path that a variable of the environment names, if it can count. */
+  static Optional<Path> absolute(String text) {
     try {
       return Optional.ofNullable(text).map(Path::of).filter(Path::isAbsolute);
     } catch (InvalidPathException e) {

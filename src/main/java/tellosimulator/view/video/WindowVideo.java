@@ -5,6 +5,7 @@ import java.util.function.Consumer;
 import java.util.function.Supplier;
 import tellosimulator.model.FlightPhase;
 import tellosimulator.network.OnlineSimulation;
+import tellosimulator.network.WireTap;
 import tellosimulator.scenery.SceneBuilder;
 import tellosimulator.sim.SimSnapshot;
 import tellosimulator.video.SoftwareCameras;
@@ -31,10 +32,18 @@ public final class WindowVideo implements AutoCloseable {
    * @param folder where pictures are kept
    */
   public WindowVideo(Supplier<SimSnapshot> snapshots, DroneOptics optics, MediaFolder folder) {
+    this(snapshots, optics, folder, () -> WireTap.NONE);
+  }
+
+  private WindowVideo(
+      Supplier<SimSnapshot> snapshots,
+      DroneOptics optics,
+      MediaFolder folder,
+      Supplier<WireTap> taps) {
     this.snapshots = snapshots;
     this.optics = optics;
     cameras = new SoftwareCameras(optics);
-    streams = new VideoStreams(snapshots, cameras, H264Encoder::new);
+    streams = new VideoStreams(snapshots, cameras, H264Encoder::new, taps);
     captures =
         snapshots.get().drones().stream()
             .map(drone -> capture(drone.state().drone(), folder))
@@ -44,7 +53,7 @@ public final class WindowVideo implements AutoCloseable {
   /** The video of a running simulation, whose drones film when they are told to. */
   public static WindowVideo of(
       OnlineSimulation simulation, DroneOptics optics, MediaFolder folder) {
-    WindowVideo video = new WindowVideo(simulation::snapshot, optics, folder);
+    WindowVideo video = new WindowVideo(simulation::snapshot, optics, folder, simulation::tap);
     simulation.listen(video.streams);
     return video;
   }
@@ -58,6 +67,11 @@ public final class WindowVideo implements AutoCloseable {
 
   private boolean powered(int drone) {
     return snapshots.get().drones().get(drone - 1).state().phase() != FlightPhase.OFF;
+  }
+
+  /** The video of all drones. */
+  public VideoStreams streams() {
+    return streams;
   }
 
   /** The video of a drone. */

@@ -6,11 +6,13 @@ import java.io.IOException;
 import java.net.InetAddress;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Comparator;
 import java.util.List;
 import java.util.OptionalInt;
 import java.util.concurrent.TimeoutException;
 import java.util.function.Supplier;
 import java.util.function.UnaryOperator;
+import java.util.stream.Stream;
 import javafx.scene.control.Label;
 import javafx.scene.control.Labeled;
 import javafx.stage.Stage;
@@ -21,6 +23,7 @@ import org.testfx.api.FxRobot;
 import org.testfx.api.FxToolkit;
 import org.testfx.util.WaitForAsyncUtils;
 import tellosimulator.network.AddressPlan;
+import tellosimulator.recording.RecordingFolder;
 import tellosimulator.scenario.OpenedScenario;
 import tellosimulator.scenario.Scenario;
 import tellosimulator.sim.SimConfig;
@@ -63,7 +66,11 @@ final class AppFixture implements BeforeEachCallback, AfterEachCallback {
                 scenario ->
                     AddressPlan.portPerDrone(
                         scenario.config().drones().size(), List.of(LOOPBACK), 0),
-                OptionalInt.empty()),
+                OptionalInt.empty(),
+                new SimulatorApp.Recordings(
+                    RecordingFolder.at(settingsFile.resolveSibling("recordings")),
+                    false,
+                    List.of())),
             DroneOptics.DEFAULT);
     change(
         () -> {
@@ -76,8 +83,21 @@ final class AppFixture implements BeforeEachCallback, AfterEachCallback {
   public void afterEach(ExtensionContext test) throws IOException {
     change(stage::hide);
     app.close();
-    Files.deleteIfExists(settingsFile);
-    Files.delete(settingsFile.getParent());
+    try (Stream<Path> all = Files.walk(settingsFile.getParent())) {
+      for (Path path : all.sorted(Comparator.reverseOrder()).toList()) {
+        Files.delete(path);
+      }
+    }
+  }
+
+  /** What is remembered; it is there once something was changed. */
+  Path settings() {
+    return settingsFile;
+  }
+
+  /** The folder in which flights are recorded; it is there once one was. */
+  Path recordings() {
+    return settingsFile.resolveSibling("recordings");
   }
 
   SimulatorApp app() {

@@ -1,0 +1,81 @@
+package tellosimulator.view.app;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static tellosimulator.view.app.AppFixture.change;
+
+import java.io.IOException;
+import java.net.DatagramPacket;
+import java.net.DatagramSocket;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.util.List;
+import java.util.concurrent.Callable;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.TimeoutException;
+import javafx.scene.control.CheckMenuItem;
+import javafx.scene.control.MenuButton;
+import javafx.stage.Stage;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.extension.RegisterExtension;
+import org.testfx.util.WaitForAsyncUtils;
+import tellosimulator.recording.RecordingFiles;
+
+/** The window records flights, until somebody switches that off. */
+@Timeout(value = 180, unit = TimeUnit.SECONDS, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
+class RecordedFlightsFxTest {
+
+  private static final int PATIENCE_SECONDS = 60;
+
+  @RegisterExtension private final AppFixture window = new AppFixture(Stage::new);
+
+  @Test
+  void aFlightIsRecordedUntilThatIsSwitchedOffWhichIsRemembered() throws Exception {
+    CheckMenuItem item = item();
+    assertThat(item.isSelected()).isTrue();
+    window.app().switchAllOn();
+    int port = Integer.parseInt(window.app().ready().replaceAll(".*:", ""));
+    assertThat(List.of(ask("command", port), ask("takeoff", port))).containsExactly("ok", "ok");
+    await(() -> recorded("run.json") && recorded("wire.jsonl"));
+
+    change(() -> item.setSelected(false));
+
+    RecordingFiles files = RecordingFiles.only(window.recordings());
+    await(() -> files.run().containsKey("ended"));
+    assertThat(files.events("command"))
+        .extracting(event -> event.get("command"))
+        .containsExactly("command", "takeoff");
+    await(
+        () ->
+            Files.exists(window.settings())
+                && Files.readString(window.settings()).contains("record-flights=false"));
+  }
+
+  private boolean recorded(String file) throws IOException {
+    return RecordingFiles.in(window.recordings()).stream().anyMatch(each -> each.has(file));
+  }
+
+  private CheckMenuItem item() {
+    MenuButton settings = window.robot().lookup("#settings").queryAs(MenuButton.class);
+    return settings.getItems().stream()
+        .filter(item -> "record-flights".equals(item.getId()))
+        .map(CheckMenuItem.class::cast)
+        .findFirst()
+        .orElseThrow();
+  }
+
+  private static void await(Callable<Boolean> condition) throws TimeoutException {
+    WaitForAsyncUtils.waitFor(PATIENCE_SECONDS, TimeUnit.SECONDS, condition);
+  }
+
+  private static String ask(String text, int port) throws IOException {
+    try (DatagramSocket socket = new DatagramSocket()) {
+      socket.setSoTimeout(PATIENCE_SECONDS * 1000);
+      byte[] bytes = text.getBytes(StandardCharsets.US_ASCII);
+      socket.send(new DatagramPacket(bytes, bytes.length, AppFixture.LOOPBACK, port));
+      DatagramPacket reply = new DatagramPacket(new byte[100], 100);
+      socket.receive(reply);
+      return new String(reply.getData(), 0, reply.getLength(), StandardCharsets.US_ASCII);
+    }
+  }
+}
