@@ -46,7 +46,7 @@ final class FilmStrip {
   private static final double FIELD_OF_VIEW = Math.toRadians(50);
 
   /** From the middle of what is looked at [m]. */
-  private static final double DISTANCE = 2.2;
+  private static final double DISTANCE = 1.8;
 
   /** What is seen beside the room. */
   private static final int OUTSIDE = 0xd8dde3;

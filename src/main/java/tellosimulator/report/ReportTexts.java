@@ -7,14 +7,16 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.ResourceBundle;
 import tellosimulator.words.Phrase;
+import tellosimulator.words.Retranslation;
 import tellosimulator.words.Translation;
 
-/** The words of a report, in one language. Immutable; for any thread. */
+/** The words of a report, in one language. For one thread at a time. */
 public final class ReportTexts {
 
   private static final String BASE_NAME = ReportTexts.class.getPackageName() + ".messages";
 
   private final Translation translation;
+  private final Retranslation retranslation;
   private final ResourceBundle bundle;
 
   /**
@@ -23,6 +25,7 @@ public final class ReportTexts {
    */
   public ReportTexts(Translation translation) {
     this.translation = translation;
+    retranslation = new Retranslation(translation);
     ResourceBundle.Control noSystemLanguage =
         ResourceBundle.Control.getNoFallbackControl(ResourceBundle.Control.FORMAT_PROPERTIES);
     bundle =
@@ -56,7 +59,7 @@ public final class ReportTexts {
 
   /** What a recording says in English words. */
   String translated(String english) {
-    return english;
+    return retranslation.of(english);
   }
 
   /** The word for what a drone is doing. */

@@ -1,6 +1,7 @@
 package tellosimulator.words;
 
 import java.util.Locale;
+import java.util.Set;
 
 /** A language that phrases can be said in. */
 public interface Translation {
@@ -21,6 +22,11 @@ public interface Translation {
 
   /** The template that stands for an English one; the same places for values are in it. */
   String of(String template);
+
+  /** The English templates for which there is another one. */
+  default Set<String> templates() {
+    return Set.of();
+  }
 
   /** After whose customs numbers are written. */
   Locale locale();

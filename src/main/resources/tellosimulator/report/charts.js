@@ -51,7 +51,7 @@ const charts = {
     const cursor = draw('line', {class: 'cursor', y1: -8, y2: 108});
     svg.append(cursor);
     this.cursors.push(cursor);
-    const label = make('div', {class: 'label'}, make('span', {class: 'muted'}, say('chart.' + key)));
+    const label = make('div', {class: columns.length > 1 ? 'label pair' : 'label'}, make('span', {class: 'muted'}, say('chart.' + key)));
     for (const name of columns) {
       const value = make('span', {class: 'value'});
       label.append(value);

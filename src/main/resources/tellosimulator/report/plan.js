@@ -6,7 +6,8 @@ const plan = {
   build() {
     const {width, depth, grid} = data.room;
     const size = Math.max(width, depth);
-    this.unit = size / 100;
+    const box = document.getElementById('plan');
+    this.unit = size / 100 * Math.max(1, 460 / Math.max(200, box.clientWidth)); // smaller on a phone, but not illegible
     const margin = 5 * this.unit;
     const svg = draw('svg', {role: 'img', 'aria-label': this.words(),
       viewBox: [-width / 2 - margin, -depth / 2 - margin, width + 2 * margin, depth + 2 * margin].join(' ')});
@@ -25,7 +26,7 @@ const plan = {
     });
     svg.addEventListener('click', event => this.seek(event));
     this.svg = svg;
-    document.getElementById('plan').append(svg);
+    box.append(svg);
   },
 
   words() {

@@ -11,6 +11,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Set;
 import tellosimulator.words.Translation;
 
 /**
@@ -85,6 +86,11 @@ final class PhraseCatalog implements Translation {
   @Override
   public String of(String template) {
     return translations.getOrDefault(template, template);
+  }
+
+  @Override
+  public Set<String> templates() {
+    return translations.keySet();
   }
 
   @Override
