@@ -103,7 +103,7 @@ final class FilmStrip {
 
   private static PinholeCamera room(SimSnapshot snapshot) {
     FlightSnapshots.Focus focus = FlightSnapshots.focus(snapshot);
-    double distance = DISTANCE + 2.2 * focus.reach();
+    double distance = DISTANCE + 1.5 * focus.reach();
     Vec3 eye = focus.middle().minus(VIEW.toRoom(new Vec3(distance, 0, 0)));
     return new PinholeCamera(
         new Pose(eye, VIEW), new CameraIntrinsics(WIDTH, HEIGHT, FIELD_OF_VIEW), 0.05);

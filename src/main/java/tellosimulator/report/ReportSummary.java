@@ -4,7 +4,6 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.stream.Collectors;
 import tellosimulator.recording.RecordedCommand.Outcome;
 import tellosimulator.recording.RecordedFlight;
 import tellosimulator.recording.RecordedRun;
@@ -78,10 +77,10 @@ record ReportSummary(RecordedFlight flight, ReportTexts texts) {
     return facts;
   }
 
-  private static String drone(DroneEntry drone) {
-    return List.of(drone.profile(), drone.behaviour()).stream()
-        .filter(word -> !word.isEmpty())
-        .collect(Collectors.joining(", "));
+  private String drone(DroneEntry drone) {
+    return drone.behaviour().isEmpty()
+        ? drone.profile()
+        : texts.of("product", drone.profile(), drone.behaviour());
   }
 
   private void addFact(List<Object> facts, String key, String value) {

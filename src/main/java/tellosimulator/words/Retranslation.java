@@ -11,8 +11,8 @@ import java.util.regex.Pattern;
 
 /**
  * Says in another language what was kept as an English text, as in a recording: finds the template
- * that the text was made of, and the values in it. A text that is of no template stays as it is. Not
- * thread-safe, because it remembers what it has found.
+ * that the text was made of, and the values in it. A text that is of no template stays as it is.
+ * Not thread-safe, because it remembers what it has found.
  */
 public final class Retranslation {
 
@@ -41,7 +41,10 @@ public final class Retranslation {
       String longest = pieces.stream().max(Comparator.comparingInt(String::length)).orElse("");
       int letters = pieces.stream().mapToInt(String::length).sum();
       return new Form(
-          template, kinds.toString(), Pattern.compile(regex.toString(), Pattern.DOTALL), longest,
+          template,
+          kinds.toString(),
+          Pattern.compile(regex.toString(), Pattern.DOTALL),
+          longest,
           letters);
     }
 
@@ -75,8 +78,7 @@ public final class Retranslation {
     forms =
         translation.templates().stream()
             .map(Form::of)
-            .sorted(
-                Comparator.comparingInt(Form::letters).reversed().thenComparing(Form::template))
+            .sorted(Comparator.comparingInt(Form::letters).reversed().thenComparing(Form::template))
             .toList();
   }
 
