@@ -31,6 +31,7 @@ import tellosimulator.recording.RecordedFlight;
 import tellosimulator.recording.RecordingFolder;
 import tellosimulator.recording.UnreadableRecordingException;
 import tellosimulator.report.FlightReport;
+import tellosimulator.report.FlightReports;
 import tellosimulator.report.ReportTexts;
 import tellosimulator.scenario.ScenarioException;
 import tellosimulator.video.SoftwareCameras;
@@ -145,7 +146,7 @@ public final class Main {
     } catch (UnreadableRecordingException e) {
       err.println(e.getMessage());
     } catch (IOException e) {
-      err.println("The report was not written to " + file + ": " + IoReason.of(e) + ".");
+      err.println(FlightReports.notWritten(file, e));
     }
     return FAILED;
   }
@@ -216,25 +217,52 @@ public final class Main {
             launch.addresses(),
             options.replyPort(),
             new SoftwareCameras(options.optics()))) {
-      Runtime.getRuntime().addShutdownHook(new Thread(simulator::close, "shutdown"));
+      Optional<RecordingFolder> kept = options.record().map(RecordingFolder::at);
+      Optional<FlightReports> reports =
+          options.report().isPresent()
+              ? Optional.of(FlightReports.to(options.report().get(), kept))
+              : Optional.empty();
+      Runtime.getRuntime().addShutdownHook(new Thread(() -> end(simulator, reports), "shutdown"));
       if (options.control().isPresent()) {
         simulator.openControl(options.control().get(), out);
       }
-      options
-          .record()
-          .map(RecordingFolder::at)
+      reports
+          .map(FlightReports::recordings)
+          .or(() -> kept)
           .ifPresent(folder -> simulator.record(folder, launch.scenario().title(), words));
       simulator.sayReady(out);
-      Charset charset = Charset.defaultCharset();
-      BufferedReader in = new BufferedReader(new InputStreamReader(System.in, charset));
-      if (options.exitWhenDone()) {
-        return simulator.runUntilDone(options.timeout(), in, out) == Status.REACHED
-            ? 0
-            : GOALS_MISSED;
-      }
-      simulator.run(in, out);
-      return 0;
+      int status = run(simulator);
+      return end(simulator, reports) || status != 0 ? status : FAILED;
+    } catch (IOException e) {
+      err.println("There is no place for recordings: " + IoReason.of(e) + ".");
+      return FAILED;
     }
+  }
+
+  /** Ends all, also when the program is told to end; whether all reports were written. */
+  private boolean end(HeadlessSimulator simulator, Optional<FlightReports> reports) {
+    simulator.close();
+    return reports
+        .map(
+            each ->
+                each.write(
+                    () -> new ReportTexts(language().translation()),
+                    file -> out.println("report: " + file),
+                    err::println))
+        .orElse(true);
+  }
+
+  /** Until it is over; the exit code of the program. */
+  private int run(HeadlessSimulator simulator) throws InterruptedException {
+    Charset charset = Charset.defaultCharset();
+    BufferedReader in = new BufferedReader(new InputStreamReader(System.in, charset));
+    if (options.exitWhenDone()) {
+      return simulator.runUntilDone(options.timeout(), in, out) == Status.REACHED
+          ? 0
+          : GOALS_MISSED;
+    }
+    simulator.run(in, out);
+    return 0;
   }
 
   private static String sentence(String message) {

@@ -224,6 +224,11 @@ public final class Options {
     return recordingOptions.folder();
   }
 
+  /** The file of the report that is made at the end, as far as it is said. */
+  public Optional<Path> report() {
+    return recordingOptions.report();
+  }
+
   /** The port of the control channel, 0 for a free one; empty for no such channel. */
   public Optional<Integer> control() {
     return control.value();
@@ -265,7 +270,7 @@ public final class Options {
               : CONTROL + " needs --headless");
     }
     ScenarioOptions.checkPictures(scenario.config().arena());
-    recordingOptions.check();
+    recordingOptions.check(headless());
     OpenedScenario opened =
         scenarioOptions
             .opened()

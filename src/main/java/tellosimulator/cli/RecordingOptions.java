@@ -6,12 +6,15 @@ import java.nio.file.Path;
 import java.util.Optional;
 import tellosimulator.files.IoReason;
 
-/** The option that says where flights are recorded. */
+/** The options that say where flights are recorded, and where their report goes. */
 final class RecordingOptions {
 
   private static final String RECORD = "--record";
 
+  private static final String REPORT = "--report";
+
   private final Choice<Optional<Path>> folder;
+  private final Choice<Optional<Path>> report;
 
   RecordingOptions(Choices choices) {
     folder =
@@ -22,6 +25,14 @@ final class RecordingOptions {
                 "Record each flight into a folder of its own in DIR: what was sent, what happened,"
                     + " where the drones were, and what they filmed.")
             .readIfGiven(OptionTypes::path);
+    report =
+        choices
+            .option(
+                REPORT,
+                "FILE",
+                "With --headless: at the end, make an HTML file of the flight; of a second one"
+                    + " FILE-2, and so on. It opens in any browser, without a network.")
+            .readIfGiven(OptionTypes::path);
   }
 
   /** The folder in which flights are recorded; empty if nobody said one. */
@@ -29,13 +40,33 @@ final class RecordingOptions {
     return folder.value();
   }
 
+  /** The file of the report; empty if nobody said one. */
+  Optional<Path> report() {
+    return report.value();
+  }
+
   /**
-   * Looks whether flights can be recorded there, and makes the folder.
+   * Looks whether flights can be recorded there, and makes the folder; and whether the report can
+   * be written.
    *
    * @throws IllegalArgumentException with a sentence, if they cannot
    */
-  void check() {
+  void check(boolean headless) {
     folder().ifPresent(RecordingOptions::check);
+    if (report().isPresent() && !headless) {
+      throw new IllegalArgumentException(REPORT + " needs --headless");
+    }
+    report().ifPresent(RecordingOptions::checkFile);
+  }
+
+  private static void checkFile(Path file) {
+    Path within = file.toAbsolutePath().getParent();
+    if (Files.isDirectory(file) || within == null || !Files.isDirectory(within)) {
+      throw new IllegalArgumentException(
+          Files.isDirectory(file)
+              ? REPORT + " " + file + ": expected a file, found a folder"
+              : REPORT + " " + file + ": there is no folder " + within);
+    }
   }
 
   private static void check(Path folder) {

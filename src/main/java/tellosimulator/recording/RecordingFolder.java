@@ -14,6 +14,7 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
+import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.regex.Pattern;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -22,7 +23,7 @@ import tellosimulator.time.WallTime;
 
 /**
  * The folder in which recordings are kept, each in a folder of its own. Several programs may use it
- * at the same time. Immutable; for any thread.
+ * at the same time. For any thread.
  */
 public final class RecordingFolder {
 
@@ -44,6 +45,7 @@ public final class RecordingFolder {
   private final Path path;
   private final int kept;
   private final Disk disk;
+  private final List<Path> made = new CopyOnWriteArrayList<>();
 
   /** Makes the files of recordings. */
   @FunctionalInterface
@@ -96,12 +98,19 @@ public final class RecordingFolder {
     String name = begun.inFileName() + "_" + plain(title);
     for (int number = 1; number < MOST_ALIKE; number++) {
       try {
-        return Files.createDirectory(path.resolve(number == 1 ? name : name + "_" + number));
+        Path folder = Files.createDirectory(path.resolve(number == 1 ? name : name + "_" + number));
+        made.add(folder);
+        return folder;
       } catch (FileAlreadyExistsException e) {
         LOG.debug("{} is taken", e.getFile());
       }
     }
     throw new FileAlreadyExistsException(path.resolve(name).toString());
+  }
+
+  /** The folders of recordings that were made through this object, the first one first. */
+  public List<Path> made() {
+    return List.copyOf(made);
   }
 
   /** A title as any file system takes it. */

@@ -1,0 +1,126 @@
+package tellosimulator.report;
+
+import java.io.IOException;
+import java.nio.file.DirectoryStream;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Consumer;
+import java.util.function.Supplier;
+import tellosimulator.files.IoReason;
+import tellosimulator.recording.RecordedFlight;
+import tellosimulator.recording.RecordingFolder;
+import tellosimulator.recording.UnreadableRecordingException;
+
+/**
+ * Makes the reports of all flights of a run, once it is over. Where nobody wants to keep recordings
+ * they are in a folder that is deleted afterwards. For any thread.
+ */
+public final class FlightReports {
+
+  private final Path file;
+  private final RecordingFolder recordings;
+  private final boolean kept;
+  private boolean written;
+
+  private FlightReports(Path file, RecordingFolder recordings, boolean kept) {
+    this.file = file;
+    this.recordings = recordings;
+    this.kept = kept;
+  }
+
+  /**
+   * Of a run that is still to begin.
+   *
+   * @param file of the first flight; others get a number
+   * @param folder in which recordings are kept; empty if nobody wants them
+   * @throws IOException if there is no place for recordings
+   */
+  public static FlightReports to(Path file, Optional<RecordingFolder> folder) throws IOException {
+    return folder.isPresent()
+        ? new FlightReports(file, folder.get(), true)
+        : new FlightReports(
+            file, RecordingFolder.at(Files.createTempDirectory("tello-flights")), false);
+  }
+
+  /** Where the flights are to be recorded. */
+  public RecordingFolder recordings() {
+    return recordings;
+  }
+
+  /**
+   * Writes the reports, after the last recording is closed; does nothing the second time.
+   *
+   * @param told takes the file of each report
+   * @param failed takes sentences for people
+   * @return whether all that there is to report was written
+   */
+  public synchronized boolean write(
+      Supplier<ReportTexts> texts, Consumer<Path> told, Consumer<String> failed) {
+    if (written) {
+      return true;
+    }
+    written = true;
+    List<Path> folders = recordings.made();
+    boolean all = true;
+    for (int i = 0; i < folders.size(); i++) {
+      all &= write(folders.get(i), numbered(i + 1), texts.get(), told, failed);
+    }
+    if (folders.isEmpty()) {
+      failed.accept("There is no report, because no drone took off.");
+    }
+    if (!kept) {
+      delete(folders);
+    }
+    return all;
+  }
+
+  private static boolean write(
+      Path folder, Path to, ReportTexts texts, Consumer<Path> told, Consumer<String> failed) {
+    try {
+      new FlightReport(RecordedFlight.read(folder), texts).write(to);
+      told.accept(to);
+      return true;
+    } catch (UnreadableRecordingException e) {
+      failed.accept(e.getMessage());
+    } catch (IOException e) {
+      failed.accept(notWritten(to, e));
+    }
+    return false;
+  }
+
+  /** Why a report is not there, in a sentence. */
+  public static String notWritten(Path file, IOException e) {
+    return "The report was not written to " + file + ": " + IoReason.of(e) + ".";
+  }
+
+  /** {@code flight.html}, {@code flight-2.html} and so on. */
+  Path numbered(int number) {
+    String name = file.getFileName().toString();
+    int dot = name.lastIndexOf('.');
+    String stem = dot > 0 ? name.substring(0, dot) : name;
+    String end = dot > 0 ? name.substring(dot) : "";
+    return number == 1 ? file : file.resolveSibling(stem + "-" + number + end);
+  }
+
+  /** What cannot be deleted stays, in a folder for such things. */
+  private void delete(List<Path> folders) {
+    List<Path> all = new ArrayList<>();
+    try {
+      for (Path folder : folders) {
+        try (DirectoryStream<Path> files = Files.newDirectoryStream(folder)) {
+          files.forEach(all::add);
+        }
+        all.add(folder);
+      }
+      all.add(recordings.path());
+      for (Path each : all) {
+        Files.deleteIfExists(each);
+      }
+    } catch (IOException e) {
+      // the system cleans up
+    }
+  }
+}
