@@ -233,6 +233,8 @@ public final class Main {
       simulator.sayReady(out);
       int status = run(simulator);
       return end(simulator, reports) || status != 0 ? status : FAILED;
+    } catch (PortTakenException e) {
+      throw e;
     } catch (IOException e) {
       err.println("There is no place for recordings: " + IoReason.of(e) + ".");
       return FAILED;
