@@ -224,18 +224,26 @@ public final class Json {
   }
 
   private static void escape(StringBuilder out, String text) {
+    int written = 0;
     for (int i = 0; i < text.length(); i++) {
       char c = text.charAt(i);
-      if (c == '"' || c == '\\') {
-        out.append('\\').append(c);
-      } else if (c < ' ' || c > '~') {
-        out.append("\\u");
-        for (int shift = 12; shift >= 0; shift -= 4) {
-          out.append(HEX.charAt(c >> shift & 0xf));
-        }
-      } else {
-        out.append(c);
+      if (c < ' ' || c > '~' || c == '"' || c == '\\') {
+        out.append(text, written, i); // most texts are plain
+        written = i + 1;
+        escape(out, c);
       }
+    }
+    out.append(text, written, text.length());
+  }
+
+  private static void escape(StringBuilder out, char c) {
+    if (c == '"' || c == '\\') {
+      out.append('\\').append(c);
+      return;
+    }
+    out.append("\\u");
+    for (int shift = 12; shift >= 0; shift -= 4) {
+      out.append(HEX.charAt(c >> shift & 0xf));
     }
   }
 }

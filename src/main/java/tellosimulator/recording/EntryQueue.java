@@ -36,6 +36,9 @@ final class EntryQueue {
   private final Metronome metronome = new Metronome();
   private final long most;
 
+  /** Weight that was taken and still counts: who adds shall seldom meet who takes. */
+  private long taken;
+
   EntryQueue() {
     this(Math.min(MOST, Runtime.getRuntime().maxMemory() / SHARE_OF_HEAP / UNIT_BYTES));
   }
@@ -79,8 +82,12 @@ final class EntryQueue {
   /** Takes the oldest entry. */
   Optional<Entry> poll() {
     Entry next = waiting.poll();
-    if (next != null) {
-      weight.addAndGet(next instanceof Entry.Overrun ? 0 : -next.weight());
+    if (next != null && !(next instanceof Entry.Overrun)) {
+      taken += next.weight();
+    }
+    if (next == null || taken >= PRESSING / 2) {
+      weight.addAndGet(-taken);
+      taken = 0;
     }
     return Optional.ofNullable(next);
   }

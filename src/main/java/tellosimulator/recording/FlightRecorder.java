@@ -52,10 +52,13 @@ public final class FlightRecorder implements SimListener, WireTap, AutoCloseable
   private boolean flying;
 
   private long steps;
-  private SimTime last = SimTime.ZERO;
+
+  /** The end of the last step [ns]; a number, as it changes in each. */
+  private long lastNanos;
+
   private Optional<SimTime> down = Optional.empty();
   private Progress progress;
-  private Optional<GoalResult> result = Optional.empty();
+  private long attemptNanos;
 
   /**
    * What is recorded.
@@ -107,8 +110,11 @@ public final class FlightRecorder implements SimListener, WireTap, AutoCloseable
     films.watch(streams, simulation::time);
   }
 
-  /** Whom to ask for the time and for the newest snapshot. */
-  void follow(Supplier<SimTime> newClock, Supplier<SimSnapshot> newSnapshots) {
+  /**
+   * Whom to ask for the time and for the newest snapshot, where somebody else hands over steps,
+   * events and datagrams.
+   */
+  public void follow(Supplier<SimTime> newClock, Supplier<SimSnapshot> newSnapshots) {
     clock = newClock;
     snapshots = newSnapshots;
   }
@@ -145,9 +151,8 @@ public final class FlightRecorder implements SimListener, WireTap, AutoCloseable
       return;
     }
     if (event instanceof SimEvent.Restarted) {
-      end(last);
-      last = event.time();
-      result = Optional.empty();
+      end(last());
+      lastNanos = event.time().nanos();
       queue.add(new Entry.Forget());
     }
     SimSnapshot snapshot = snapshots.get();
@@ -180,19 +185,34 @@ public final class FlightRecorder implements SimListener, WireTap, AutoCloseable
 
   @Override
   public void stepped(SimSnapshot snapshot) {
-    last = snapshot.time();
+    lastNanos = snapshot.time().nanos();
     if (!flying) {
       return;
     }
     if (!recording) {
-      end(last);
+      end(last());
       return;
     }
-    progress = goals.progress();
+    judge(goals.progress());
     if (steps++ % SAMPLE_STEPS == 0) {
       queue.add(new Entry.Sampled(snapshot));
-      result = Optional.of(GoalResult.latest(result, progress, last));
       endAfterRest(snapshot);
+    }
+  }
+
+  private SimTime last() {
+    return new SimTime(lastNanos);
+  }
+
+  /** Notes how far the goals are, and when the try at them began. */
+  @SuppressWarnings("ReferenceEquality") // it is asked in each step
+  private void judge(Progress now) {
+    if (now == progress) {
+      return; // such as without goals
+    }
+    progress = now;
+    if (now.status() == Progress.Status.RUNNING) {
+      attemptNanos = lastNanos - Math.round(now.elapsed() * 1e9);
     }
   }
 
@@ -201,10 +221,11 @@ public final class FlightRecorder implements SimListener, WireTap, AutoCloseable
       down = Optional.empty();
       return;
     }
-    SimTime since = down.orElse(last);
+    SimTime now = last();
+    SimTime since = down.orElse(now);
     down = Optional.of(since);
-    if (last.since(since) >= REST) {
-      end(last);
+    if (now.since(since) >= REST) {
+      end(now);
     }
   }
 
@@ -228,7 +249,7 @@ public final class FlightRecorder implements SimListener, WireTap, AutoCloseable
   private void end(SimTime time) {
     if (flying) {
       flying = false;
-      queue.add(new Entry.End(time, GoalResult.latest(result, progress, last)));
+      queue.add(new Entry.End(time, new GoalResult(progress, attemptNanos)));
     }
   }
 
@@ -238,7 +259,7 @@ public final class FlightRecorder implements SimListener, WireTap, AutoCloseable
    */
   @Override
   public void close() {
-    end(last);
+    end(last());
     recording = false;
     worker.end();
     queue.wake();

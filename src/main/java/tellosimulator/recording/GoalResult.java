@@ -1,28 +1,14 @@
 package tellosimulator.recording;
 
-import java.util.Optional;
 import java.util.OptionalDouble;
 import tellosimulator.goal.Progress;
-import tellosimulator.goal.Progress.Status;
-import tellosimulator.time.SimTime;
 
 /**
  * What became of the goals, and when the try at them began. Immutable.
  *
- * @param begun from when the seconds of the progress count
+ * @param begunNanos from when the seconds of the progress count [simulated ns]
  */
-record GoalResult(Progress progress, SimTime begun) {
-
-  /**
-   * What is known now.
-   *
-   * @param before what was known before, in the same flight
-   */
-  static GoalResult latest(Optional<GoalResult> before, Progress progress, SimTime now) {
-    boolean over = progress.status() != Status.RUNNING && before.isPresent();
-    long begun = now.nanos() - Math.round(progress.elapsed() * 1e9);
-    return new GoalResult(progress, over ? before.get().begun : new SimTime(Math.max(0, begun)));
-  }
+record GoalResult(Progress progress, long begunNanos) {
 
   /** In a word, as files have it. */
   String word() {
@@ -40,7 +26,7 @@ record GoalResult(Progress progress, SimTime begun) {
   OptionalDouble reached(int goal) {
     OptionalDouble after = progress.reached().get(goal);
     return after.isPresent()
-        ? OptionalDouble.of(begun.seconds() + after.getAsDouble())
+        ? OptionalDouble.of(begunNanos * 1e-9 + after.getAsDouble())
         : OptionalDouble.empty();
   }
 }

@@ -64,6 +64,7 @@ public final class Benchmarks {
     parts.put("start", minutes -> WireBenchmark.start());
     parts.put("memory", WireBenchmark::memoryAfter);
     parts.put("window", WindowBenchmark::all);
+    parts.put("recording", minutes -> RecordingBenchmark.all());
     parts.put("kit", minutes -> KitBenchmark.all());
     return parts;
   }
