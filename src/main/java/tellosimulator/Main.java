@@ -15,11 +15,16 @@ import picocli.CommandLine.IVersionProvider;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.ParseResult;
 import picocli.CommandLine.UnmatchedArgumentException;
+import tellosimulator.cli.DiffOptions;
 import tellosimulator.cli.Launch;
 import tellosimulator.cli.Options;
 import tellosimulator.cli.ReportOptions;
 import tellosimulator.cli.ScenarioOptions;
 import tellosimulator.cli.Subcommand;
+import tellosimulator.comparison.ComparisonTable;
+import tellosimulator.comparison.FlightComparison;
+import tellosimulator.comparison.FlightComparison.Flight;
+import tellosimulator.comparison.Tolerance;
 import tellosimulator.concurrent.FatalExit;
 import tellosimulator.files.IoReason;
 import tellosimulator.goal.Progress.Status;
@@ -30,6 +35,8 @@ import tellosimulator.network.PortTakenException;
 import tellosimulator.recording.RecordedFlight;
 import tellosimulator.recording.RecordingFolder;
 import tellosimulator.recording.UnreadableRecordingException;
+import tellosimulator.report.ComparisonReport;
+import tellosimulator.report.ComparisonReport.NamedFlight;
 import tellosimulator.report.FlightReport;
 import tellosimulator.report.FlightReports;
 import tellosimulator.report.ReportTexts;
@@ -49,6 +56,7 @@ public final class Main {
   private static final int FAILED = 1;
   private static final int WRONG_OPTIONS = 2;
   private static final int GOALS_MISSED = 3;
+  private static final int FLIGHTS_DIFFER = 4;
 
   /** Flights of the window that are kept. Decided: those of a lesson. */
   private static final int RECORDINGS_KEPT = 20;
@@ -64,7 +72,8 @@ public final class Main {
 
   /**
    * Ends the process with 0, or 1 if something could not be had, or 2 if options or a scenario are
-   * wrong, or 3 if goals were missed, or 4 after an error from which nothing goes on.
+   * wrong, or 3 if goals were missed, or 4 after an error from which nothing goes on, or if two
+   * flights that are compared differ.
    */
   public static void main(String[] args) {
     System.setProperty("java.awt.headless", "true"); // posters are read, nothing is drawn
@@ -85,12 +94,21 @@ public final class Main {
   }
 
   private int run(String... args) {
-    if (Subcommand.of(args).isPresent()) {
-      ReportOptions reportOptions = new ReportOptions();
-      String[] rest = Arrays.copyOfRange(args, 1, args.length);
-      return run(reportOptions.commandLine(new Version()), rest, () -> report(reportOptions));
+    Optional<Subcommand> subcommand = Subcommand.of(args);
+    if (subcommand.isEmpty()) {
+      return run(options.commandLine(new Version()), args, () -> start(List.of(args)));
     }
-    return run(options.commandLine(new Version()), args, () -> start(List.of(args)));
+    String[] rest = Arrays.copyOfRange(args, 1, args.length);
+    return switch (subcommand.get()) {
+      case REPORT -> {
+        ReportOptions said = new ReportOptions();
+        yield run(said.commandLine(new Version()), rest, () -> report(said));
+      }
+      case DIFF -> {
+        DiffOptions said = new DiffOptions();
+        yield run(said.commandLine(new Version()), rest, () -> diff(said));
+      }
+    };
   }
 
   /** What is done once the command line is read. */
@@ -147,6 +165,31 @@ public final class Main {
       err.println(e.getMessage());
     } catch (IOException e) {
       err.println(FlightReports.notWritten(file, e));
+    }
+    return FAILED;
+  }
+
+  private int diff(DiffOptions diffOptions) {
+    try {
+      Flight first = Flight.read(diffOptions.first());
+      Flight second = Flight.read(diffOptions.second());
+      FlightComparison comparison = FlightComparison.of(first, second, Tolerance.DEFAULT);
+      new ComparisonTable(comparison, Tolerance.DEFAULT).print(out);
+      if (diffOptions.output().isPresent()) {
+        Path file = diffOptions.output().get();
+        new ComparisonReport(
+                new NamedFlight(diffOptions.first().toString(), first),
+                new NamedFlight(diffOptions.second().toString(), second),
+                Tolerance.DEFAULT,
+                new ReportTexts(language().translation()))
+            .write(file);
+        out.println("report: " + file);
+      }
+      return comparison.alike() ? 0 : FLIGHTS_DIFFER;
+    } catch (UnreadableRecordingException e) {
+      err.println(e.getMessage());
+    } catch (IOException e) {
+      err.println("The flights were not compared: " + IoReason.of(e) + ".");
     }
     return FAILED;
   }

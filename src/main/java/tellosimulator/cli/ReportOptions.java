@@ -1,15 +1,12 @@
 package tellosimulator.cli;
 
-import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.Optional;
 import picocli.CommandLine;
-import picocli.CommandLine.ITypeConverter;
 import picocli.CommandLine.IVersionProvider;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Model.OptionSpec;
 import picocli.CommandLine.Model.PositionalParamSpec;
-import picocli.CommandLine.TypeConversionException;
 
 /** What can be said after {@code report}. For one thread. */
 public final class ReportOptions {
@@ -17,14 +14,12 @@ public final class ReportOptions {
   /** Where the report goes if nobody says so, in the folder of the recording. */
   private static final String USUAL_NAME = "report.html";
 
-  private static final ITypeConverter<Path> PATH = ReportOptions::path;
-
   private final PositionalParamSpec folder =
       PositionalParamSpec.builder()
           .paramLabel("FOLDER")
           .description("The folder of a recording.")
           .type(Path.class)
-          .converters(PATH)
+          .converters(PathConverter.INSTANCE)
           .index("0")
           .arity("1")
           .required(true)
@@ -35,7 +30,7 @@ public final class ReportOptions {
           .paramLabel("FILE")
           .description("The file to write. Default: " + USUAL_NAME + " in the folder.")
           .type(Path.class)
-          .converters(PATH)
+          .converters(PathConverter.INSTANCE)
           .arity("1")
           .build();
 
@@ -62,17 +57,5 @@ public final class ReportOptions {
   public Path output() {
     return Optional.<Path>ofNullable(output.getValue())
         .orElseGet(() -> folder().resolve(USUAL_NAME));
-  }
-
-  private static Path path(String word) {
-    try {
-      if (!word.isEmpty()) {
-        return Path.of(word);
-      }
-    } catch (InvalidPathException e) {
-      // told below
-    }
-    throw new TypeConversionException(
-        "expected the name of a file or a folder, found " + (word.isEmpty() ? "nothing" : word));
   }
 }

@@ -7,7 +7,9 @@ import java.util.stream.Stream;
 /** What the program does instead of simulating, if its name is the first word. */
 public enum Subcommand {
   /** Makes an HTML file of a recording. */
-  REPORT;
+  REPORT,
+  /** Compares two recordings. */
+  DIFF;
 
   /** The word that chooses it. */
   public String word() {

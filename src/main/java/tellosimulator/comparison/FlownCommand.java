@@ -1,0 +1,74 @@
+package tellosimulator.comparison;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import tellosimulator.math.Vec3;
+import tellosimulator.recording.RecordedCommand;
+import tellosimulator.recording.ReportedState;
+
+/**
+ * A command with how the drone moved until it was answered. Immutable; for any thread.
+ *
+ * @param command with its reply
+ * @param motion as the state lines tell it; empty if there are too few
+ */
+public record FlownCommand(RecordedCommand command, Optional<Motion> motion) {
+
+  /**
+   * How far a drone came, in its own frame when the command was sent.
+   *
+   * @param forward to where its nose pointed [cm]
+   * @param left [cm]
+   * @param up [cm]
+   * @param turn clockwise seen from above, from -180 to 180 [degrees]
+   */
+  public record Motion(double forward, double left, double up, double turn) {}
+
+  private static final double CENTIMETERS = 100;
+
+  /**
+   * Measures a command.
+   *
+   * @param states of its drone, in the order of time
+   */
+  static FlownCommand of(RecordedCommand command, List<ReportedState> states) {
+    OptionalDouble answered = command.answered();
+    if (answered.isEmpty()) {
+      return new FlownCommand(command, Optional.empty());
+    }
+    List<ReportedState> during =
+        states.stream()
+            .filter(
+                state -> state.time() >= command.sent() && state.time() <= answered.getAsDouble())
+            .toList();
+    return new FlownCommand(
+        command, during.size() < 2 ? Optional.empty() : Optional.of(motion(during)));
+  }
+
+  private static Motion motion(List<ReportedState> states) {
+    ReportedState first = states.get(0);
+    ReportedState last = states.get(states.size() - 1);
+    double ahead = 0;
+    double right = 0;
+    for (int i = 1; i < states.size(); i++) {
+      double seconds = states.get(i).time() - states.get(i - 1).time();
+      Vec3 mean = states.get(i - 1).velocity().plus(states.get(i).velocity()).times(0.5);
+      ahead += mean.x() * seconds;
+      right += mean.y() * seconds;
+    }
+    double yaw = Math.toRadians(first.yawDeg());
+    double cos = Math.cos(yaw);
+    double sin = Math.sin(yaw);
+    return new Motion(
+        CENTIMETERS * (ahead * cos + right * sin),
+        CENTIMETERS * (ahead * sin - right * cos),
+        last.heightCm() - first.heightCm(),
+        wrapped(last.yawDeg() - first.yawDeg()));
+  }
+
+  /** From -180 to 180 [degrees]. */
+  static double wrapped(double degrees) {
+    return Math.IEEEremainder(degrees, 360);
+  }
+}

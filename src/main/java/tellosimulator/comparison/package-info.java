@@ -1,0 +1,2 @@
+/** What differs between two flights with the same commands, command by command. */
+package tellosimulator.comparison;

@@ -1,0 +1,92 @@
+package tellosimulator.report;
+
+import java.util.List;
+import java.util.Locale;
+import java.util.function.ToDoubleFunction;
+import java.util.stream.Collectors;
+import java.util.stream.DoubleStream;
+import java.util.stream.Stream;
+import tellosimulator.comparison.FlightComparison.Flight;
+import tellosimulator.recording.ReportedState;
+
+/** Charts with a line for each of two flights, as markup. Immutable; for any thread. */
+final class ComparisonCharts {
+
+  /** Of the drawing; a browser stretches it. */
+  private static final int WIDTH = 1000;
+
+  private static final int HEIGHT = 100;
+
+  private final Flight first;
+  private final Flight second;
+  private final ReportTexts texts;
+
+  ComparisonCharts(Flight first, Flight second, ReportTexts texts) {
+    this.first = first;
+    this.second = second;
+    this.texts = texts;
+  }
+
+  String markup() {
+    return chart("comparison.height", "cm", ReportedState::heightCm)
+        + chart("comparison.yaw", "°", ReportedState::yawDeg)
+        + chart("comparison.speed", "cm/s", state -> 100 * state.velocity().norm());
+  }
+
+  private String chart(String key, String unit, ToDoubleFunction<ReportedState> value) {
+    DoubleStream values =
+        Stream.of(first, second).flatMap(flight -> flight.states().stream()).mapToDouble(value);
+    double[] sorted = values.sorted().toArray();
+    double low = sorted.length == 0 ? 0 : sorted[0];
+    double high = sorted.length == 0 ? 0 : sorted[sorted.length - 1];
+    double span = Math.max(1, high - low);
+    String label = texts.of(key);
+    String least = Math.round(low) + " " + unit;
+    String most = Math.round(high) + " " + unit;
+    ToDoubleFunction<ReportedState> down =
+        state -> HEIGHT * (1 - (value.applyAsDouble(state) - low) / span);
+    return "<div class=\"chart\"><div class=\"label\">"
+        + HtmlTemplate.escaped(label)
+        + "</div><svg viewBox=\"0 0 1000 100\" preserveAspectRatio=\"none\" role=\"img\" aria-label=\""
+        + HtmlTemplate.escaped(texts.of("comparison.chart-words", label, least, most))
+        + "\">"
+        + line("", first, down)
+        + line("second", second, down)
+        + "</svg><div class=\"range\"><span>"
+        + HtmlTemplate.escaped(most)
+        + "</span><span>"
+        + HtmlTemplate.escaped(least)
+        + "</span></div></div>";
+  }
+
+  private String line(String kind, Flight flight, ToDoubleFunction<ReportedState> down) {
+    double seconds = Math.max(1, Math.max(length(first), length(second)));
+    List<ReportedState> flown = flown(flight);
+    String points =
+        flown.stream()
+            .map(
+                state ->
+                    String.format(
+                        Locale.ROOT,
+                        "%.1f,%.1f",
+                        WIDTH * (state.time() - flight.recording().run().started()) / seconds,
+                        down.applyAsDouble(state)))
+            .collect(Collectors.joining(" "));
+    return "<polyline class=\"" + kind + "\" points=\"" + points + "\"/>";
+  }
+
+  /** The first drone's states from its takeoff on. */
+  private static List<ReportedState> flown(Flight flight) {
+    double started = flight.recording().run().started();
+    return flight.states().stream()
+        .filter(state -> state.drone() == 1 && state.time() >= started)
+        .toList();
+  }
+
+  private static double length(Flight flight) {
+    List<ReportedState> flown = flown(flight);
+    return flown.isEmpty()
+        ? 0
+        : flown.get(flown.size() - 1).time() - flight.recording().run().started();
+  }
+}

@@ -1,0 +1,67 @@
+package tellosimulator;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.ByteArrayOutputStream;
+import java.io.PrintStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import tellosimulator.recording.RecordingFixture;
+
+/** The subcommand {@code diff} as people call it. */
+class DiffCommandTest {
+
+  @TempDir private Path folder;
+  private final ByteArrayOutputStream out = new ByteArrayOutputStream();
+  private final ByteArrayOutputStream err = new ByteArrayOutputStream();
+
+  private int run(String... args) {
+    return Main.run(
+        args,
+        new PrintStream(out, true, StandardCharsets.UTF_8),
+        new PrintStream(err, true, StandardCharsets.UTF_8));
+  }
+
+  private String flight(String name) {
+    return RecordingFixture.in(folder.resolve(name)).toString();
+  }
+
+  @Test
+  void aFlightIsLikeItself() {
+    assertThat(run("diff", flight("a"), flight("b"))).isZero();
+    assertThat(out.toString(StandardCharsets.UTF_8).lines())
+        .hasSize(9)
+        .last()
+        .asString()
+        .startsWith("0 of 7 commands differ");
+  }
+
+  @Test
+  void flightsThatDifferEndWithFourAndAPageIfOneIsWanted() {
+    String first = flight("a");
+    Path second = RecordingFixture.in(folder.resolve("b"));
+    new RecordingFixture(second).with("events.jsonl", "");
+    Path page = folder.resolve("diff.html");
+
+    assertThat(run("diff", first, second.toString(), "-o", page.toString())).isEqualTo(4);
+
+    assertThat(page).content().contains("<span class=\"badge bad\">7 of 7 commands differ</span>");
+    assertThat(out.toString(StandardCharsets.UTF_8)).contains("report: " + page);
+  }
+
+  @Test
+  void whatCannotBeComparedIsASentence() {
+    String missing = folder.resolve("missing").toString();
+
+    assertThat(run("diff", flight("a"), missing)).isEqualTo(1);
+    assertThat(err.toString(StandardCharsets.UTF_8))
+        .isEqualToIgnoringNewLines(
+            "There is no folder " + missing + "; name the folder of a recording.");
+
+    err.reset();
+    assertThat(run("diff", flight("a"))).isEqualTo(2);
+    assertThat(err.toString(StandardCharsets.UTF_8)).contains("B");
+  }
+}
