@@ -178,8 +178,8 @@ public final class Main {
       if (diffOptions.output().isPresent()) {
         Path file = diffOptions.output().get();
         new ComparisonReport(
-                new NamedFlight(diffOptions.first().toString(), first),
-                new NamedFlight(diffOptions.second().toString(), second),
+                NamedFlight.of(diffOptions.first(), first),
+                NamedFlight.of(diffOptions.second(), second),
                 Tolerance.DEFAULT,
                 new ReportTexts(language().translation()))
             .write(file);

@@ -27,7 +27,13 @@ import tellosimulator.files.IrregularFileException;
 public final class ComparisonReport {
 
   /** A flight with the name that people know it by. */
-  public record NamedFlight(String name, Flight flight) {}
+  public record NamedFlight(String name, Flight flight) {
+
+    /** With the name of its folder. */
+    public static NamedFlight of(Path folder, Flight flight) {
+      return new NamedFlight(String.valueOf(folder.toAbsolutePath().getFileName()), flight);
+    }
+  }
 
   private final NamedFlight first;
   private final NamedFlight second;
