@@ -9,12 +9,14 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.concurrent.CopyOnWriteArrayList;
+import tellosimulator.goal.GoalNews;
 import tellosimulator.goal.GoalWatch;
 import tellosimulator.goal.Progress;
 import tellosimulator.model.FlightPhase;
 import tellosimulator.network.AddressPlan;
 import tellosimulator.network.OnlineSimulation;
 import tellosimulator.network.PortTakenException;
+import tellosimulator.recording.FlightRecorder;
 import tellosimulator.scenario.Scenario;
 import tellosimulator.sim.Control;
 import tellosimulator.sim.DroneSetup;
@@ -48,6 +50,10 @@ public final class TelloSimulator implements AutoCloseable {
 
   private final FlightMonitor monitor;
   private final GoalWatch goals;
+
+  /** Remembers the flights of a test. */
+  private final FlightRecorder recorder;
+
   private final SimConfig config;
   private final OnlineSimulation online;
 
@@ -102,7 +108,7 @@ public final class TelloSimulator implements AutoCloseable {
     Scenario scenario = settings.scenario();
     int count = scenario.config().drones().size();
     monitor = new FlightMonitor(scenario.config().arena().obstacles(), count);
-    goals = new GoalWatch(scenario.challenge(), news -> {});
+    goals = new GoalWatch(scenario.challenge(), this::record);
     PortReservation reservation = PortReservation.of(settings.ports(), 2 * count);
     List<Outlets> outlets = outlets(settings.ports(), count, reservation.ports());
     config = SimulatorSettings.withOutlets(scenario.config(), outlets);
@@ -113,6 +119,7 @@ public final class TelloSimulator implements AutoCloseable {
             OptionalInt.empty(),
             List.of(goals, monitor)); // who waits on the monitor then finds the goals judged
     monitor.attach(online::snapshot);
+    recorder = recorder(scenario, config, goals);
     Optional<VideoStreams> video =
         settings.video()
             ? Optional.of(
@@ -134,6 +141,15 @@ public final class TelloSimulator implements AutoCloseable {
     addDrones();
   }
 
+  private static FlightRecorder recorder(Scenario scenario, SimConfig config, GoalWatch goals) {
+    return FlightRecorder.inMemory(
+        new FlightRecorder.Subject(scenario.name(), scenario.withConfig(config), List.of(), goals));
+  }
+
+  private void record(GoalNews news) {
+    recorder.event(news);
+  }
+
   private static String withoutRealPorts(PortTakenException taken) {
     return String.format(
         Locale.ROOT,
@@ -150,6 +166,7 @@ public final class TelloSimulator implements AutoCloseable {
     monitor = new FlightMonitor(config.arena().obstacles(), config.drones().size());
     monitor.attach(online::snapshot);
     online.listen(monitor);
+    recorder = recorder(scenario, config, goals);
     end = () -> {};
     addDrones();
   }
@@ -270,6 +287,16 @@ public final class TelloSimulator implements AutoCloseable {
   }
 
   // --- for the kit ---
+
+  /** Remembers what drones fly, once it is told to. */
+  FlightRecorder recorder() {
+    return recorder;
+  }
+
+  /** Remembers what drones fly from now on. */
+  void remember() {
+    recorder.attach(online);
+  }
 
   FlightMonitor monitor() {
     return monitor;

@@ -23,6 +23,7 @@ import org.junit.platform.commons.JUnitException;
 import org.junit.platform.commons.support.AnnotationSupport;
 import org.opentest4j.AssertionFailedError;
 import org.opentest4j.IncompleteExecutionException;
+import tellosimulator.recording.RecordingFolder;
 
 /**
  * Gives simulated drones to JUnit tests; {@link TelloTest} registers it. With {@code
@@ -40,6 +41,9 @@ public final class TelloSimulatorExtension
 
   /** Name of the file that is published for a test that failed. */
   private static final String PUBLISHED = "tello-flight.txt";
+
+  /** Name of the folder with its recordings. */
+  private static final String RECORDINGS = "tello-recordings";
 
   private final Optional<Builder> configured;
   private final Namespace namespace;
@@ -127,6 +131,7 @@ public final class TelloSimulatorExtension
               + " closed");
     }
     running.simulator.reset();
+    running.simulator.recorder().forget();
   }
 
   @Override
@@ -142,6 +147,7 @@ public final class TelloSimulatorExtension
     Builder settings = configured.orElseGet(() -> settings(context, element));
     try {
       TelloSimulator simulator = new TelloSimulator(settings);
+      simulator.remember();
       context
           .getStore(namespace)
           .put(
@@ -268,7 +274,7 @@ public final class TelloSimulatorExtension
     return all;
   }
 
-  /** What happened, which is also published as a file. */
+  /** What happened, which is also published as a file, with the recordings beside it. */
   private static String explained(ExtensionContext context, TelloSimulator simulator) {
     String explanation = simulator.explanation();
     String text = context.getDisplayName() + System.lineSeparator() + explanation;
@@ -277,6 +283,11 @@ public final class TelloSimulatorExtension
           PUBLISHED,
           MediaType.TEXT_PLAIN_UTF_8,
           file -> Files.writeString(file, text, StandardCharsets.UTF_8));
+      if (simulator.recorder().hasFlown()) {
+        context.publishDirectory(
+            RECORDINGS,
+            folder -> simulator.recorder().writeTo(RecordingFolder.at(folder), reason -> {}));
+      }
       return explanation;
     } catch (JUnitException e) { // the reason of the failure must not be lost for it
       return explanation + System.lineSeparator() + e.getMessage();

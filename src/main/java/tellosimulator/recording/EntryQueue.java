@@ -92,6 +92,14 @@ final class EntryQueue {
     return Optional.ofNullable(next);
   }
 
+  /** Forgets all that waits. */
+  void clear() {
+    while (poll().isPresent()) {
+      // it is gone
+    }
+    closed.set(false);
+  }
+
   /**
    * Waits for a while, but not while much is to be done.
    *

@@ -40,13 +40,18 @@ public final class FlightRecorder implements SimListener, WireTap, AutoCloseable
   /** How long all drones must be down before a flight is over [s]. Decided. */
   private static final double REST = 3;
 
+  /** Weight of what is only remembered. Decided: 35 MB, and half an hour of one drone. */
+  private static final long MOST_REMEMBERED = 100_000;
+
   private final EntryQueue queue;
   private final FilmKeepers films;
-  private final Worker worker;
+  private final Subject subject;
+  private final Optional<Worker> worker;
   private final GoalWatch goals;
   private volatile Supplier<SimTime> clock = () -> SimTime.ZERO;
   private volatile Supplier<SimSnapshot> snapshots = () -> null;
-  private volatile boolean recording = true;
+  private volatile boolean recording;
+  private volatile boolean flown;
 
   /** All that follows is for the simulation thread. */
   private boolean flying;
@@ -75,12 +80,14 @@ public final class FlightRecorder implements SimListener, WireTap, AutoCloseable
     }
   }
 
-  private FlightRecorder(EntryQueue queue, FilmKeepers films, RecordingWriter writer) {
+  private FlightRecorder(
+      Subject subject, EntryQueue queue, FilmKeepers films, Optional<Worker> worker) {
+    this.subject = subject;
     this.queue = queue;
     this.films = films;
-    this.goals = writer.subject().goals();
+    this.goals = subject.goals();
     this.progress = goals.progress();
-    this.worker = Worker.start("recorder", writer);
+    this.worker = worker;
   }
 
   /**
@@ -99,15 +106,29 @@ public final class FlightRecorder implements SimListener, WireTap, AutoCloseable
       RecordingFolder folder, Subject subject, Consumer<Phrase> told, EntryQueue queue) {
     FilmKeepers films = new FilmKeepers(subject.scenario().config().drones().size());
     RecordingWriter writer = new RecordingWriter(queue, folder, subject, films, told);
-    return new FlightRecorder(queue, films, writer);
+    return new FlightRecorder(subject, queue, films, Optional.of(Worker.start("recorder", writer)));
+  }
+
+  /**
+   * One that only remembers, for somebody who decides afterwards whether anything is written, by
+   * {@link #writeTo}. It keeps no film, and no more than half an hour of one drone.
+   */
+  public static FlightRecorder inMemory(Subject subject) {
+    return new FlightRecorder(
+        subject, new EntryQueue(MOST_REMEMBERED), new FilmKeepers(0), Optional.empty());
   }
 
   /** Looks at a simulation from now on, with its wire and its drones' films. */
   public void attach(OnlineSimulation simulation, VideoStreams streams) {
+    attach(simulation);
+    films.watch(streams, simulation::time);
+  }
+
+  /** Looks at a simulation from now on, with its wire, but without films. */
+  public void attach(OnlineSimulation simulation) {
     follow(simulation::time, simulation::snapshot);
     simulation.listen(this);
     simulation.setTap(this);
-    films.watch(streams, simulation::time);
   }
 
   /**
@@ -117,11 +138,37 @@ public final class FlightRecorder implements SimListener, WireTap, AutoCloseable
   public void follow(Supplier<SimTime> newClock, Supplier<SimSnapshot> newSnapshots) {
     clock = newClock;
     snapshots = newSnapshots;
+    recording = true;
   }
 
   /** Whether flights are recorded; if not, one that has begun ends with the next step. */
   public void setRecording(boolean wanted) {
     recording = wanted;
+  }
+
+  // --- what is only remembered ---
+
+  /** Whether a drone has taken off since the start, or since {@link #forget}. For any thread. */
+  public boolean hasFlown() {
+    return flown;
+  }
+
+  /** Forgets all flights until now. When the simulation has just begun anew; for any thread. */
+  public void forget() {
+    queue.clear();
+    flown = false;
+  }
+
+  /**
+   * Writes all flights until now, and forgets them. For one that only remembers, on any thread that
+   * has waited for the simulation ({@link OnlineSimulation#settle}).
+   *
+   * @param told takes a sentence if something cannot be written
+   */
+  public void writeTo(RecordingFolder folder, Consumer<Phrase> told) {
+    queue.add(new Entry.End(clock.get(), new GoalResult(progress, attemptNanos)));
+    new RecordingWriter(queue, folder, subject, films, told).onClose();
+    flown = false;
   }
 
   // --- network ---
@@ -241,6 +288,7 @@ public final class FlightRecorder implements SimListener, WireTap, AutoCloseable
 
   private void begin(SimSnapshot snapshot) {
     flying = true;
+    flown = true;
     steps = 0;
     down = Optional.empty();
     queue.add(new Entry.Begin(WallTime.now(), snapshot));
@@ -261,8 +309,8 @@ public final class FlightRecorder implements SimListener, WireTap, AutoCloseable
   public void close() {
     end(last());
     recording = false;
-    worker.end();
+    worker.ifPresent(Worker::end);
     queue.wake();
-    worker.close();
+    worker.ifPresent(Worker::close);
   }
 }

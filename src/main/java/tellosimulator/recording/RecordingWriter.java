@@ -66,10 +66,6 @@ final class RecordingWriter implements Agent {
     subject.scenario().config().drones().forEach(drone -> pilots.add(new PilotState()));
   }
 
-  FlightRecorder.Subject subject() {
-    return subject;
-  }
-
   @Override
   public Outcome doWork() {
     if (flight) {
@@ -204,7 +200,7 @@ final class RecordingWriter implements Agent {
     if (files.isPresent()) {
       Phrase reason =
           Phrase.of(
-              "the recording %s ended, because this machine is too busy to write it",
+              "the recording %s ended, because too much waited to be written",
               files.get().folder());
       giveUp(reason);
     }

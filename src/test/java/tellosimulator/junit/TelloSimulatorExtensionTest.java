@@ -16,8 +16,10 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.Assertions;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.MethodOrderer;
 import org.junit.jupiter.api.Nested;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.TestMethodOrder;
 import org.junit.jupiter.api.extension.RegisterExtension;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -27,6 +29,7 @@ import org.junit.platform.engine.reporting.OutputDirectoryProvider;
 import org.junit.platform.testkit.engine.EngineExecutionResults;
 import org.junit.platform.testkit.engine.EngineTestKit;
 import org.junit.platform.testkit.engine.Event;
+import tellosimulator.recording.RecordingFiles;
 
 /** What JUnit reports of tests with simulated drones, and what the tests get. */
 class TelloSimulatorExtensionTest {
@@ -246,12 +249,12 @@ class TelloSimulatorExtensionTest {
     assertThat(failure.getMessage().lines().map(TelloSimulatorExtensionTest::blurred))
         .containsExactly(
             "drone 1 has not landed: it flies at x -200, y -100, z 30 cm",
-            "last command to drone 1: # s  `foward 50` → `unknown command: foward 50` after # s: there"
-                + " is no such command, did you mean `forward 50`?",
-            "drone 1: flies at x -200, y -100, z 30 cm, heading 0 degrees, battery 100 %; took off once,"
-                + " was up to 30 cm high and 0 cm from its start",
-            "goals: 0 of 4 goals reached; open: 1. fly through the gate first; 2. fly through the gate"
-                + " second; 3. fly through the gate third; 4. land at x 150, y 150 cm",
+            "last command to drone 1: # s  `foward 50` → `unknown command: foward 50` after # s:"
+                + " there is no such command, did you mean `forward 50`?",
+            "drone 1: flies at x -200, y -100, z 30 cm, heading 0 degrees, battery 100 %; took off"
+                + " once, was up to 30 cm high and 0 cm from its start",
+            "goals: 0 of 4 goals reached; open: 1. fly through the gate first; 2. fly through the"
+                + " gate second; 3. fly through the gate third; 4. land at x 150, y 150 cm",
             "",
             "what came to drone 1:",
             "# s  `command` → `ok` after # s",
@@ -289,7 +292,8 @@ class TelloSimulatorExtensionTest {
 
     assertThat(blurred(failures.get("crashes").getMessage().lines().findFirst().orElseThrow()))
         .isEqualTo(
-            "drone 1 crashed into the floor at # s with # cm/s; onCrash = ALLOW would let that pass");
+            "drone 1 crashed into the floor at # s with # cm/s; onCrash = ALLOW would let that"
+                + " pass");
     assertThat(failures.get("missesTheGates").getMessage())
         .startsWith("the goals were missed; onCrash = ALLOW would let that pass");
     assertThat(failures).doesNotContainKey("doesNothing").hasSize(5);
@@ -327,14 +331,52 @@ class TelloSimulatorExtensionTest {
   void theFlightOfAFailedTestIsPublishedAsAFile() throws IOException {
     failures(method(Failing.class, "missesTheGates"));
 
+    Path found = published("tello-flight.txt").get(0);
+    assertThat(Files.readString(found))
+        .startsWith("missesTheGates(SimulatedDrone)")
+        .contains("`land` → `ok`");
+  }
+
+  private List<Path> published(String name) throws IOException {
     try (Stream<Path> files = Files.walk(published)) {
-      List<Path> found = files.filter(Files::isRegularFile).toList();
-      assertThat(found).hasSize(1);
-      assertThat(found.get(0)).hasFileName("tello-flight.txt");
-      assertThat(Files.readString(found.get(0)))
-          .startsWith("missesTheGates(SimulatedDrone)")
-          .contains("`land` → `ok`");
+      return files.filter(file -> file.endsWith(name)).toList();
     }
+  }
+
+  @TelloTest
+  @TestMethodOrder(MethodOrderer.MethodName.class)
+  static final class FlyingTwice {
+
+    @Test
+    void first(SimulatedDrone drone) throws IOException {
+      fly(drone, "command", "takeoff", "up 50", "land");
+    }
+
+    @Test
+    void second(SimulatedDrone drone) throws IOException {
+      fly(drone, "command", "takeoff", "up 30", "land", "takeoff");
+      assertThat(drone).hasCrashed();
+    }
+
+    @Test
+    void third(SimulatedDrone drone) throws IOException {
+      fly(drone, "command");
+      assertThat(drone).isFlying();
+    }
+  }
+
+  @Test
+  void aFailedTestHasTheRecordingsOfItsFlightsAndAnotherTestHasNone() throws IOException {
+    assertThat(failures(selectClass(FlyingTwice.class))).containsOnlyKeys("second", "third");
+
+    RecordingFiles files = RecordingFiles.only(published("tello-recordings").get(0));
+    assertThat(published("tello-recordings")).as("the third did not fly").hasSize(1);
+    assertThat(files.wire("command"))
+        .extracting(datagram -> datagram.get("text"))
+        .containsExactly("command", "takeoff", "up 30", "land", "takeoff");
+    assertThat(files.run()).containsKeys("started", "ended");
+    assertThat(files.rows()).hasSizeGreaterThan(100);
+    assertThat(files.has("scenario.yaml")).isTrue();
   }
 
   // --- mistakes ---

@@ -389,9 +389,8 @@ class FlightRecorderTest {
         recorder.received(1, new Peer(CLIENT, DRONE), "battery?");
       }
 
-      assertThat(told.take().english())
-          .endsWith("ended, because this machine is too busy to write it");
-      assertThat(log.next()).endsWith("too busy to write it");
+      assertThat(told.take().english()).endsWith("ended, because too much waited to be written");
+      assertThat(log.next()).endsWith("too much waited to be written");
     }
     assertThat(drones.fly("land")).containsExactly("ok");
     drones.advance(4);
