@@ -35,8 +35,10 @@ final class FilmStrip {
   /** Shortest time between pictures [s]. */
   private static final double SHORTEST_STEP = 1;
 
-  /** Most pictures of all cameras together. Decided: about 3 MB, and 1 s to draw. */
-  private static final int MOST = 280;
+  /**
+   * Most pictures of all cameras together. Decided: about 3 MB, and drawn in less than a second.
+   */
+  private static final int MOST = 200;
 
   /** Decided: as the window looks at a drone, from behind, above and a little from the right. */
   private static final Attitude VIEW =

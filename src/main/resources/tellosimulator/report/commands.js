@@ -29,7 +29,7 @@ const commandList = {
 
   sign(entry) {
     const signs = {answered: '✓', refused: '✕', failed: '✕', crashed: '✕', ignored: '✕', lost: '✕', touched: '!', goal: '★'};
-    const sign = signs[entry.kind] || '·';
+    const sign = entry.wrong && entry.kind === 'goal' ? '✕' : signs[entry.kind] || '·';
     return make('span', {class: 'sign' + (sign === '✓' || sign === '★' ? ' good' : ''), 'aria-hidden': 'true'}, sign);
   },
 

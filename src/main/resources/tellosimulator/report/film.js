@@ -9,7 +9,6 @@ const film = {
     const {times, room} = data.film;
     if (times.length === 0) {
       document.querySelector('.film').remove();
-      document.querySelector('main').classList.add('unfilmed');
       return;
     }
     const box = document.getElementById('film');

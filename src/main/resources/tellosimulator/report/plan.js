@@ -7,7 +7,7 @@ const plan = {
     const {width, depth, grid} = data.room;
     const size = Math.max(width, depth);
     const box = document.getElementById('plan');
-    this.unit = size / 100 * Math.max(1, 460 / Math.max(200, box.clientWidth)); // smaller on a phone, but not illegible
+    this.unit = size / 100 * Math.max(1, 540 / Math.max(200, box.clientWidth)); // smaller on a phone, but not illegible
     const margin = 5 * this.unit;
     const svg = draw('svg', {role: 'img', 'aria-label': this.words(),
       viewBox: [-width / 2 - margin, -depth / 2 - margin, width + 2 * margin, depth + 2 * margin].join(' ')});

@@ -66,6 +66,7 @@ public final class Benchmarks {
     parts.put("window", WindowBenchmark::all);
     parts.put("recording", minutes -> RecordingBenchmark.all());
     parts.put("kit", minutes -> KitBenchmark.all());
+    parts.put("report", minutes -> ReportBenchmark.all());
     return parts;
   }
 
