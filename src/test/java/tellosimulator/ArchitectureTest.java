@@ -62,7 +62,7 @@ class ArchitectureTest {
           Map.entry("video", List.of("files", "network", "scenery")),
           Map.entry("scenario", List.of("files", "goal", "network")),
           Map.entry("recording", List.of("scenario", "video", "json")),
-          Map.entry("junit", List.of("recording")),
+          Map.entry("junit", List.of("report")),
           Map.entry("control", List.of("junit", "json")),
           Map.entry("headless", List.of("control", "recording")),
           Map.entry("comparison", List.of("recording")),

@@ -3,6 +3,7 @@ package tellosimulator.junit;
 import java.lang.reflect.AnnotatedElement;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -23,7 +24,12 @@ import org.junit.platform.commons.JUnitException;
 import org.junit.platform.commons.support.AnnotationSupport;
 import org.opentest4j.AssertionFailedError;
 import org.opentest4j.IncompleteExecutionException;
+import tellosimulator.recording.FlightRecorder;
+import tellosimulator.recording.RecordedFlight;
 import tellosimulator.recording.RecordingFolder;
+import tellosimulator.report.FlightReport;
+import tellosimulator.report.ReportTexts;
+import tellosimulator.words.Translation;
 
 /**
  * Gives simulated drones to JUnit tests; {@link TelloTest} registers it. With {@code
@@ -44,6 +50,11 @@ public final class TelloSimulatorExtension
 
   /** Name of the folder with its recordings. */
   private static final String RECORDINGS = "tello-recordings";
+
+  /** Name of the pages that show its flights, without number and ending. */
+  private static final String REPORT = "tello-flight";
+
+  private static final MediaType HTML = MediaType.create("text", "html", StandardCharsets.UTF_8);
 
   private final Optional<Builder> configured;
   private final Namespace namespace;
@@ -274,7 +285,7 @@ public final class TelloSimulatorExtension
     return all;
   }
 
-  /** What happened, which is also published as a file, with the recordings beside it. */
+  /** What happened, which is also published as a file, with recordings and reports beside it. */
   private static String explained(ExtensionContext context, TelloSimulator simulator) {
     String explanation = simulator.explanation();
     String text = context.getDisplayName() + System.lineSeparator() + explanation;
@@ -284,13 +295,33 @@ public final class TelloSimulatorExtension
           MediaType.TEXT_PLAIN_UTF_8,
           file -> Files.writeString(file, text, StandardCharsets.UTF_8));
       if (simulator.recorder().hasFlown()) {
-        context.publishDirectory(
-            RECORDINGS,
-            folder -> simulator.recorder().writeTo(RecordingFolder.at(folder), reason -> {}));
+        publishFlights(context, simulator.recorder());
       }
       return explanation;
     } catch (JUnitException e) { // the reason of the failure must not be lost for it
       return explanation + System.lineSeparator() + e.getMessage();
+    }
+  }
+
+  /** The recordings of all flights of a test, and a page of each. */
+  private static void publishFlights(ExtensionContext context, FlightRecorder recorder) {
+    List<Path> recordings = new ArrayList<>();
+    context.publishDirectory(
+        RECORDINGS,
+        path -> {
+          RecordingFolder folder = RecordingFolder.at(path);
+          recorder.writeTo(folder, reason -> {});
+          recordings.addAll(folder.made());
+        });
+    for (int i = 0; i < recordings.size(); i++) {
+      Path recording = recordings.get(i);
+      String name = i == 0 ? REPORT + ".html" : REPORT + "-" + (i + 1) + ".html";
+      context.publishFile(
+          name,
+          HTML,
+          file ->
+              new FlightReport(RecordedFlight.read(recording), new ReportTexts(Translation.ENGLISH))
+                  .write(file));
     }
   }
 

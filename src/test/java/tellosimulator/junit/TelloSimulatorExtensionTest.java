@@ -377,6 +377,9 @@ class TelloSimulatorExtensionTest {
     assertThat(files.run()).containsKeys("started", "ended");
     assertThat(files.rows()).hasSizeGreaterThan(100);
     assertThat(files.has("scenario.yaml")).isTrue();
+    assertThat(published("tello-flight.html"))
+        .singleElement()
+        .satisfies(page -> assertThat(page).content().contains("<title>", "\"up 30\""));
   }
 
   // --- mistakes ---
