@@ -130,10 +130,11 @@ final class PanelWindow implements AutoCloseable {
     robot.write(text);
   }
 
-  /** Types a text and Enter. */
+  /** Types a text and Enter, and waits until what that does has come back. */
   void enter(String id, String text) {
     type(id, text);
     robot.type(KeyCode.ENTER);
+    settle();
   }
 
   void speak(Locale locale) {
