@@ -16,6 +16,7 @@ import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.ParseResult;
 import picocli.CommandLine.UnmatchedArgumentException;
 import tellosimulator.cli.DiffOptions;
+import tellosimulator.cli.ExportOptions;
 import tellosimulator.cli.Launch;
 import tellosimulator.cli.Options;
 import tellosimulator.cli.ReportOptions;
@@ -108,6 +109,10 @@ public final class Main {
         DiffOptions said = new DiffOptions();
         yield run(said.commandLine(new Version()), rest, () -> diff(said));
       }
+      case EXPORT -> {
+        ExportOptions said = new ExportOptions();
+        yield run(said.commandLine(new Version()), rest, () -> export(said));
+      }
     };
   }
 
@@ -165,6 +170,21 @@ public final class Main {
       err.println(e.getMessage());
     } catch (IOException e) {
       err.println(FlightReports.notWritten(file, e));
+    }
+    return FAILED;
+  }
+
+  private int export(ExportOptions exportOptions) {
+    Path file = exportOptions.output();
+    try {
+      RecordedFlight flight = RecordedFlight.read(exportOptions.folder());
+      exportOptions.format().export(exportOptions.folder(), flight, file);
+      out.println("exported: " + file);
+      return 0;
+    } catch (UnreadableRecordingException e) {
+      err.println(e.getMessage());
+    } catch (IOException e) {
+      err.println("The recording was not exported to " + file + ": " + IoReason.of(e) + ".");
     }
     return FAILED;
   }

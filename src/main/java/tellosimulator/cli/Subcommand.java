@@ -9,7 +9,9 @@ public enum Subcommand {
   /** Makes an HTML file of a recording. */
   REPORT,
   /** Compares two recordings. */
-  DIFF;
+  DIFF,
+  /** Writes a recording in the format of another tool. */
+  EXPORT;
 
   /** The word that chooses it. */
   public String word() {

@@ -1,10 +1,13 @@
 package tellosimulator.time;
 
+import java.time.DateTimeException;
+import java.time.Instant;
 import java.time.OffsetDateTime;
 import java.time.ZoneId;
 import java.time.format.DateTimeFormatter;
 import java.time.temporal.ChronoUnit;
 import java.util.Locale;
+import java.util.OptionalLong;
 
 /**
  * A moment of the wall clock, for people and for names of files. No flight depends on one.
@@ -45,6 +48,19 @@ public final class WallTime {
   /** As ISO 8601 has it, to the second, with the distance from UTC. */
   public String iso() {
     return DateTimeFormatter.ISO_OFFSET_DATE_TIME.format(moment.truncatedTo(ChronoUnit.SECONDS));
+  }
+
+  /**
+   * What {@link #iso} said.
+   *
+   * @return microseconds since 1970, UTC; empty if the text is no such moment
+   */
+  public static OptionalLong micros(String iso) {
+    try {
+      return OptionalLong.of(ChronoUnit.MICROS.between(Instant.EPOCH, OffsetDateTime.parse(iso)));
+    } catch (DateTimeException e) {
+      return OptionalLong.empty();
+    }
   }
 
   /** In the name of a file, to the second; names are in the order of their moments. */

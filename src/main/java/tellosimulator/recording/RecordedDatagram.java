@@ -1,0 +1,46 @@
+package tellosimulator.recording;
+
+import java.nio.charset.StandardCharsets;
+import java.util.OptionalInt;
+
+/**
+ * A line of {@code wire.jsonl}. Immutable; for any thread.
+ *
+ * @param time when it was taken or sent, simulated seconds since the simulation began
+ * @param drone its number, from 1
+ * @param kind {@code command}, {@code reply}, {@code state} or {@code video}
+ * @param from host and port, as {@code 127.0.0.1:8889}
+ * @param to host and port
+ * @param text one character a byte (ISO-8859-1); empty for video
+ * @param videoSize of video alone, whose bytes are not kept
+ */
+public record RecordedDatagram(
+    double time,
+    int drone,
+    String kind,
+    String from,
+    String to,
+    String text,
+    OptionalInt videoSize) {
+
+  static RecordedDatagram of(Fields fields) {
+    return new RecordedDatagram(
+        fields.numberOr("t", 0),
+        fields.whole("drone").orElse(1),
+        fields.text("kind"),
+        fields.text("from"),
+        fields.text("to"),
+        fields.text("text"),
+        fields.whole("size"));
+  }
+
+  /** What was in it, as far as it is kept. */
+  public byte[] payload() {
+    return text.getBytes(StandardCharsets.ISO_8859_1);
+  }
+
+  /** How long it was [bytes]. */
+  public int length() {
+    return videoSize.orElse(text.length());
+  }
+}
