@@ -26,6 +26,7 @@ import tellosimulator.math.Vec3;
 import tellosimulator.network.DatagramPort;
 import tellosimulator.network.Ports;
 import tellosimulator.network.StateConnection;
+import tellosimulator.network.UdpPort;
 import tellosimulator.network.WireTap;
 import tellosimulator.recording.FlightRecorder;
 import tellosimulator.recording.RecordingFolder;
@@ -77,13 +78,15 @@ final class RecordingBenchmark {
     private final Optional<FlightRecorder> recorder;
     private final List<Phrase> told = new ArrayList<>();
     private final Simulation simulation;
+    private final Optional<DatagramPort> port;
     private final int[] next;
     private final InetSocketAddress address =
         new InetSocketAddress(InetAddress.getLoopbackAddress(), 8879);
     private final InetSocketAddress operator =
         new InetSocketAddress(InetAddress.getLoopbackAddress(), 9);
 
-    Flight(int drones, boolean recorded) throws IOException {
+    Flight(int drones, boolean recorded, Optional<DatagramPort> port) throws IOException {
+      this.port = port;
       folder = Files.createTempDirectory("recordings");
       next = new int[drones];
       List<Pose> starts =
@@ -122,7 +125,7 @@ final class RecordingBenchmark {
       }
     }
 
-    /** Formats state lines and drops them, as {@code SpeedBenchmark} does. */
+    /** Formats state lines, and sends them to where nobody takes them, or drops them. */
     private StateConnection lines(int drone) {
       return new StateConnection(new Ports(List.of(new Sink(drone))));
     }
@@ -187,7 +190,7 @@ final class RecordingBenchmark {
       }
     }
 
-    /** Takes state lines and drops them. */
+    /** Takes state lines. */
     private final class Sink implements DatagramPort {
       private final int drone;
 
@@ -203,6 +206,7 @@ final class RecordingBenchmark {
       @Override
       public void send(byte[] bytes, InetSocketAddress to) {
         recorder.ifPresent(each -> each.sent(drone, WireTap.Kind.STATE, address, to, bytes));
+        port.ifPresent(each -> each.send(bytes, to));
       }
 
       @Override
@@ -212,21 +216,48 @@ final class RecordingBenchmark {
 
   static List<Measurement> all() throws IOException {
     List<Measurement> rows = new ArrayList<>();
-    rows.addAll(cost());
+    try (DatagramPort port =
+        UdpPort.open(new InetSocketAddress(InetAddress.getLoopbackAddress(), 0))) {
+      Cost sent = cost(Optional.of(port));
+      rows.add(
+          Measurement.atMost(
+              "Recording one drone as fast as possible, of the simulation thread's time, median of "
+                  + TURNS,
+              3,
+              sent.percent,
+              "%"));
+      rows.add(Measurement.beside("… and besides", sent.besides));
+    }
+    Cost dropped = cost(Optional.empty());
+    rows.add(
+        Measurement.beside(
+            "… where state lines are dropped rather than sent",
+            String.format(Locale.ROOT, "%.1f %%, %s", dropped.percent, dropped.besides)));
     rows.add(many());
     rows.add(hour());
     return rows;
   }
 
-  /** In turns, so that a busy machine slows both down. */
-  private static List<Measurement> cost() throws IOException {
+  /**
+   * What a recorder costs.
+   *
+   * @param percent of the simulation thread's processor time
+   */
+  private record Cost(double percent, String besides) {}
+
+  /**
+   * In turns, so that a busy machine slows both down.
+   *
+   * @param port through which state lines are sent; empty if they are dropped
+   */
+  private static Cost cost(Optional<DatagramPort> port) throws IOException {
     List<Double> processor = new ArrayList<>();
     List<Double> wall = new ArrayList<>();
     List<Double> factors = new ArrayList<>();
     double recordedMs = 0;
     double writerMs = 0;
-    try (Flight plain = new Flight(1, false);
-        Flight recorded = new Flight(1, true)) {
+    try (Flight plain = new Flight(1, false, port);
+        Flight recorded = new Flight(1, true, port)) {
       plain.step(STEPS_OF_TURN);
       recorded.step(STEPS_OF_TURN);
       double begun = writerMs();
@@ -241,21 +272,15 @@ final class RecordingBenchmark {
       writerMs = writerMs() - begun;
     }
     double writing = 100 * writerMs / recordedMs;
-    return List.of(
-        Measurement.atMost(
-            "Recording one drone as fast as possible, of the simulation thread's time, median of "
-                + TURNS,
-            3,
-            new Statistics(processor).median(),
-            "%"),
-        Measurement.beside(
-            "… by the wall clock, beside the thread that writes",
-            String.format(
-                Locale.ROOT,
-                "%.1f %% at %.0f ×, that thread %.0f %% of the simulation's",
-                new Statistics(wall).median(),
-                new Statistics(factors).median(),
-                writing)));
+    return new Cost(
+        new Statistics(processor).median(),
+        String.format(
+            Locale.ROOT,
+            "%.1f %% by the wall clock at %.0f ×; the thread that writes takes %.0f %% of the"
+                + " simulation's time",
+            new Statistics(wall).median(),
+            new Statistics(factors).median(),
+            writing));
   }
 
   /** Processor time of the thread that writes, until now [ms]. */
@@ -279,7 +304,7 @@ final class RecordingBenchmark {
 
   /** A hundred drones at fifty times real time: each row and each state line must be there. */
   private static Measurement many() throws IOException {
-    try (Flight flight = new Flight(MANY, true)) {
+    try (Flight flight = new Flight(MANY, true, Optional.empty())) {
       long begun = System.nanoTime();
       double start = flight.seconds();
       while (flight.seconds() - start < MANY_SECONDS) {
@@ -326,7 +351,7 @@ final class RecordingBenchmark {
   }
 
   private static Measurement hour() throws IOException {
-    try (Flight flight = new Flight(1, true)) {
+    try (Flight flight = new Flight(1, true, Optional.empty())) {
       double start = flight.seconds();
       while (flight.seconds() - start < HOUR) {
         flight.step(STEPS_AT_ONCE);

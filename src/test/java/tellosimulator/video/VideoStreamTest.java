@@ -106,6 +106,31 @@ class VideoStreamTest {
   }
 
   @Test
+  void whoNeedsNoPicturesSeesOnlyThoseThatOthersWant() throws InterruptedException {
+    BlockingQueue<Boolean> encoded = new LinkedBlockingQueue<>();
+    stream.watch(
+        new VideoWatcher() {
+          @Override
+          public boolean needsPictures() {
+            return false;
+          }
+
+          @Override
+          public void filmed(FilmedPicture picture) {
+            encoded.add(picture.encoded().isPresent());
+          }
+        });
+    switchOn();
+    lookAgain();
+    assertThat(filmed).as("before somebody asks").isEmpty();
+
+    tell("streamon");
+
+    assertThat(filmed.take()).isEqualTo("picture");
+    assertThat(encoded.take()).isTrue();
+  }
+
+  @Test
   void withoutMemoryItRestsUntilTheNextStreamon() throws InterruptedException {
     failure.set(new OutOfMemoryError("broken on purpose"));
     switchOn();
