@@ -32,11 +32,14 @@ final class FlightTable {
   /**
    * Takes the next row.
    *
-   * @throws IllegalArgumentException if it has no time, no drone or no place
+   * @throws IllegalArgumentException if it has no time, no place, or no number of a drone
    */
   void take(String row) {
     split(row);
     int drone = (int) required("drone");
+    if (!RecordedRun.isNumber(drone)) {
+      throw new IllegalArgumentException("there is no drone " + drone);
+    }
     Sample sample =
         new Sample(
             required("t_s"),

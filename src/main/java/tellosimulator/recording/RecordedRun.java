@@ -32,6 +32,9 @@ public record RecordedRun(
     String result,
     Setting setting) {
 
+  /** Most drones. Decided: as many as the command line takes. */
+  private static final int MOST_DRONES = 250;
+
   /** The format that this version knows. */
   static final int FORMAT = 1;
 
@@ -60,6 +63,11 @@ public record RecordedRun(
   public record DroneEntry(
       int number, String profile, String behaviour, Pose start, String color) {}
 
+  /** Whether a drone can have this number. */
+  static boolean isNumber(int drone) {
+    return drone >= 1 && drone <= MOST_DRONES;
+  }
+
   static RecordedRun of(Fields fields) {
     return new RecordedRun(
         fields.text("program"),
@@ -72,7 +80,10 @@ public record RecordedRun(
         new Setting(
             fields.text("scenario"),
             fields.object("room").flatMap(RecordedRun::room).orElse(Room.DEFAULT),
-            fields.objects("drones").stream().map(RecordedRun::drone).toList(),
+            fields.objects("drones").stream()
+                .map(RecordedRun::drone)
+                .filter(drone -> isNumber(drone.number()))
+                .toList(),
             fields.texts("options")));
   }
 

@@ -81,7 +81,7 @@ const charts = {
   axis() {
     const scale = make('div');
     const length = Math.max(1e-3, data.end - data.begin);
-    const step = [0.5, 1, 2, 5, 10, 20, 30, 60, 120, 300, 600, 1200, 3600].find(each => length / each <= 9) || 7200;
+    const step = [0.5, 1, 2, 5, 10, 20, 30, 60, 120, 300, 600, 1200, 3600].find(each => length / each <= 9) || 3600 * Math.ceil(length / 9 / 3600);
     for (let time = Math.ceil(data.begin / step) * step; time <= data.end; time += step) {
       const tick = make('span', {}, seconds(time, step < 1 ? 1 : 0));
       tick.style.left = this.x(time) / 10 + '%';

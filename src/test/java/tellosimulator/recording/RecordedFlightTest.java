@@ -153,7 +153,9 @@ class RecordedFlightTest {
     new RecordingFixture(folder)
         .runWith("7", "8")
         .with("events.jsonl", "{\"t\":1}\nno JSON\n[]\n{\"t\":2,\"kind\":\"new kind\"}\n")
-        .with("flight.csv", "t_s,drone,x_cm,y_cm,z_cm\n1,1,0,0,x\n2,1,0,0,30\n,,,,\n\"\n");
+        .with(
+            "flight.csv",
+            "t_s,drone,x_cm,y_cm,z_cm\n1,1,0,0,x\n2,1,0,0,30\n3,0,0,0,30\n,,,,\n\"\n");
 
     RecordedFlight flight = RecordedFlight.read(folder);
 
@@ -162,8 +164,15 @@ class RecordedFlightTest {
     assertThat(flight.remarks())
         .extracting(Phrase::english)
         .containsExactly(
-            "3 lines of flight.csv are damaged and left out",
+            "4 lines of flight.csv are damaged and left out",
             "2 lines of events.jsonl are damaged and left out");
+  }
+
+  @Test
+  void aDroneWithAnImpossibleNumberIsLeftOut() throws Exception {
+    new RecordingFixture(folder).runWith("\"number\":1", "\"number\":-2");
+
+    assertThat(RecordedFlight.read(folder).run().setting().drones()).isEmpty();
   }
 
   @Test
