@@ -28,10 +28,10 @@ import tellosimulator.view.testing.NeedsDisplay;
 @NeedsDisplay
 class SimulatorWindowDisplayTest {
 
-  /** Half the size of the square in the middle of the scene in which the drone must be [px]. */
   /** Of a panel, above and below its content [px]. */
   private static final double BORDERS = 2;
 
+  /** Half the size of the square in the middle of the scene in which the drone must be [px]. */
   private static final int HALF = 60;
 
   private final FxRobot robot = new FxRobot();
