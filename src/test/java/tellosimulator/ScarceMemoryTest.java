@@ -26,9 +26,6 @@ class ScarceMemoryTest {
 
   private static final InetAddress LOOPBACK = InetAddress.getLoopbackAddress();
 
-  private static final int RETRY_MS = 20_000;
-  private static final int TRIES = 6;
-
   /** Several seconds of what a stranger may send. */
   private static final int FLOOD = 200_000;
 
@@ -50,22 +47,13 @@ class ScarceMemoryTest {
     }
   }
 
-  /** The first reply to a text, which is sent again as clients do: memory may lack for any one. */
+  /** The reply to a text, which is sent once; without one, what the program has said. */
   private static String reply(String text, ProgramProcess program, int port) throws IOException {
-    try (DatagramSocket client = new DatagramSocket(new InetSocketAddress(LOOPBACK, 0))) {
-      client.setSoTimeout(RETRY_MS);
-      byte[] bytes = text.getBytes(StandardCharsets.US_ASCII);
-      DatagramPacket reply = new DatagramPacket(new byte[100], 100);
-      for (int i = 0; i < TRIES && program.isAlive(); i++) {
-        client.send(new DatagramPacket(bytes, bytes.length, LOOPBACK, port));
-        try {
-          client.receive(reply);
-          return new String(reply.getData(), 0, reply.getLength(), StandardCharsets.US_ASCII);
-        } catch (SocketTimeoutException e) {
-          // lost, or late
-        }
-      }
-      throw new AssertionError("no reply to " + text + ": " + program.errors());
+    try {
+      return ProgramProcess.ask(text, port);
+    } catch (SocketTimeoutException e) {
+      throw new AssertionError(
+          "no reply to " + text + ", alive: " + program.isAlive() + "; " + program.errors(), e);
     }
   }
 
