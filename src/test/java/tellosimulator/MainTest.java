@@ -299,7 +299,8 @@ class MainTest {
   @EnabledOnOs(OS.LINUX)
   @Timeout(2 * ProgramProcess.PATIENCE_SECONDS)
   void withoutADisplayItSaysSoInOneSentenceAndRunsWithoutAWindow() throws Exception {
-    try (ProgramProcess program = ProgramProcess.start(Main.class, "--log-level warn", "DISPLAY")) {
+    try (ProgramProcess program =
+        ProgramProcess.start(Main.class, "--log-level warn --time-factor max", "DISPLAY")) {
       assertThat(ProgramProcess.ask("command", program.port())).isEqualTo("ok");
       assertThat(program.errors().lines())
           .singleElement()
