@@ -12,8 +12,8 @@ import org.slf4j.LoggerFactory;
  */
 public final class FatalExit implements Thread.UncaughtExceptionHandler {
 
-  /** The program's exit code. */
-  public static final int CODE = 4;
+  /** The program's exit code. Documented: EX_SOFTWARE of sysexits.h, an error in the program. */
+  public static final int CODE = 70;
 
   /** How long files and sockets may take to be closed [ns]. Decided. */
   private static final long PATIENCE_NANOS = 5_000_000_000L;

@@ -23,7 +23,7 @@ class FatalExitTest {
     fatal.uncaughtException(Thread.currentThread(), new OutOfMemoryError("broken on purpose"));
     fatal.uncaughtException(Thread.currentThread(), new OutOfMemoryError("broken on purpose"));
 
-    assertThat(happened).containsExactly("deadline", 4);
+    assertThat(happened).containsExactly("deadline", 70);
   }
 
   @Test
@@ -38,7 +38,7 @@ class FatalExitTest {
 
     starved.uncaughtException(Thread.currentThread(), new OutOfMemoryError("broken on purpose"));
 
-    assertThat(happened).containsExactly("halt 4");
+    assertThat(happened).containsExactly("halt 70");
   }
 
   @Test
