@@ -5,27 +5,19 @@ import java.io.IOException;
 import java.io.InputStreamReader;
 import java.io.PrintStream;
 import java.nio.charset.Charset;
-import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
-import picocli.CommandLine;
 import picocli.CommandLine.IVersionProvider;
-import picocli.CommandLine.ParameterException;
-import picocli.CommandLine.ParseResult;
-import picocli.CommandLine.UnmatchedArgumentException;
-import tellosimulator.cli.DiffOptions;
-import tellosimulator.cli.ExportOptions;
+import tellosimulator.cli.ExitCode;
+import tellosimulator.cli.Invocation;
 import tellosimulator.cli.Launch;
 import tellosimulator.cli.Options;
-import tellosimulator.cli.ReportOptions;
+import tellosimulator.cli.ProgramOutput;
 import tellosimulator.cli.ScenarioOptions;
 import tellosimulator.cli.Subcommand;
-import tellosimulator.comparison.ComparisonTable;
-import tellosimulator.comparison.FlightComparison;
-import tellosimulator.comparison.FlightComparison.Flight;
-import tellosimulator.comparison.Tolerance;
+import tellosimulator.cli.SubcommandName;
 import tellosimulator.concurrent.FatalExit;
 import tellosimulator.files.IoReason;
 import tellosimulator.goal.Progress.Status;
@@ -33,15 +25,9 @@ import tellosimulator.headless.HeadlessSimulator;
 import tellosimulator.log.LogSetup;
 import tellosimulator.log.StandardErrorLog;
 import tellosimulator.network.PortTakenException;
-import tellosimulator.recording.RecordedFlight;
 import tellosimulator.recording.RecordingFolder;
-import tellosimulator.recording.UnreadableRecordingException;
-import tellosimulator.report.ComparisonReport;
-import tellosimulator.report.ComparisonReport.NamedFlight;
-import tellosimulator.report.FlightReport;
 import tellosimulator.report.FlightReports;
 import tellosimulator.report.ReportTexts;
-import tellosimulator.scenario.ScenarioException;
 import tellosimulator.video.SoftwareCameras;
 import tellosimulator.view.app.SimulatorApp;
 import tellosimulator.view.app.Toolkit;
@@ -49,15 +35,9 @@ import tellosimulator.view.layout.WindowState;
 import tellosimulator.view.settings.DataFolder;
 import tellosimulator.view.settings.Settings;
 import tellosimulator.view.text.Language;
-import tellosimulator.words.Spelling;
 
 /** The command line: reads the options, then runs the simulator or a {@link Subcommand}. */
 public final class Main {
-
-  private static final int FAILED = 1;
-  private static final int WRONG_OPTIONS = 2;
-  private static final int GOALS_MISSED = 3;
-  private static final int FLIGHTS_DIFFER = 4;
 
   /** Flights of the window that are kept. Decided: those of a lesson. */
   private static final int RECORDINGS_KEPT = 20;
@@ -65,17 +45,15 @@ public final class Main {
   private final Options options = new Options();
   private final PrintStream out;
   private final PrintStream err;
+  private final ProgramOutput output;
 
   private Main(PrintStream out, PrintStream err) {
     this.out = out;
     this.err = err;
+    output = new ProgramOutput(out, err, () -> language().translation());
   }
 
-  /**
-   * Ends the process with 0, or 1 if something could not be had, or 2 if options or a scenario are
-   * wrong, or 3 if goals were missed, or 4 after an error from which nothing goes on, or if two
-   * flights that are compared differ.
-   */
+  /** Ends the process with an {@link ExitCode}, or that of {@link FatalExit}. */
   public static void main(String[] args) {
     System.setProperty("java.awt.headless", "true"); // posters are read, nothing is drawn
     FatalExit fatal = FatalExit.install(LogSetup::flush);
@@ -95,123 +73,14 @@ public final class Main {
   }
 
   private int run(String... args) {
-    Optional<Subcommand> subcommand = Subcommand.of(args);
-    if (subcommand.isEmpty()) {
-      return run(options.commandLine(new Version()), args, () -> start(List.of(args)));
+    Optional<SubcommandName> name = SubcommandName.of(args);
+    if (name.isEmpty()) {
+      return new Invocation(options.commandLine(new Version()), output)
+          .run(args, () -> start(List.of(args)));
     }
-    String[] rest = Arrays.copyOfRange(args, 1, args.length);
-    return switch (subcommand.get()) {
-      case REPORT -> {
-        ReportOptions said = new ReportOptions();
-        yield run(said.commandLine(new Version()), rest, () -> report(said));
-      }
-      case DIFF -> {
-        DiffOptions said = new DiffOptions();
-        yield run(said.commandLine(new Version()), rest, () -> diff(said));
-      }
-      case EXPORT -> {
-        ExportOptions said = new ExportOptions();
-        yield run(said.commandLine(new Version()), rest, () -> export(said));
-      }
-    };
-  }
-
-  /** What is done once the command line is read. */
-  private interface Action {
-    int run() throws PortTakenException, InterruptedException;
-  }
-
-  private int run(CommandLine commandLine, String[] args, Action action) {
-    try {
-      ParseResult parsed = commandLine.parseArgs(args);
-      if (parsed.isUsageHelpRequested()) {
-        commandLine.usage(out);
-        return 0;
-      }
-      if (parsed.isVersionHelpRequested()) {
-        commandLine.printVersionHelp(out);
-        return 0;
-      }
-      return action.run();
-    } catch (UnmatchedArgumentException e) {
-      err.println(
-          "There is no option "
-              + e.getUnmatched().get(0)
-              + Spelling.meant(
-                      e.getUnmatched().get(0).replaceFirst("=.*", ""),
-                      commandLine.getCommandSpec().optionsMap().keySet())
-                  .map(meant -> ", did you mean " + meant + "?")
-                  .orElse(".")
-              + " Try --help.");
-      return WRONG_OPTIONS;
-    } catch (ParameterException | IllegalArgumentException e) {
-      err.println(
-          e.getCause() instanceof ScenarioException wrong
-              ? wrong.getMessage()
-              : sentence(e.getMessage()) + " Try --help.");
-      return WRONG_OPTIONS;
-    } catch (PortTakenException e) {
-      err.println(e.getMessage());
-      return FAILED;
-    } catch (InterruptedException e) {
-      Thread.currentThread().interrupt();
-      return FAILED;
-    }
-  }
-
-  private int report(ReportOptions reportOptions) {
-    Path file = reportOptions.output();
-    try {
-      RecordedFlight flight = RecordedFlight.read(reportOptions.folder());
-      new FlightReport(flight, new ReportTexts(language().translation())).write(file);
-      out.println("report: " + file);
-      return 0;
-    } catch (UnreadableRecordingException e) {
-      err.println(e.getMessage());
-    } catch (IOException e) {
-      err.println(FlightReports.notWritten(file, e));
-    }
-    return FAILED;
-  }
-
-  private int export(ExportOptions exportOptions) {
-    Path file = exportOptions.output();
-    try {
-      RecordedFlight flight = RecordedFlight.read(exportOptions.folder());
-      exportOptions.format().export(exportOptions.folder(), flight, file);
-      out.println("exported: " + file);
-      return 0;
-    } catch (UnreadableRecordingException e) {
-      err.println(e.getMessage());
-    } catch (IOException e) {
-      err.println("The recording was not exported to " + file + ": " + IoReason.of(e) + ".");
-    }
-    return FAILED;
-  }
-
-  private int diff(DiffOptions diffOptions) {
-    try {
-      Flight first = Flight.read(diffOptions.first());
-      Flight second = Flight.read(diffOptions.second());
-      FlightComparison comparison = FlightComparison.of(first, second, Tolerance.DEFAULT);
-      new ComparisonTable(comparison, Tolerance.DEFAULT).print(out);
-      if (diffOptions.output().isPresent()) {
-        Path file = diffOptions.output().get();
-        new ComparisonReport(
-                NamedFlight.of(diffOptions.first(), first),
-                NamedFlight.of(diffOptions.second(), second),
-                Tolerance.DEFAULT,
-                new ReportTexts(language().translation()))
-            .write(file);
-        out.println("report: " + file);
-      }
-      return comparison.alike() ? 0 : FLIGHTS_DIFFER;
-    } catch (UnreadableRecordingException e) {
-      err.println(e.getMessage());
-    } catch (IOException e) {
-      err.println("The flights were not compared: " + IoReason.of(e) + ".");
-    }
-    return FAILED;
+    Subcommand subcommand = name.get().subcommand();
+    return new Invocation(subcommand.commandLine(new Version()), output)
+        .run(Arrays.copyOfRange(args, 1, args.length), () -> subcommand.run(output));
   }
 
   /** That of the window. */
@@ -224,7 +93,7 @@ public final class Main {
   private int start(List<String> words) throws PortTakenException, InterruptedException {
     if (options.listScenarios()) {
       ScenarioOptions.list(out);
-      return 0;
+      return ExitCode.DONE;
     }
     LogSetup.setLevel(options.logLevel());
     return simulate(words);
@@ -258,7 +127,7 @@ public final class Main {
         app.switchAllOn();
         out.println(app.ready());
       }
-      return app.run(settings, state) ? 0 : FAILED;
+      return app.run(settings, state) ? ExitCode.DONE : ExitCode.FAILED;
     }
   }
 
@@ -295,12 +164,12 @@ public final class Main {
           .ifPresent(folder -> simulator.record(folder, launch.scenario().title(), words));
       simulator.sayReady(out);
       int status = run(simulator);
-      return end(simulator, reports) || status != 0 ? status : FAILED;
+      return end(simulator, reports) || status != ExitCode.DONE ? status : ExitCode.FAILED;
     } catch (PortTakenException e) {
       throw e;
     } catch (IOException e) {
       err.println("There is no place for recordings: " + IoReason.of(e) + ".");
-      return FAILED;
+      return ExitCode.FAILED;
     }
   }
 
@@ -311,7 +180,7 @@ public final class Main {
         .map(
             each ->
                 each.write(
-                    () -> new ReportTexts(language().translation()),
+                    () -> new ReportTexts(output.translation().get()),
                     file -> out.println("report: " + file),
                     err::println))
         .orElse(true);
@@ -323,17 +192,11 @@ public final class Main {
     BufferedReader in = new BufferedReader(new InputStreamReader(System.in, charset));
     if (options.exitWhenDone()) {
       return simulator.runUntilDone(options.timeout(), in, out) == Status.REACHED
-          ? 0
-          : GOALS_MISSED;
+          ? ExitCode.DONE
+          : ExitCode.GOALS_MISSED;
     }
     simulator.run(in, out);
-    return 0;
-  }
-
-  private static String sentence(String message) {
-    String line = message.lines().findFirst().orElse("The options are wrong");
-    String capital = Character.toUpperCase(line.charAt(0)) + line.substring(1);
-    return capital.matches(".*[.?]") ? capital : capital + ".";
+    return ExitCode.DONE;
   }
 
   private static final class Version implements IVersionProvider {

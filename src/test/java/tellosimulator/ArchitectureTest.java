@@ -68,7 +68,7 @@ class ArchitectureTest {
           Map.entry("comparison", List.of("recording")),
           Map.entry("export", List.of("recording")),
           Map.entry("report", List.of("comparison", "recording", "video")),
-          Map.entry("cli", List.of("export", "scenario", "video")),
+          Map.entry("cli", List.of("export", "report", "scenario", "video")),
           Map.entry("log", List.of("concurrent")),
           Map.entry("view.fx", List.of("scenery")),
           Map.entry("view.settings", List.of("files")),

@@ -52,6 +52,21 @@ class DiffCommandTest {
   }
 
   @Test
+  void thePageThatCannotBeWrittenTakesNothingFromTheTable() {
+    assertThat(run("diff", flight("a"), flight("b"), "-o", folder.toString())).isEqualTo(1);
+
+    assertThat(out.toString(StandardCharsets.UTF_8).lines())
+        .hasSize(9)
+        .last()
+        .asString()
+        .startsWith("0 of 7 commands differ");
+    assertThat(err.toString(StandardCharsets.UTF_8))
+        .isEqualToIgnoringNewLines(
+            "The report was not written to %1$s: %1$s is a folder, a pipe or a device, not a file."
+                .formatted(folder));
+  }
+
+  @Test
   void whatCannotBeComparedIsASentence() {
     String missing = folder.resolve("missing").toString();
 

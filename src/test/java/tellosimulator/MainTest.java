@@ -19,9 +19,11 @@ import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import picocli.CommandLine.Model.OptionSpec;
 import tellosimulator.cli.Options;
+import tellosimulator.cli.SubcommandName;
 import tellosimulator.recording.RecordingFixture;
 import tellosimulator.scenario.Gallery;
 
@@ -117,12 +119,24 @@ class MainTest {
     assertThat(lines(out)).isEmpty();
   }
 
+  @ParameterizedTest
+  @EnumSource(SubcommandName.class)
+  void aSubcommandExplainsItselfAndStandsInTheReadme(SubcommandName name) throws IOException {
+    assertThat(run(name.word() + " --help")).isZero();
+
+    assertThat(lines(out))
+        .contains("Usage: tello-simulator " + name.word() + " [-hV]", "Exit code", "--version")
+        .isASCII();
+    assertThat(lines(out).lines()).allMatch(printed -> printed.length() <= 80);
+    assertThat(lines(err)).isEmpty();
+    assertThat(Path.of("README.md")).content().contains("\n| `" + name.word() + " ");
+  }
+
   @Test
-  void aReportExplainsItself() {
+  void aReportNamesItsOptions() {
     assertThat(run("report --help")).isZero();
 
-    assertThat(lines(out)).contains("report", "FOLDER", "-o", "FILE", "Exit code 0").isASCII();
-    assertThat(lines(out).lines()).allMatch(printed -> printed.length() <= 80);
+    assertThat(lines(out)).contains("FOLDER", "-o", "FILE", "Exit code 0: written");
   }
 
   @Test

@@ -1,15 +1,18 @@
 package tellosimulator.cli;
 
+import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Supplier;
 import picocli.CommandLine;
 import picocli.CommandLine.ITypeConverter;
 import picocli.CommandLine.IVersionProvider;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Model.OptionSpec;
+import picocli.CommandLine.Model.PositionalParamSpec;
 
 /**
- * The options of the command line, in the order of the help. Made by calls, because finding them as
+ * The options of a command line, in the order of the help. Made by calls, because finding them as
  * annotations would take a fifth of the time until the program is ready.
  */
 final class Choices {
@@ -25,20 +28,63 @@ final class Choices {
     "report FOLDER, instead of options, makes an HTML file of a recording: report --help."
   };
 
-  private final CommandSpec spec = CommandSpec.create().name("tello-simulator");
+  private static final String PROGRAM = "tello-simulator";
 
-  Choices() {
-    spec.usageMessage()
-        .sortOptions(false)
-        .autoWidth(true)
-        .header("Simulates Tello drones: programs fly them over UDP as they fly real ones.")
-        .footer(FOOTER);
+  private final CommandSpec spec;
+
+  private Choices(String name, String header, String... footer) {
+    spec = CommandSpec.create().name(name);
+    spec.usageMessage().sortOptions(false).autoWidth(true).header(header).footer(footer);
+  }
+
+  /** Those of the simulator. */
+  static Choices ofSimulator() {
+    return new Choices(
+        PROGRAM,
+        "Simulates Tello drones: programs fly them over UDP as they fly real ones.",
+        FOOTER);
+  }
+
+  /**
+   * Those of a subcommand.
+   *
+   * @param does a sentence
+   * @param exitCodes what they mean, in a sentence
+   */
+  static Choices of(SubcommandName subcommand, String does, String exitCodes) {
+    return new Choices(PROGRAM + " " + subcommand.word(), does, "", exitCodes);
   }
 
   /** Reads the command line into the choices, and explains them. */
   CommandLine commandLine(IVersionProvider version) {
     spec.mixinStandardHelpOptions(true).versionProvider(version);
     return new CommandLine(spec).setExpandAtFiles(false); // @ may begin the name of a file
+  }
+
+  /**
+   * The folder of a recording, which must be named after those that are added before.
+   *
+   * @param label what stands for it in the help
+   */
+  Supplier<Path> recording(String label) {
+    PositionalParamSpec folder =
+        PositionalParamSpec.builder()
+            .paramLabel(label)
+            .description("The folder of a recording.")
+            .type(Path.class)
+            .converters((ITypeConverter<Path>) OptionTypes::fileOrFolder)
+            .index(Integer.toString(spec.positionalParameters().size()))
+            .arity("1")
+            .required(true)
+            .build();
+    spec.addPositional(folder);
+    return folder::getValue;
+  }
+
+  /** The file that a subcommand writes. */
+  Choice<Optional<Path>> output(String description) {
+    return new Valued(valued(description, "FILE", "-o", "--output"))
+        .readIfGiven(OptionTypes::fileOrFolder);
   }
 
   /** An option without a value. */
@@ -60,12 +106,15 @@ final class Choices {
    * @param label what stands for the value in the help
    */
   Valued option(String name, String label, String description) {
-    return new Valued(
-        OptionSpec.builder(name)
-            .paramLabel(label)
-            .description(description)
-            .type(Object.class)
-            .arity("1"));
+    return new Valued(valued(description, label, name));
+  }
+
+  private static OptionSpec.Builder valued(String description, String label, String... names) {
+    return OptionSpec.builder(names)
+        .paramLabel(label)
+        .description(description)
+        .type(Object.class)
+        .arity("1");
   }
 
   /** An option with a value, of which it is still to be said how it is read. */
@@ -90,6 +139,12 @@ final class Choices {
     <T> Choice<Optional<T>> readIfGiven(ITypeConverter<T> converter) {
       ITypeConverter<Optional<T>> present = word -> Optional.of(converter.convert(word));
       return new Choice<>(added(builder.converters(present)), Optional.empty());
+    }
+
+    /** The option must be given. */
+    <T> Supplier<T> readRequired(ITypeConverter<T> converter) {
+      OptionSpec option = added(builder.required(true).converters(converter));
+      return option::getValue;
     }
 
     /** The option can be given several times. */

@@ -14,6 +14,7 @@ import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import picocli.CommandLine.TypeConversionException;
 import tellosimulator.command.OperatorRule;
+import tellosimulator.export.ExportFormat;
 import tellosimulator.math.Frames;
 import tellosimulator.math.Vec3;
 import tellosimulator.network.AddressPlan;
@@ -76,6 +77,21 @@ final class OptionTypes {
     } catch (InvalidPathException e) {
       throw mistake("the path of a folder", word);
     }
+  }
+
+  static Path fileOrFolder(String word) {
+    try {
+      if (!word.isEmpty()) {
+        return Path.of(word);
+      }
+    } catch (InvalidPathException e) {
+      // told below
+    }
+    throw mistake("the name of a file or a folder", word);
+  }
+
+  static ExportFormat exportFormat(String word) {
+    return byName(word, List.of(ExportFormat.values()), ExportFormat::word);
   }
 
   static Double fieldOfView(String word) {

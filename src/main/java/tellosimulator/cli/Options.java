@@ -32,7 +32,7 @@ public final class Options {
 
   private static final String CONTROL = "--control";
 
-  private final Choices choices = new Choices();
+  private final Choices choices = Choices.ofSimulator();
 
   private final Choice<Boolean> headless = choices.flag("--headless", "Run without a window.");
 

@@ -1,27 +1,24 @@
 package tellosimulator.cli;
 
-import java.util.Locale;
-import java.util.Optional;
-import java.util.stream.Stream;
+import picocli.CommandLine;
+import picocli.CommandLine.IVersionProvider;
+import tellosimulator.network.PortTakenException;
+import tellosimulator.recording.UnreadableRecordingException;
 
-/** What the program does instead of simulating, if its name is the first word. */
-public enum Subcommand {
-  /** Makes an HTML file of a recording. */
-  REPORT,
-  /** Compares two recordings. */
-  DIFF,
-  /** Writes a recording in the format of another tool. */
-  EXPORT;
+/** What the program does instead of simulating: options, and what follows. For one thread. */
+public interface Subcommand {
 
-  /** The word that chooses it. */
-  public String word() {
-    return name().toLowerCase(Locale.ROOT);
-  }
+  /** Reads what comes after the subcommand into its options, and explains them. */
+  CommandLine commandLine(IVersionProvider version);
 
-  /** The one that a command line begins with. */
-  public static Optional<Subcommand> of(String... args) {
-    return Stream.of(values())
-        .filter(each -> args.length > 0 && each.word().equals(args[0]))
-        .findFirst();
-  }
+  /**
+   * Does it, once its options are read.
+   *
+   * @return the {@link ExitCode}
+   * @throws UnreadableRecordingException if a recording that is named cannot be used
+   * @throws PortTakenException if a port or an address cannot be had
+   * @throws InterruptedException if the program is to end
+   */
+  int run(ProgramOutput output)
+      throws UnreadableRecordingException, PortTakenException, InterruptedException;
 }

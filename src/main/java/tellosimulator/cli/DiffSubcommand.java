@@ -1,0 +1,76 @@
+package tellosimulator.cli;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.Optional;
+import java.util.function.Supplier;
+import picocli.CommandLine;
+import picocli.CommandLine.IVersionProvider;
+import tellosimulator.comparison.ComparisonTable;
+import tellosimulator.comparison.FlightComparison;
+import tellosimulator.comparison.FlightComparison.Flight;
+import tellosimulator.comparison.Tolerance;
+import tellosimulator.files.IoReason;
+import tellosimulator.recording.UnreadableRecordingException;
+import tellosimulator.report.ComparisonReport;
+import tellosimulator.report.ComparisonReport.NamedFlight;
+import tellosimulator.report.FlightReports;
+import tellosimulator.report.ReportTexts;
+
+/** Compares two recordings. For one thread. */
+final class DiffSubcommand implements Subcommand {
+
+  private final Choices choices =
+      Choices.of(
+          SubcommandName.DIFF,
+          "Compares two recorded flights, command by command: replies, durations, and how the"
+              + " drones moved as their state lines tell it.",
+          "Exit code 0: alike; 4: they differ; 1: cannot be read or written; 2: wrong options.");
+
+  private final Supplier<Path> first = choices.recording("A");
+  private final Supplier<Path> second = choices.recording("B");
+
+  private final Choice<Optional<Path>> output =
+      choices.output("Also write the table and charts of both as an HTML file.");
+
+  @Override
+  public CommandLine commandLine(IVersionProvider version) {
+    return choices.commandLine(version);
+  }
+
+  @Override
+  public int run(ProgramOutput to) throws UnreadableRecordingException {
+    Flight one;
+    Flight other;
+    try {
+      one = Flight.read(first.get());
+      other = Flight.read(second.get());
+    } catch (IOException e) {
+      to.err().println("The flights were not compared: " + IoReason.of(e) + ".");
+      return ExitCode.FAILED;
+    }
+    FlightComparison comparison = FlightComparison.of(one, other, Tolerance.DEFAULT);
+    new ComparisonTable(comparison, Tolerance.DEFAULT).print(to.out());
+    if (output.value().isPresent() && !write(output.value().get(), one, other, to)) {
+      return ExitCode.FAILED;
+    }
+    return comparison.alike() ? ExitCode.DONE : ExitCode.FLIGHTS_DIFFER;
+  }
+
+  /** Writes the page; whether it is there. */
+  private boolean write(Path file, Flight one, Flight other, ProgramOutput to) {
+    try {
+      new ComparisonReport(
+              NamedFlight.of(first.get(), one),
+              NamedFlight.of(second.get(), other),
+              Tolerance.DEFAULT,
+              new ReportTexts(to.translation().get()))
+          .write(file);
+    } catch (IOException e) {
+      to.err().println(FlightReports.notWritten(file, e));
+      return false;
+    }
+    to.out().println("report: " + file);
+    return true;
+  }
+}

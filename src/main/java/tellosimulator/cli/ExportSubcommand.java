@@ -1,0 +1,60 @@
+package tellosimulator.cli;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.Optional;
+import java.util.function.Supplier;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import picocli.CommandLine;
+import picocli.CommandLine.IVersionProvider;
+import tellosimulator.export.ExportFormat;
+import tellosimulator.files.IoReason;
+import tellosimulator.recording.RecordedFlight;
+import tellosimulator.recording.UnreadableRecordingException;
+
+/** Writes a recording in the format of another tool. For one thread. */
+final class ExportSubcommand implements Subcommand {
+
+  private final Choices choices =
+      Choices.of(
+          SubcommandName.EXPORT,
+          "Writes a recorded flight in the format of another tool.",
+          "Exit code 0: written; 1: cannot be read or written; 2: wrong options.");
+
+  private final Supplier<Path> folder = choices.recording("FOLDER");
+
+  private final Supplier<ExportFormat> format =
+      choices
+          .option(
+              "--to",
+              Stream.of(ExportFormat.values())
+                  .map(ExportFormat::word)
+                  .collect(Collectors.joining("|")),
+              "The format: pcap for Wireshark, mcap for Foxglove and PlotJuggler. flight.csv of the"
+                  + " recording is a table already.")
+          .readRequired(OptionTypes::exportFormat);
+
+  private final Choice<Optional<Path>> output =
+      choices.output("The file to write. Default: flight.pcap or flight.mcap in the folder.");
+
+  @Override
+  public CommandLine commandLine(IVersionProvider version) {
+    return choices.commandLine(version);
+  }
+
+  @Override
+  public int run(ProgramOutput to) throws UnreadableRecordingException {
+    Path from = folder.get();
+    Path file = output.value().orElseGet(() -> from.resolve("flight." + format.get().word()));
+    RecordedFlight flight = RecordedFlight.read(from);
+    try {
+      format.get().export(from, flight, file);
+    } catch (IOException e) {
+      to.err().println("The recording was not exported to " + file + ": " + IoReason.of(e) + ".");
+      return ExitCode.FAILED;
+    }
+    to.out().println("exported: " + file);
+    return ExitCode.DONE;
+  }
+}

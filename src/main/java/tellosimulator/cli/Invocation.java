@@ -1,0 +1,86 @@
+package tellosimulator.cli;
+
+import java.util.Optional;
+import picocli.CommandLine;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.ParseResult;
+import picocli.CommandLine.UnmatchedArgumentException;
+import tellosimulator.network.PortTakenException;
+import tellosimulator.recording.UnreadableRecordingException;
+import tellosimulator.scenario.ScenarioException;
+import tellosimulator.words.Spelling;
+
+/**
+ * Reads a command line, and does what it asks for; help, version and mistakes are the same for the
+ * simulator and all subcommands. For one thread.
+ */
+public final class Invocation {
+
+  private static final String HINT = " Try --help.";
+
+  /** What is done once the options are read. */
+  @FunctionalInterface
+  public interface Action {
+    /** Returns the {@link ExitCode}. */
+    int run() throws UnreadableRecordingException, PortTakenException, InterruptedException;
+  }
+
+  private final CommandLine commandLine;
+  private final ProgramOutput output;
+
+  /** Does nothing yet. */
+  public Invocation(CommandLine commandLine, ProgramOutput output) {
+    this.commandLine = commandLine;
+    this.output = output;
+  }
+
+  /**
+   * Reads the words, and carries the action out, unless they ask for help or the version.
+   *
+   * @return the {@link ExitCode}, after a sentence where something is wrong
+   */
+  public int run(String[] args, Action action) {
+    try {
+      ParseResult parsed = commandLine.parseArgs(args);
+      if (parsed.isUsageHelpRequested()) {
+        commandLine.usage(output.out());
+        return ExitCode.DONE;
+      }
+      if (parsed.isVersionHelpRequested()) {
+        commandLine.printVersionHelp(output.out());
+        return ExitCode.DONE;
+      }
+      return action.run();
+    } catch (ParameterException | IllegalArgumentException e) {
+      output.err().println(mistake(e));
+      return ExitCode.WRONG_OPTIONS;
+    } catch (UnreadableRecordingException | PortTakenException e) {
+      output.err().println(e.getMessage());
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+    }
+    return ExitCode.FAILED;
+  }
+
+  private String mistake(RuntimeException e) {
+    if (e instanceof UnmatchedArgumentException unmatched) {
+      String word = unmatched.getUnmatched().get(0);
+      Optional<String> meant =
+          Spelling.meant(
+              word.replaceFirst("=.*", ""), commandLine.getCommandSpec().optionsMap().keySet());
+      return "There is no option "
+          + word
+          + meant.map(option -> ", did you mean " + option + "?").orElse(".")
+          + HINT;
+    }
+    return e.getCause() instanceof ScenarioException wrong
+        ? wrong.getMessage()
+        : sentence(e.getMessage()) + HINT;
+  }
+
+  private static String sentence(String message) {
+    String line = message.lines().findFirst().orElse("The options are wrong");
+    String capital = Character.toUpperCase(line.charAt(0)) + line.substring(1);
+    return capital.matches(".*[.?]") ? capital : capital + ".";
+  }
+}

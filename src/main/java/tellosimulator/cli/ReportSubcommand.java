@@ -1,0 +1,51 @@
+package tellosimulator.cli;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.Optional;
+import java.util.function.Supplier;
+import picocli.CommandLine;
+import picocli.CommandLine.IVersionProvider;
+import tellosimulator.recording.RecordedFlight;
+import tellosimulator.recording.UnreadableRecordingException;
+import tellosimulator.report.FlightReport;
+import tellosimulator.report.FlightReports;
+import tellosimulator.report.ReportTexts;
+
+/** Makes an HTML file of a recording. For one thread. */
+final class ReportSubcommand implements Subcommand {
+
+  /** Where the report goes if nobody says so, in the folder of the recording. */
+  private static final String USUAL_NAME = "report.html";
+
+  private final Choices choices =
+      Choices.of(
+          SubcommandName.REPORT,
+          "Makes a report of a recorded flight: one HTML file that opens in any browser,"
+              + " without a network.",
+          "Exit code 0: written; 1: cannot be read or written; 2: wrong options.");
+
+  private final Supplier<Path> folder = choices.recording("FOLDER");
+
+  private final Choice<Optional<Path>> output =
+      choices.output("The file to write. Default: " + USUAL_NAME + " in the folder.");
+
+  @Override
+  public CommandLine commandLine(IVersionProvider version) {
+    return choices.commandLine(version);
+  }
+
+  @Override
+  public int run(ProgramOutput to) throws UnreadableRecordingException {
+    Path file = output.value().orElseGet(() -> folder.get().resolve(USUAL_NAME));
+    RecordedFlight flight = RecordedFlight.read(folder.get());
+    try {
+      new FlightReport(flight, new ReportTexts(to.translation().get())).write(file);
+    } catch (IOException e) {
+      to.err().println(FlightReports.notWritten(file, e));
+      return ExitCode.FAILED;
+    }
+    to.out().println("report: " + file);
+    return ExitCode.DONE;
+  }
+}
