@@ -105,6 +105,7 @@ class NetworkControlsFxTest {
       String port = Integer.toString(taken.getLocalPort());
       window.enter("#command-port", port);
       robot.clickOn("#power");
+      window.until(() -> !window.sentence("#power-error").isEmpty());
 
       assertThat(window.drone(1).state().phase()).isEqualTo(FlightPhase.OFF);
       assertThat(window.sentence("#power-error"))
