@@ -28,6 +28,7 @@ MISSING = 77
 FORBIDDEN = 78
 
 LONGEST_FLIGHT_S = 60
+LONGEST_FLIGHT_WITH_FAULTS_S = 240
 LOOPBACK = ("127.0.0.1", "8879")
 
 
@@ -43,6 +44,11 @@ GALLERY = [  # a metre and a half from a wall on which pictures hang
     *("--poster", f"front,20,80,24,{MARKER}"),
     *("--poster", f"front,-40,80,16,{HERE / 'red.png'}"),
 ]
+# What each client says in its program that repeats commands; see persist_*.
+TEN = [
+    "command", "takeoff", "up 30", "forward 50", "cw 90", "left 30", "right 30", "ccw 90",
+    "back 50", "land",
+]  # fmt: skip
 SEARCH = ["--poster", f"right,-60,100,40,{MARKER}"]
 
 
@@ -50,11 +56,20 @@ class Client:
     """How a client is started, how to see whether it is installed, and in which room it flies."""
 
     def __init__(
-        self, start, probe, install, room=HALL, time_factor="5", fewest_steps=15, drones=1
+        self,
+        start,
+        probe,
+        install,
+        room=HALL,
+        time_factor="5",
+        fewest_steps=15,
+        drones=1,
+        persistent=(),
     ):
         self.start, self.probe, self.install = start, probe, install
         self.room, self.time_factor, self.fewest_steps = room, time_factor, fewest_steps
         self.drones = drones
+        self.persistent = persistent
 
     def swarm(self):
         """Whether its drones can only be told apart by their addresses."""
@@ -73,7 +88,10 @@ NPM = "npm install --prefix conformance"
 
 CLIENTS = {
     "djitellopy": Client(
-        [python(), "fly_djitellopy.py"], ["-c", "import djitellopy"], PIP
+        [python(), "fly_djitellopy.py"],
+        ["-c", "import djitellopy"],
+        PIP,
+        persistent=[python(), "persist_djitellopy.py"],
     ),
     "djitellopy-video": Client(
         [python(), "film_djitellopy.py"],
@@ -98,9 +116,17 @@ CLIENTS = {
         drones=3,
     ),
     "tello-asyncio": Client(
-        [python(), "fly_tello_asyncio.py"], ["-c", "import tello_asyncio"], PIP
+        [python(), "fly_tello_asyncio.py"],
+        ["-c", "import tello_asyncio"],
+        PIP,
+        persistent=[python(), "persist_tello_asyncio.py"],
     ),
-    "tellojs": Client(["node", "fly_tellojs.js"], ["-e", "require.resolve('tellojs')"], NPM),
+    "tellojs": Client(
+        ["node", "fly_tellojs.js"],
+        ["-e", "require.resolve('tellojs')"],
+        NPM,
+        persistent=["node", "persist_tellojs.js"],
+    ),
 }
 
 
@@ -117,6 +143,13 @@ def options():
     parser.add_argument(
         "--time-factor", help="how fast time passes, or max; 5, with video 1, unless given"
     )
+    parser.add_argument(
+        "--fault",
+        action="append",
+        default=[],
+        help="fly ten commands, each until the drone has carried it out, while this goes wrong; "
+        "once for each",
+    )
     parser.add_argument("--java", default="java", help="which Java runs the simulator")
     parser.add_argument("--jar", default=str(HERE.parent / "target" / "tello-simulator.jar"))
     chosen = parser.parse_args()
@@ -131,7 +164,47 @@ def options():
         ]
     elif not chosen.private_network and any(CLIENTS[name].swarm() for name in chosen.clients):
         parser.error("a swarm flies with --private-network only")
+    if chosen.fault and not chosen.private_network:
+        parser.error("faults take --private-network, in which clients are as they are")
+    stubborn = [name for name in chosen.clients if not CLIENTS[name].persistent]
+    if chosen.fault and stubborn:
+        parser.error("no program repeats commands with " + ", ".join(stubborn))
     return chosen
+
+
+def persist(name, fault, chosen):
+    """Whether ten commands were carried out and the drone has landed, in spite of a fault."""
+    client = CLIENTS[name]
+    started = time.monotonic()
+    with contextlib.ExitStack() as stack:
+        cable = stack.enter_context(network.PrivateNetwork())
+        simulator_options = [
+            *("--time-factor", chosen.time_factor or "1", *client.room),
+            *("--bind", network.DRONES[0], "--command-port", "8889"),
+            *("--fault", fault, "--seed", "1"),
+        ]
+        simulator = stack.enter_context(Simulator(chosen.java, chosen.jar, simulator_options))
+        command = cable.way_in() + list(client.persistent)
+        faults, chatter = follow(command, None, simulator, LONGEST_FLIGHT_WITH_FAULTS_S)
+        log = simulator.log()
+        faults += [f"{text} was never carried out" for text in TEN if not carried_out(text, log)]
+        if simulator.pose_at_rest().z > 0:
+            faults.append("the drone still flies")
+        commands = sum(log.count(f"`{text}` from") for text in TEN)
+        seconds = time.monotonic() - started
+        end = f"{commands} commands came for {len(TEN)}, {seconds:.1f} s"
+        if not faults:
+            print(f"{name} with {fault}: passed, {end}", flush=True)
+            return True
+        print(f"{name} with {fault}: FAILED, {end}")
+        print("\n".join("  " + each for each in faults))
+        print("What the client wrote last:", *chatter[-20:], sep="\n  ")
+        print("What the simulator wrote last:", *log.splitlines()[-40:], sep="\n  ", flush=True)
+        return False
+
+
+def carried_out(text, log):
+    return f"`{text}` answered `ok`" in log
 
 
 def fly(name, chosen):
@@ -171,7 +244,7 @@ def fly(name, chosen):
         return False
 
 
-def follow(command, judge, simulator):
+def follow(command, judge, simulator, longest_s=LONGEST_FLIGHT_S):
     """Runs a client; returns what went wrong, and what it wrote of its own accord."""
     client = subprocess.Popen(
         command,
@@ -184,7 +257,7 @@ def follow(command, judge, simulator):
         bufsize=1,
         env={**os.environ, "PYTHONUNBUFFERED": "1", "PYTHONDONTWRITEBYTECODE": "1"},
     )
-    watch = threading.Timer(LONGEST_FLIGHT_S, lambda: (client.kill(), simulator.kill()))
+    watch = threading.Timer(longest_s, lambda: (client.kill(), simulator.kill()))
     watch.start()
     faults, chatter, done = [], [], False
     try:
@@ -261,7 +334,9 @@ def main():
         network.loopback_up()
     else:
         enter_network(chosen)
-    return 0 if all([fly(name, chosen) for name in chosen.clients]) else FAILED
+    flights = [fly(name, chosen) for name in chosen.clients if not chosen.fault]
+    flights += [persist(name, fault, chosen) for name in chosen.clients for fault in chosen.fault]
+    return 0 if all(flights) else FAILED
 
 
 if __name__ == "__main__":
