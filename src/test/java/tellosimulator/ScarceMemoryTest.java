@@ -33,7 +33,7 @@ class ScarceMemoryTest {
   void videoWithoutMemoryHarmsNothingElse() throws Exception {
     try (DatagramSocket video = new DatagramSocket(new InetSocketAddress(LOOPBACK, 0));
         ProgramProcess program =
-            scarce("-Xmx32m", "--time-factor max --video-port " + video.getLocalPort())) {
+            scarce("-Xmx25m", "--time-factor max --video-port " + video.getLocalPort())) {
       int port = program.port();
       assertThat(reply("command", program, port)).isEqualTo("ok");
       for (int i = 0; i < 2; i++) {
@@ -44,6 +44,21 @@ class ScarceMemoryTest {
       }
       assertThat(reply("takeoff", program, port)).isEqualTo("ok");
       assertThat(reply("land", program, port)).isEqualTo("ok");
+    }
+  }
+
+  @Test
+  void videoFliesInThirtyTwoMegabytes() throws Exception {
+    try (DatagramSocket video = new DatagramSocket(new InetSocketAddress(LOOPBACK, 0));
+        ProgramProcess program =
+            scarce("-Xmx32m", "--time-factor max --video-port " + video.getLocalPort())) {
+      int port = program.port();
+      assertThat(reply("command", program, port)).isEqualTo("ok");
+      assertThat(reply("streamon", program, port)).isEqualTo("ok");
+      awaitVideoOrSentence(video, program);
+
+      assertThat(reply("takeoff", program, port)).isEqualTo("ok");
+      assertThat(program.errors()).doesNotContain("rests until");
     }
   }
 

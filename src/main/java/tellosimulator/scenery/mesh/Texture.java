@@ -1,5 +1,6 @@
 package tellosimulator.scenery.mesh;
 
+import java.lang.ref.SoftReference;
 import java.util.function.Supplier;
 
 /**
@@ -10,8 +11,10 @@ public final class Texture {
 
   private final int width;
   private final int height;
-  private Supplier<int[]> lazyArgb;
-  private volatile int[] argb;
+  private final Supplier<int[]> source;
+
+  /** What the source gave, until memory is scarce: a camera keeps what it makes of it. */
+  private volatile SoftReference<int[]> computed = new SoftReference<>(null);
 
   /**
    * @param width texels
@@ -20,22 +23,26 @@ public final class Texture {
    *     not multiplied with alpha
    */
   public Texture(int width, int height, int[] argb) {
-    this(width, height, (Supplier<int[]>) null);
+    this(width, height, constant(argb.clone()));
     check(argb);
-    this.argb = argb.clone();
   }
 
-  private Texture(int width, int height, Supplier<int[]> lazyArgb) {
+  private Texture(int width, int height, Supplier<int[]> source) {
     this.width = width;
     this.height = height;
-    this.lazyArgb = lazyArgb;
+    this.source = source;
+  }
+
+  private static Supplier<int[]> constant(int[] argb) {
+    return () -> argb;
   }
 
   /**
    * A texture whose texels are computed when they are first used, as most of a room is not in the
-   * first frame.
+   * first frame, and again if memory was scarce in between.
    *
-   * @param texels computes what the constructor takes; nobody else keeps the array
+   * @param texels computes what the constructor takes, each time the same; nobody else keeps the
+   *     array
    */
   public static Texture lazy(int width, int height, Supplier<int[]> texels) {
     return new Texture(width, height, texels);
@@ -60,16 +67,16 @@ public final class Texture {
   }
 
   private int[] texels() {
-    int[] known = argb;
+    int[] known = computed.get();
     return known == null ? compute() : known;
   }
 
   private synchronized int[] compute() {
+    int[] argb = computed.get();
     if (argb == null) {
-      int[] made = lazyArgb.get();
-      check(made);
-      argb = made;
-      lazyArgb = null; // with all that it refers to
+      argb = source.get();
+      check(argb);
+      computed = new SoftReference<>(argb);
     }
     return argb;
   }
