@@ -14,6 +14,7 @@ import tellosimulator.cli.ExitCode;
 import tellosimulator.cli.Invocation;
 import tellosimulator.cli.Launch;
 import tellosimulator.cli.Options;
+import tellosimulator.cli.ProgramInput;
 import tellosimulator.cli.ProgramOutput;
 import tellosimulator.cli.ScenarioOptions;
 import tellosimulator.cli.Subcommand;
@@ -50,7 +51,8 @@ public final class Main {
   private Main(PrintStream out, PrintStream err) {
     this.out = out;
     this.err = err;
-    output = new ProgramOutput(out, err, () -> language().translation());
+    ProgramInput input = new ProgramInput(System.in, Main::atEnd);
+    output = new ProgramOutput(out, err, () -> language().translation(), input);
   }
 
   /** Ends the process with an {@link ExitCode}, or that of {@link FatalExit}. */
@@ -65,6 +67,11 @@ public final class Main {
       fatal.end(Thread.currentThread(), failure);
     }
     System.exit(status);
+  }
+
+  /** What is done when the program is told to end, as by Ctrl-C. */
+  private static void atEnd(Runnable task) {
+    Runtime.getRuntime().addShutdownHook(new Thread(task, "shutdown"));
   }
 
   /** Runs the program and returns its exit code. */
@@ -122,7 +129,7 @@ public final class Main {
         new SimulatorApp.Rules(
             options::applied, options::addressPlan, options.replyPort(), recordings(words));
     try (SimulatorApp app = new SimulatorApp(launch.scenario(), rules, options.optics())) {
-      Runtime.getRuntime().addShutdownHook(new Thread(app::close, "shutdown"));
+      atEnd(app::close);
       if (options.on()) {
         app.switchAllOn();
         out.println(app.ready());
@@ -154,7 +161,7 @@ public final class Main {
           options.report().isPresent()
               ? Optional.of(FlightReports.to(options.report().get(), kept))
               : Optional.empty();
-      Runtime.getRuntime().addShutdownHook(new Thread(() -> end(simulator, reports), "shutdown"));
+      atEnd(() -> end(simulator, reports));
       if (options.control().isPresent()) {
         simulator.openControl(options.control().get(), out);
       }

@@ -10,6 +10,7 @@ import java.net.SocketException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
 
@@ -47,6 +48,16 @@ final class ProgramProcess implements AutoCloseable {
    */
   static ProgramProcess start(Class<?> main, String options, String hidden, String heap)
       throws IOException {
+    List<String> words = new ArrayList<>(List.of("--bind", "127.0.0.1", "--command-port", "0"));
+    words.addAll(List.of(options.split(" ", -1)));
+    if (!options.contains("--state-port")) {
+      words.addAll(List.of("--state-port", "9"));
+    }
+    return launch(main, words, hidden, heap);
+  }
+
+  private static ProgramProcess launch(
+      Class<?> main, List<String> words, String hidden, String heap) throws IOException {
     String java = Path.of(System.getProperty("java.home"), "bin", "java").toString();
     Path errors = Files.createTempFile("program", ".err");
     ProcessBuilder builder =
@@ -58,16 +69,9 @@ final class ProgramProcess implements AutoCloseable {
                 "--sun-misc-unsafe-memory-access=allow",
                 "-cp",
                 System.getProperty("java.class.path"),
-                main.getName(),
-                "--bind",
-                "127.0.0.1",
-                "--command-port",
-                "0")
+                main.getName())
             .redirectError(errors.toFile());
-    builder.command().addAll(List.of(options.split(" ", -1)));
-    if (!options.contains("--state-port")) {
-      builder.command().addAll(List.of("--state-port", "9"));
-    }
+    builder.command().addAll(words);
     builder.environment().remove(hidden);
     String nothing = Path.of("target", "no-settings").toAbsolutePath().toString();
     List.of("XDG_CONFIG_HOME", "XDG_DATA_HOME", "APPDATA", "LOCALAPPDATA")
@@ -78,6 +82,15 @@ final class ProgramProcess implements AutoCloseable {
   /** Starts it without a window. */
   static ProgramProcess headless() throws IOException {
     return start(Main.class, "--headless", "");
+  }
+
+  /** Starts it as a proxy for a drone of this machine. */
+  static ProgramProcess proxy(int dronePort, Path recordings) throws IOException {
+    String options =
+        "proxy --command-port 0 --drone-state-port 0 --drone-video-port 0 --drone 127.0.0.1:";
+    List<String> words = new ArrayList<>(List.of((options + dronePort).split(" ", -1)));
+    words.addAll(List.of("--record", recordings.toString()));
+    return launch(Main.class, words, "", "-XX:+IgnoreUnrecognizedVMOptions");
   }
 
   /** Waits for the line that says that it is ready, and returns drone 1's port. */

@@ -4,6 +4,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Supplier;
+import java.util.stream.Stream;
 import picocli.CommandLine;
 import picocli.CommandLine.ITypeConverter;
 import picocli.CommandLine.IVersionProvider;
@@ -59,6 +60,14 @@ final class Choices {
   CommandLine commandLine(IVersionProvider version) {
     spec.mixinStandardHelpOptions(true).versionProvider(version);
     return new CommandLine(spec).setExpandAtFiles(false); // @ may begin the name of a file
+  }
+
+  /** The subcommand and the words that were read last, as they were typed. */
+  List<String> words() {
+    return Stream.concat(
+            Stream.of(spec.name().replaceFirst(".* ", "")),
+            spec.commandLine().getParseResult().originalArgs().stream())
+        .toList();
   }
 
   /**

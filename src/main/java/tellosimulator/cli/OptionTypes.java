@@ -1,6 +1,7 @@
 package tellosimulator.cli;
 
 import java.net.InetAddress;
+import java.net.InetSocketAddress;
 import java.net.UnknownHostException;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
@@ -20,6 +21,7 @@ import tellosimulator.math.Vec3;
 import tellosimulator.network.AddressPlan;
 import tellosimulator.profile.Behaviour;
 import tellosimulator.profile.Profile;
+import tellosimulator.proxy.ProxyPlan;
 import tellosimulator.time.TimeFactor;
 import tellosimulator.video.camera.DroneOptics;
 import tellosimulator.world.Poster;
@@ -143,6 +145,23 @@ final class OptionTypes {
       throw mistake(expected, word);
     }
     return address;
+  }
+
+  /** One address of this machine. */
+  static InetAddress ownAddress(String word) throws UnknownHostException {
+    return address(word, EXPECTED);
+  }
+
+  /** Where a drone takes commands; where it always does, unless a port is said. */
+  static InetSocketAddress droneAddress(String word) throws UnknownHostException {
+    String expected = "the address of a drone such as 192.168.10.1 or 192.168.10.1:8889";
+    int colon = word.indexOf(':');
+    InetAddress host = address(colon < 0 ? word : word.substring(0, colon), expected);
+    int port =
+        colon < 0
+            ? ProxyPlan.COMMAND_PORT
+            : wholeNumber(word.substring(colon + 1), 1, AddressPlan.HIGHEST_PORT, expected);
+    return new InetSocketAddress(host, port);
   }
 
   static OperatorRule operators(String word) throws UnknownHostException {

@@ -9,7 +9,7 @@ import tellosimulator.files.IoReason;
 /** The options that say where flights are recorded, and where their report goes. */
 final class RecordingOptions {
 
-  private static final String RECORD = "--record";
+  static final String RECORD = "--record";
 
   private static final String REPORT = "--report";
 
@@ -69,7 +69,12 @@ final class RecordingOptions {
     }
   }
 
-  private static void check(Path folder) {
+  /**
+   * Looks whether flights can be recorded there, and makes the folder.
+   *
+   * @throws IllegalArgumentException with a sentence, if they cannot
+   */
+  static void check(Path folder) {
     try {
       Files.createDirectories(folder);
       Files.delete(Files.createTempFile(folder, ".tello", ""));

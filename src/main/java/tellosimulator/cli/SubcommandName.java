@@ -9,7 +9,8 @@ import java.util.stream.Stream;
 public enum SubcommandName {
   REPORT(ReportSubcommand::new),
   DIFF(DiffSubcommand::new),
-  EXPORT(ExportSubcommand::new);
+  EXPORT(ExportSubcommand::new),
+  PROXY(ProxySubcommand::new);
 
   private final Supplier<Subcommand> subcommand;
 

@@ -38,7 +38,7 @@ public record Tolerance(double share, double seconds, double centimeters, double
   Set<Aspect> differing(FlownCommand first, FlownCommand second) {
     Set<Aspect> differing = EnumSet.noneOf(Aspect.class);
     boolean read = first.command().text().endsWith("?");
-    if (first.command().outcome() != second.command().outcome()
+    if (first.command().answered().isPresent() != second.command().answered().isPresent()
         || (!read && !reply(first).equals(reply(second)))) {
       differing.add(Aspect.REPLY);
     }

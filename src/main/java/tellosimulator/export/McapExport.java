@@ -6,6 +6,7 @@ import java.io.UncheckedIOException;
 import java.nio.file.Path;
 import java.util.HashMap;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
 import tellosimulator.json.Json;
 import tellosimulator.math.Frames;
@@ -60,7 +61,8 @@ final class McapExport {
   static void write(Path folder, RecordedFlight flight, OutputStream out) throws IOException {
     McapFile file = new McapFile(out, "tello-simulator " + flight.run().program());
     McapExport export = new McapExport(file, new ExportClock(flight.run()));
-    for (Track track : flight.tracks()) {
+    List<Track> tracks = flight.run().realDrone().isPresent() ? List.of() : flight.tracks();
+    for (Track track : tracks) {
       for (Sample sample : track.samples()) {
         export.add(track.drone(), sample);
       }

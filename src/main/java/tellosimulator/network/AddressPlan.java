@@ -140,7 +140,7 @@ public record AddressPlan(List<Endpoint> drones, Reach reach) {
    * @param drone its number, from 1
    * @param networks the machine's addresses
    */
-  List<InetSocketAddress> addresses(int drone, LocalNetworks networks) {
+  public List<InetSocketAddress> addresses(int drone, LocalNetworks networks) {
     Endpoint endpoint = drones.get(drone - 1);
     if (!endpoint.ofMachine()) {
       return at(endpoint.addresses(), endpoint.port());

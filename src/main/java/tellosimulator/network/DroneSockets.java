@@ -1,7 +1,5 @@
 package tellosimulator.network;
 
-import java.io.IOException;
-import java.net.BindException;
 import java.net.InetSocketAddress;
 import java.util.ArrayList;
 import java.util.List;
@@ -22,7 +20,7 @@ final class DroneSockets {
     int before = open.size();
     try {
       for (InetSocketAddress address : addresses) {
-        open.add(bind(withPort(address)));
+        open.add(UdpPort.bind(withPort(address)));
       }
     } catch (PortTakenException e) {
       List<UdpPort> opened = open.subList(before, open.size());
@@ -64,25 +62,5 @@ final class DroneSockets {
 
   Traffic traffic() {
     return traffic;
-  }
-
-  private static UdpPort bind(InetSocketAddress address) throws PortTakenException {
-    try {
-      return UdpPort.open(address);
-    } catch (BindException e) {
-      throw exists(address)
-          ? PortTakenException.taken(address, e)
-          : PortTakenException.noSuchAddress(address, e);
-    } catch (IOException e) {
-      throw PortTakenException.forbidden(address, e);
-    }
-  }
-
-  private static boolean exists(InetSocketAddress address) {
-    try (UdpPort probe = UdpPort.open(new InetSocketAddress(address.getAddress(), 0))) {
-      return probe.address() != null;
-    } catch (IOException e) {
-      return false;
-    }
   }
 }

@@ -13,7 +13,7 @@ import java.util.Objects;
  * This machine's IPv4 addresses and the networks that they are in, at the moment of a look.
  * Immutable; for any thread.
  */
-record LocalNetworks(List<Member> members) {
+public record LocalNetworks(List<Member> members) {
 
   private static final InetAddress LOOPBACK = AddressPlan.loopback(1);
 
@@ -22,7 +22,7 @@ record LocalNetworks(List<Member> members) {
    *
    * @param prefix length of the network's part of the address [bits]
    */
-  record Member(InetAddress address, int prefix) {
+  public record Member(InetAddress address, int prefix) {
 
     boolean sameNetwork(InetAddress other) {
       int mask = prefix == 0 ? 0 : -1 << (Integer.SIZE - prefix);
@@ -38,12 +38,12 @@ record LocalNetworks(List<Member> members) {
     }
   }
 
-  LocalNetworks {
+  public LocalNetworks {
     members = List.copyOf(members);
   }
 
   /** Asks the system; loopback alone where it does not answer. */
-  static LocalNetworks look() {
+  public static LocalNetworks look() {
     List<Member> members = new ArrayList<>();
     try {
       NetworkInterface.networkInterfaces()
@@ -78,7 +78,7 @@ record LocalNetworks(List<Member> members) {
    *
    * @param own the address of this machine that it sent to
    */
-  boolean neighbours(InetAddress own, InetAddress sender) {
+  public boolean neighbours(InetAddress own, InetAddress sender) {
     if (own.isLoopbackAddress()) {
       return true;
     }

@@ -65,6 +65,31 @@ public final class PortTakenException extends IOException {
         cause);
   }
 
+  /**
+   * Of a port of this machine to which a real drone sends.
+   *
+   * @param what it sends there: {@code state}
+   * @param option with which the operator program's own port is chosen
+   */
+  public static PortTakenException takenFromProxy(
+      InetSocketAddress address, String what, String option, IOException cause) {
+    return new PortTakenException(
+        address,
+        Obstacle.TAKEN,
+        String.format(
+            Locale.ROOT,
+            "Port %d of %s cannot be had (%s), but the drone sends its %s there: end the program"
+                + " that has it, let it take the %s at another port and say which with %s, or run"
+                + " it on another machine and the proxy with --lan.",
+            address.getPort(),
+            address.getAddress().getHostAddress(),
+            cause.getMessage(),
+            what,
+            what,
+            option),
+        cause);
+  }
+
   static PortTakenException taken(InetSocketAddress address, IOException cause) {
     int port = address.getPort();
     String who =
@@ -76,7 +101,8 @@ public final class PortTakenException extends IOException {
         port == OPERATORS_PORT ? Obstacle.TAKEN_BY_OPERATOR : Obstacle.TAKEN,
         String.format(
             Locale.ROOT,
-            "Port %d of %s is taken, %s: end that program, or choose another port with --command-port.",
+            "Port %d of %s is taken, %s: end that program, or choose another port with"
+                + " --command-port.",
             port,
             address.getAddress().getHostAddress(),
             who),

@@ -1,6 +1,7 @@
 package tellosimulator.network;
 
 import java.io.IOException;
+import java.net.BindException;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.net.PortUnreachableException;
@@ -76,6 +77,32 @@ public final class UdpPort implements DatagramPort {
     } catch (IOException | RuntimeException e) {
       channel.close();
       throw e;
+    }
+  }
+
+  /**
+   * Opens a socket where a person wants one.
+   *
+   * @throws PortTakenException with a sentence, if the address is not of this machine or the port
+   *     cannot be had
+   */
+  public static UdpPort bind(InetSocketAddress address) throws PortTakenException {
+    try {
+      return open(address);
+    } catch (BindException e) {
+      throw exists(address)
+          ? PortTakenException.taken(address, e)
+          : PortTakenException.noSuchAddress(address, e);
+    } catch (IOException e) {
+      throw PortTakenException.forbidden(address, e);
+    }
+  }
+
+  private static boolean exists(InetSocketAddress address) {
+    try (UdpPort probe = open(new InetSocketAddress(address.getAddress(), 0))) {
+      return probe.address() != null;
+    } catch (IOException e) {
+      return false;
     }
   }
 
@@ -168,7 +195,7 @@ public final class UdpPort implements DatagramPort {
    * Lets a selector tell when something has come. From then on nothing blocks: what the system has
    * no room for is lost.
    */
-  void register(Selector selector, Object attachment) {
+  public void register(Selector selector, Object attachment) {
     try {
       channel.configureBlocking(false);
       channel.register(selector, SelectionKey.OP_READ, attachment);
@@ -185,7 +212,7 @@ public final class UdpPort implements DatagramPort {
    * @throws ClosedChannelException if the port was closed
    * @throws IOException if receiving failed this time
    */
-  InetSocketAddress receive(ByteBuffer into) throws IOException {
+  public InetSocketAddress receive(ByteBuffer into) throws IOException {
     try {
       return (InetSocketAddress) channel.receive(into);
     } catch (PortUnreachableException e) { // in place of a datagram

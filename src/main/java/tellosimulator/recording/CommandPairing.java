@@ -13,7 +13,7 @@ import tellosimulator.recording.RecordedCommand.Outcome;
 final class CommandPairing {
 
   /** The reply to a command that comes while another one runs. Measured: FHNW report 2020. */
-  private static final String BUSY = "error Not joystick";
+  static final String BUSY = "error Not joystick";
 
   private final List<RecordedCommand> commands = new ArrayList<>();
 

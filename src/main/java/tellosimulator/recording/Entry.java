@@ -20,9 +20,16 @@ sealed interface Entry {
   /**
    * A flight begins.
    *
-   * @param snapshot how things are then
+   * @param time when
+   * @param snapshot how things are then; empty of a real drone, of which nobody knows it
    */
-  record Begin(WallTime wall, SimSnapshot snapshot) implements Entry {}
+  record Begin(WallTime wall, SimTime time, Optional<SimSnapshot> snapshot) implements Entry {
+
+    /** That of a simulation. */
+    Begin(WallTime wall, SimSnapshot snapshot) {
+      this(wall, snapshot.time(), Optional.of(snapshot));
+    }
+  }
 
   /**
    * A flight is over.

@@ -50,6 +50,11 @@ final class FilmKeepers {
     keepers.forEach(keeper -> streams.stream(keeper.drone).watch(keeper));
   }
 
+  /** A drone has filmed, with a camera that nobody here knows. */
+  void filmed(int drone, FilmedPicture picture, SimTime now) {
+    keepers.get(drone - 1).keep(picture, now);
+  }
+
   /**
    * A flight begins.
    *
@@ -88,7 +93,11 @@ final class FilmKeepers {
     }
 
     @Override
-    public synchronized void filmed(FilmedPicture picture) {
+    public void filmed(FilmedPicture picture) {
+      keep(picture, clock.get());
+    }
+
+    synchronized void keep(FilmedPicture picture, SimTime now) {
       if (file.isEmpty() || picture.encoded().isEmpty()) {
         return;
       }
@@ -99,7 +108,7 @@ final class FilmKeepers {
         Recording kept = film.get();
         kept.filmed(picture);
         if (begun.isEmpty() && picture.encoded().get().idr()) {
-          begun = Optional.of(clock.get());
+          begun = Optional.of(now);
         }
         kept.failure().ifPresent(this::giveUp);
       } catch (IOException e) {

@@ -10,9 +10,11 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.OptionalDouble;
 import tellosimulator.goal.Goal;
 import tellosimulator.json.Json;
+import tellosimulator.scenario.Scenario;
 import tellosimulator.scenario.ScenarioDocument;
 import tellosimulator.scenario.ScenarioFile;
 import tellosimulator.time.WallTime;
@@ -29,31 +31,37 @@ final class FlightFiles implements AutoCloseable {
   private final WallTime begun;
   private final List<TextFile> open = new ArrayList<>();
   private final TextFile wire;
-  private final TextFile events;
-  private final TextFile table;
+  private Optional<TextFile> events = Optional.empty();
+  private Optional<TextFile> table = Optional.empty();
 
   /**
-   * Begins them.
+   * Begins those that each recording has: what was on the wire, and what is known of the flight.
    *
    * @throws IOException if one cannot be written
    */
-  FlightFiles(
-      Path folder, RecordingFolder.Disk disk, FlightRecorder.Subject subject, Entry.Begin begin)
+  FlightFiles(Path folder, RecordingFolder.Disk disk, RunText run, WallTime begun)
       throws IOException {
     this.folder = folder;
     this.disk = disk;
-    this.run = new RunText(subject, begin);
-    this.begun = begin.wall();
+    this.run = run;
+    this.begun = begun;
+    writeAnew(RecordingFolder.RUN, run.begun());
+    wire = open("wire.jsonl");
+  }
+
+  /**
+   * Begins those that only a simulation can have, too: what happened, and where the drones were.
+   *
+   * @param flown the scenario as it is at the takeoff
+   * @throws IOException if one cannot be written; then all are closed
+   */
+  void addTruth(Scenario flown, ScenarioDocument document) throws IOException {
     try {
-      writeAnew(RecordingFolder.RUN, run.begun());
-      wire = open("wire.jsonl");
-      events = open("events.jsonl");
-      table = open("flight.csv");
-      table.row().raw(Lines.HEADER);
-      Path scenario = folder.resolve(SCENARIO);
-      ScenarioDocument document = ScenarioDocument.of(subject.scenario());
-      ScenarioFile.write(
-          document.changedTo(subject.scenario().asIn(begin.snapshot()), folder), scenario);
+      events = Optional.of(open("events.jsonl"));
+      TextFile rows = open("flight.csv");
+      rows.row().raw(Lines.HEADER);
+      table = Optional.of(rows);
+      ScenarioFile.write(document.changedTo(flown, folder), folder.resolve(SCENARIO));
     } catch (IOException | RuntimeException e) {
       closeQuietly();
       throw e;
@@ -78,12 +86,14 @@ final class FlightFiles implements AutoCloseable {
     return wire;
   }
 
+  /** Of a simulation alone. */
   TextFile events() {
-    return events;
+    return events.orElseThrow();
   }
 
+  /** Of a simulation alone. */
   TextFile table() {
-    return table;
+    return table.orElseThrow();
   }
 
   /** Hands all that is written to the system. */

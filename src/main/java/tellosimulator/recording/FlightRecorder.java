@@ -105,7 +105,8 @@ public final class FlightRecorder implements SimListener, WireTap, AutoCloseable
   static FlightRecorder start(
       RecordingFolder folder, Subject subject, Consumer<Phrase> told, EntryQueue queue) {
     FilmKeepers films = new FilmKeepers(subject.scenario().config().drones().size());
-    RecordingWriter writer = new RecordingWriter(queue, folder, subject, films, told);
+    RecordingWriter writer =
+        new RecordingWriter(queue, folder, new FlightSource.Simulated(subject), films, told);
     return new FlightRecorder(subject, queue, films, Optional.of(Worker.start("recorder", writer)));
   }
 
@@ -167,7 +168,8 @@ public final class FlightRecorder implements SimListener, WireTap, AutoCloseable
    */
   public void writeTo(RecordingFolder folder, Consumer<Phrase> told) {
     queue.add(new Entry.End(clock.get(), new GoalResult(progress, attemptNanos)));
-    new RecordingWriter(queue, folder, subject, films, told).onClose();
+    FlightSource source = new FlightSource.Simulated(subject);
+    new RecordingWriter(queue, folder, source, films, told).onClose();
     flown = false;
   }
 

@@ -19,6 +19,8 @@ import tellosimulator.world.Room;
  * @param begun when the recording began, on the wall clock, by ISO 8601
  * @param started the takeoff
  * @param ended empty if the recording was cut off
+ * @param realDrone address of the real drone that flew, of which only the wire is known; empty of a
+ *     simulation
  * @param result {@code reached}, {@code missed}, {@code open} or {@code none}
  * @param setting where it was flown, and by which drones
  */
@@ -29,6 +31,7 @@ public record RecordedRun(
     String begun,
     double started,
     OptionalDouble ended,
+    Optional<String> realDrone,
     String result,
     Setting setting) {
 
@@ -76,6 +79,7 @@ public record RecordedRun(
         fields.text("begun"),
         fields.numberOr("started", 0),
         fields.number("ended"),
+        Optional.of(fields.text("realDrone")).filter(address -> !address.isEmpty()),
         fields.text("result"),
         new Setting(
             fields.text("scenario"),

@@ -34,7 +34,7 @@ final class RecordingReader {
 
   RecordedFlight read() throws UnreadableRecordingException {
     RecordedRun run = run();
-    List<Track> tracks = tracks();
+    List<Track> tracks = run.realDrone().isPresent() ? estimatedTracks() : tracks();
     List<RecordedEvent> events = new ArrayList<>();
     CommandPairing pairing = new CommandPairing();
     readLines("events.jsonl", line -> events.add(RecordedEvent.of(Fields.of(line))));
@@ -115,6 +115,28 @@ final class RecordingReader {
           }
         });
     return table[0] == null ? List.of() : table[0].tracks();
+  }
+
+  /** Those of a real drone, of which nobody knows where it was. */
+  private List<Track> estimatedTracks() {
+    EstimatedTrack estimated = new EstimatedTrack();
+    readLines(
+        "wire.jsonl",
+        line -> {
+          if (line.contains("\"state\"")) {
+            estimated.take(Fields.of(line));
+          }
+        });
+    List<Track> tracks = estimated.tracks();
+    remarks.add(
+        tracks.isEmpty()
+            ? Phrase.of(
+                "a real drone flew, and its program took no state lines, so that nothing is known"
+                    + " of how it moved; the room is not known either")
+            : Phrase.of(
+                "a real drone flew: its path is summed up from the speeds in its state lines, and"
+                    + " the room is not known"));
+    return tracks;
   }
 
   /** State and video are most of the wire; they are not looked into. */

@@ -41,7 +41,7 @@ final class RecordingWriter implements Agent {
   private final Verdict failed = Verdict.goOn("A recording failed");
   private final EntryQueue queue;
   private final RecordingFolder folder;
-  private final FlightRecorder.Subject subject;
+  private final FlightSource source;
   private final FilmKeepers films;
   private final Consumer<Phrase> told;
   private final Lines lines = new Lines();
@@ -55,15 +55,17 @@ final class RecordingWriter implements Agent {
   RecordingWriter(
       EntryQueue queue,
       RecordingFolder folder,
-      FlightRecorder.Subject subject,
+      FlightSource source,
       FilmKeepers films,
       Consumer<Phrase> told) {
     this.queue = queue;
     this.folder = folder;
-    this.subject = subject;
+    this.source = source;
     this.films = films;
     this.told = told;
-    subject.scenario().config().drones().forEach(drone -> pilots.add(new PilotState()));
+    for (int drone = 1; drone <= source.drones(); drone++) {
+      pilots.add(new PilotState());
+    }
   }
 
   @Override
@@ -112,8 +114,8 @@ final class RecordingWriter implements Agent {
 
   private void begin(Entry.Begin begin) throws IOException {
     flight = true;
-    Path made = folder.create(begin.wall(), subject.title());
-    files = Optional.of(new FlightFiles(made, folder.disk(), subject, begin));
+    Path made = folder.create(begin.wall(), source.title());
+    files = Optional.of(source.begin(made, folder.disk(), begin));
     films.begin(made, this::tell);
     for (Entry entry : before) {
       line(files.get(), entry);
@@ -172,6 +174,7 @@ final class RecordingWriter implements Agent {
       lines.write(to.wire().row(), received, to.begun());
       to.wire().flushIfLarge();
     } else if (entry instanceof Entry.Sent sent) {
+      source.sent(sent, films);
       lines.write(to.wire().row(), sent, to.begun());
       to.wire().flushIfLarge();
     }

@@ -27,13 +27,7 @@ public record ReportedState(double time, int drone, double heightCm, double yawD
    * @return empty if it lacks yaw, height or velocity
    */
   static Optional<ReportedState> of(double time, int drone, String text) {
-    Map<String, String> fields = new TreeMap<>();
-    for (String field : text.strip().split(";", -1)) {
-      int colon = field.indexOf(':');
-      if (colon > 0) {
-        fields.put(field.substring(0, colon), field.substring(colon + 1));
-      }
-    }
+    Map<String, String> fields = fields(text);
     try {
       Vec3 velocity = new Vec3(number(fields, "vgx"), number(fields, "vgy"), number(fields, "vgz"));
       return Optional.of(
@@ -42,6 +36,18 @@ public record ReportedState(double time, int drone, double heightCm, double yawD
     } catch (NumberFormatException e) { // a line that was corrupted on its way
       return Optional.empty();
     }
+  }
+
+  /** The fields of a state line, by their names. */
+  static Map<String, String> fields(String text) {
+    Map<String, String> fields = new TreeMap<>();
+    for (String field : text.strip().split(";", -1)) {
+      int colon = field.indexOf(':');
+      if (colon > 0) {
+        fields.put(field.substring(0, colon), field.substring(colon + 1));
+      }
+    }
+    return fields;
   }
 
   private static double number(Map<String, String> fields, String name) {

@@ -1,5 +1,6 @@
 package tellosimulator.recording;
 
+import java.net.InetAddress;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -26,18 +27,44 @@ final class RunText {
 
   private final Map<String, Object> members = new LinkedHashMap<>();
 
-  RunText(FlightRecorder.Subject subject, Entry.Begin begin) {
-    SimSnapshot snapshot = begin.snapshot();
+  private RunText() {
     members.put("format", FORMAT);
     members.put("program", version());
-    members.put("seed", subject.scenario().config().seed());
-    members.put("timeFactor", factor(snapshot.clock().factor()));
+  }
+
+  private void putTimes(String factor, Entry.Begin begin) {
+    members.put("timeFactor", factor);
     members.put("begun", begin.wall().iso());
-    members.put("started", rounded(snapshot.time().seconds()));
+    members.put("started", rounded(begin.time().seconds()));
+  }
+
+  /** Of a simulated flight. */
+  static RunText of(FlightRecorder.Subject subject, Entry.Begin begin) {
+    SimSnapshot snapshot = begin.snapshot().orElseThrow();
+    RunText text = new RunText();
+    Map<String, Object> members = text.members;
+    members.put("seed", subject.scenario().config().seed());
+    text.putTimes(factor(snapshot.clock().factor()), begin);
     members.put("scenario", subject.title());
     members.put("room", room(snapshot.room()));
     members.put("drones", snapshot.drones().stream().map(RunText::drone).toList());
     members.put("options", subject.options());
+    return text;
+  }
+
+  /**
+   * Of the flight of a real drone, of which only the wire is known.
+   *
+   * @param drone its address
+   * @param options words of the command line
+   */
+  static RunText of(InetAddress drone, List<String> options, Entry.Begin begin) {
+    RunText text = new RunText();
+    text.members.put("realDrone", drone.getHostAddress());
+    text.putTimes("1", begin);
+    text.members.put("drones", List.of(Map.of("number", 1)));
+    text.members.put("options", options);
+    return text;
   }
 
   private static String version() {

@@ -62,19 +62,27 @@ record ReportSummary(RecordedFlight flight, ReportTexts texts) {
     List<Object> facts = new ArrayList<>();
     addFact(facts, "begun", run.begun());
     addFact(facts, "scenario", run.setting().scenario());
-    Room room = run.setting().room();
-    addFact(
-        facts,
-        "room",
-        texts.of("room-size", 100 * room.width(), 100 * room.depth(), 100 * room.height()));
-    for (DroneEntry drone : run.setting().drones()) {
-      facts.add(List.of(texts.of("drone-number", drone.number()), drone(drone)));
+    if (run.realDrone().isPresent()) {
+      addFact(facts, "real-drone", run.realDrone().get());
+    } else {
+      addSimulated(facts, run.setting());
     }
     addFact(facts, "seed", run.seed().map(String::valueOf).orElse(""));
     addFact(facts, "time-factor", run.timeFactor());
     addFact(facts, "options", String.join(" ", run.setting().options()));
     addFact(facts, "program", run.program());
     return facts;
+  }
+
+  private void addSimulated(List<Object> facts, RecordedRun.Setting setting) {
+    Room room = setting.room();
+    addFact(
+        facts,
+        "room",
+        texts.of("room-size", 100 * room.width(), 100 * room.depth(), 100 * room.height()));
+    for (DroneEntry drone : setting.drones()) {
+      facts.add(List.of(texts.of("drone-number", drone.number()), drone(drone)));
+    }
   }
 
   private String drone(DroneEntry drone) {

@@ -1,0 +1,12 @@
+package tellosimulator.cli;
+
+import java.io.InputStream;
+import java.util.function.Consumer;
+
+/**
+ * What a person says while the program runs. For one thread.
+ *
+ * @param in what is typed
+ * @param atEnd takes what is to be done when the program is told to end, on a thread of its own
+ */
+public record ProgramInput(InputStream in, Consumer<Runnable> atEnd) {}

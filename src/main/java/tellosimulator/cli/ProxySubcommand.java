@@ -1,0 +1,199 @@
+package tellosimulator.cli;
+
+import java.io.BufferedReader;
+import java.io.IOException;
+import java.io.InputStreamReader;
+import java.net.InetAddress;
+import java.net.InetSocketAddress;
+import java.nio.charset.Charset;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.function.Supplier;
+import picocli.CommandLine;
+import picocli.CommandLine.IVersionProvider;
+import tellosimulator.concurrent.Agent;
+import tellosimulator.concurrent.Verdict;
+import tellosimulator.concurrent.Worker;
+import tellosimulator.network.AddressPlan;
+import tellosimulator.network.PortTakenException;
+import tellosimulator.network.Reach;
+import tellosimulator.proxy.DroneProxy;
+import tellosimulator.proxy.ProxyPlan;
+import tellosimulator.recording.DroneRecorder;
+import tellosimulator.recording.RecordingFolder;
+import tellosimulator.sim.SimConfig.Outlets;
+
+/** Stands between programs and a real drone, and records its flights. For one thread. */
+final class ProxySubcommand implements Subcommand {
+
+  private static final String STATE_PORT = "8890";
+  private static final String VIDEO_PORT = "11111";
+
+  private final Choices choices =
+      Choices.of(
+          SubcommandName.PROXY,
+          "Passes commands on to a real drone, and back what it sends, and records its flights.",
+          "Exit code 0: ended by quit; 1: an address, a port or the folder cannot be had;"
+              + " 2: wrong options.");
+
+  private final Supplier<InetSocketAddress> drone =
+      choices
+          .option(
+              "--drone",
+              "ADDRESS[:PORT]",
+              "Where the drone is: 192.168.10.1 once this machine has joined its network.")
+          .readRequired(OptionTypes::droneAddress);
+
+  private final Choice<Path> record =
+      choices
+          .option(
+              RecordingOptions.RECORD,
+              "DIR",
+              "The folder in which each flight has a folder of its own. Default: recordings.")
+          .read(OptionTypes::path, "recordings");
+
+  private final Choice<Optional<InetAddress>> bind =
+      choices
+          .option(
+              "--bind",
+              "ADDRESS",
+              "The address of this machine at which commands are taken. Default: 127.0.0.1.")
+          .readIfGiven(OptionTypes::ownAddress);
+
+  private final Choice<Boolean> lan =
+      choices.flag(
+          "--lan",
+          "Take commands from other machines of the local network, too: at all addresses of this"
+              + " machine.");
+
+  private final Choice<Integer> commandPort =
+      choices
+          .option(
+              "--command-port",
+              "PORT",
+              "Where commands are taken; 0 chooses a free port. Default: 8879.")
+          .read(OptionTypes::portOrFree, "8879");
+
+  private final Choice<Integer> statePort =
+      choices
+          .option(
+              "--state-port", "PORT", "Where your program takes the drone's state. Default: 8890.")
+          .read(OptionTypes::port, STATE_PORT);
+
+  private final Choice<Integer> videoPort =
+      choices
+          .option(
+              "--video-port", "PORT", "Where your program takes the drone's video. Default: 11111.")
+          .read(OptionTypes::port, VIDEO_PORT);
+
+  private final Choice<Integer> droneStatePort =
+      choices
+          .option(
+              "--drone-state-port",
+              "PORT",
+              "The port of this machine to which the drone sends its state. Default: 8890.")
+          .read(OptionTypes::portOrFree, STATE_PORT);
+
+  private final Choice<Integer> droneVideoPort =
+      choices
+          .option(
+              "--drone-video-port",
+              "PORT",
+              "The port of this machine to which the drone sends its video. Default: 11111.")
+          .read(OptionTypes::portOrFree, VIDEO_PORT);
+
+  @Override
+  public CommandLine commandLine(IVersionProvider version) {
+    return choices.commandLine(version);
+  }
+
+  @Override
+  public int run(ProgramOutput to) throws PortTakenException, InterruptedException {
+    Path recordings = record.value();
+    RecordingOptions.check(recordings);
+    ProxyPlan plan = plan();
+    RecordingFolder folder = RecordingFolder.at(recordings);
+    DroneRecorder recorder =
+        DroneRecorder.start(folder, plan.drone().getAddress(), choices.words(), reason -> {});
+    DroneProxy proxy = DroneProxy.start(plan, recorder);
+    AtomicBoolean ended = new AtomicBoolean();
+    Runnable end =
+        () -> {
+          proxy.close();
+          if (!ended.getAndSet(true)) {
+            folder.made().forEach(made -> to.out().println("recorded: " + made));
+            to.out().flush();
+          }
+        };
+    to.input().atEnd().accept(end);
+    try {
+      to.out().println(proxy.ready());
+      to.out().println(passing(plan, recordings));
+      to.out().flush();
+      awaitQuit(to.input());
+    } finally {
+      end.run();
+    }
+    return ExitCode.DONE;
+  }
+
+  private ProxyPlan plan() {
+    AddressPlan here =
+        bind.value()
+            .map(address -> AddressPlan.of(List.of(address), commandPort.value()))
+            .orElseGet(
+                () ->
+                    AddressPlan.ofMachine(1, commandPort.value())
+                        .withReach(lan.value() ? Reach.NETWORK : Reach.THIS_MACHINE));
+    return new ProxyPlan(
+        drone.get(),
+        here,
+        new Outlets(droneStatePort.value(), droneVideoPort.value()),
+        new Outlets(statePort.value(), videoPort.value()));
+  }
+
+  /** What becomes of all that comes, in a line. */
+  private static String passing(ProxyPlan plan, Path recordings) {
+    return String.format(
+        Locale.ROOT,
+        "passing on: commands to %s:%d, its state to port %d and its video to port %d of the"
+            + " machine that sent command; recording in %s",
+        plan.drone().getAddress().getHostAddress(),
+        plan.drone().getPort(),
+        plan.towardsOperator().statePort(),
+        plan.towardsOperator().videoPort(),
+        recordings);
+  }
+
+  /** Until {@code quit} is typed; for ever if the input ends without it. */
+  private static void awaitQuit(ProgramInput input) throws InterruptedException {
+    CountDownLatch quit = new CountDownLatch(1);
+    BufferedReader typed =
+        new BufferedReader(new InputStreamReader(input.in(), Charset.defaultCharset()));
+    Worker.start(
+        "console",
+        new Agent() {
+          private final Verdict unreadable =
+              Verdict.finish("Standard input cannot be read any more");
+
+          @Override
+          public Outcome doWork() throws IOException {
+            String line = typed.readLine();
+            if (line != null && line.strip().equals("quit")) {
+              quit.countDown();
+            }
+            return line == null ? Outcome.FINISHED : Outcome.WORKED;
+          }
+
+          @Override
+          public Verdict onError(Throwable failure) {
+            return unreadable;
+          }
+        });
+    quit.await();
+  }
+}

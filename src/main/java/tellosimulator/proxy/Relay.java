@@ -1,0 +1,323 @@
+package tellosimulator.proxy;
+
+import java.io.IOException;
+import java.net.InetAddress;
+import java.net.InetSocketAddress;
+import java.nio.ByteBuffer;
+import java.nio.channels.ClosedChannelException;
+import java.nio.channels.SelectionKey;
+import java.nio.channels.Selector;
+import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Optional;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+import tellosimulator.command.Peer;
+import tellosimulator.concurrent.Agent;
+import tellosimulator.concurrent.Verdict;
+import tellosimulator.network.LocalNetworks;
+import tellosimulator.network.PortTakenException;
+import tellosimulator.network.UdpPort;
+import tellosimulator.network.WireTap.Kind;
+import tellosimulator.recording.DroneRecorder;
+import tellosimulator.sim.SimConfig.Outlets;
+import tellosimulator.time.WallTime;
+
+/**
+ * Passes datagrams between operators and a drone. Each goes on at once, as it came; the recorder is
+ * told afterwards. Nothing that arrives, or does not arrive, ends it. For one thread, but for
+ * {@link #addresses}, {@link #outlets} and {@link #end}.
+ */
+final class Relay implements Agent {
+
+  private static final Logger LOG = LoggerFactory.getLogger(Relay.class);
+
+  /** The largest datagram of UDP [bytes]. Documented: RFC 768. */
+  private static final int BUFFER = 65_535;
+
+  /** Datagrams that are read from a socket before the next one has its turn. Decided. */
+  private static final int MOST_OF_PORT = 64;
+
+  /** How often it looks whether the way to the drone is another one [ns]. Decided. */
+  private static final long LOOK = 1_000_000_000L;
+
+  private static final byte[] COMMAND = "command".getBytes(StandardCharsets.US_ASCII);
+
+  private final Verdict failed = Verdict.goOn("A datagram could not be passed on");
+  private final ProxyPlan plan;
+  private final DroneRecorder recorder;
+  private final Selector selector;
+  private final ByteBuffer buffer = ByteBuffer.allocateDirect(BUFFER);
+  private final OperatorPorts operators;
+  private final DronePorts towardsDrone;
+  private final DroneWatch watch;
+  private final List<UdpPort> listening = new ArrayList<>();
+  private LocalNetworks networks = LocalNetworks.look();
+  private long looked = WallTime.nanoTime();
+
+  /** Who sent {@code command} last: state and video go there. */
+  private Optional<Peer> operator = Optional.empty();
+
+  private Optional<IOException> failure = Optional.empty();
+  private boolean foreignTold;
+  private String obstacle = "";
+  private volatile boolean closed;
+  private volatile List<InetSocketAddress> addresses = List.of();
+
+  /** A socket, and what becomes of the datagrams that come to it. */
+  private record Source(UdpPort port, Taker taker) {}
+
+  /** Takes a datagram that came. */
+  @FunctionalInterface
+  private interface Taker {
+    void take(InetSocketAddress sender, byte[] bytes, long nanos);
+  }
+
+  private Relay(ProxyPlan plan, DroneRecorder recorder, Selector selector) {
+    this.plan = plan;
+    this.recorder = recorder;
+    this.selector = selector;
+    operators = new OperatorPorts();
+    towardsDrone = new DronePorts(plan.drone(), plan.towardsDrone());
+    watch = new DroneWatch(plan.drone());
+  }
+
+  /**
+   * Opens the sockets.
+   *
+   * @throws PortTakenException if one cannot be had; then none is open
+   */
+  static Relay open(ProxyPlan plan, DroneRecorder recorder) throws PortTakenException {
+    Relay relay;
+    try {
+      relay = new Relay(plan, recorder, Selector.open());
+    } catch (IOException e) {
+      throw new IllegalStateException("the system lets nobody wait for datagrams", e);
+    }
+    try {
+      relay.listen();
+      relay.towardsDrone.follow();
+      relay.receiveFromDrone();
+      return relay;
+    } catch (PortTakenException | RuntimeException e) {
+      relay.onClose();
+      throw e;
+    }
+  }
+
+  /** Where it takes commands. For any thread. */
+  List<InetSocketAddress> addresses() {
+    return addresses;
+  }
+
+  /** The ports to which the drone sends; 0 while there is no way to it. For any thread. */
+  Outlets outlets() {
+    return towardsDrone.outlets();
+  }
+
+  /** Ends it after what it does now. For any thread. */
+  void end() {
+    closed = true;
+    synchronized (selector) { // one that is closed must not be woken
+      if (selector.isOpen()) {
+        selector.wakeup();
+      }
+    }
+  }
+
+  @Override
+  public Outcome doWork() throws IOException {
+    selector.select(this::read, LOOK / 1_000_000);
+    long now = WallTime.nanoTime();
+    if (now - looked >= LOOK) {
+      looked = now;
+      recorder.tick(now);
+      watch.tick(now);
+      look();
+    }
+    if (failure.isPresent()) {
+      IOException first = failure.get();
+      failure = Optional.empty();
+      throw first;
+    }
+    return closed ? Outcome.FINISHED : Outcome.WORKED;
+  }
+
+  /** A socket that fails holds up no other. */
+  private void read(SelectionKey key) {
+    Source source = (Source) key.attachment();
+    try {
+      boolean more = true;
+      for (int i = 0; more && i < MOST_OF_PORT; i++) {
+        more = readNext(source);
+      }
+    } catch (ClosedChannelException e) {
+      key.cancel();
+    } catch (IOException e) {
+      failure = Optional.of(e);
+    }
+  }
+
+  private boolean readNext(Source source) throws IOException {
+    InetSocketAddress sender = source.port().receive(buffer.clear());
+    if (sender == null) {
+      return false;
+    }
+    long nanos = WallTime.nanoTime();
+    byte[] bytes = new byte[buffer.flip().remaining()];
+    buffer.get(bytes);
+    source.taker().take(sender, bytes, nanos);
+    return true;
+  }
+
+  // --- from operators to the drone ---
+
+  private void command(UdpPort port, InetSocketAddress sender, byte[] bytes, long nanos) {
+    if (!networks.neighbours(port.address().getAddress(), sender.getAddress())) {
+      tellForeign(sender);
+      return;
+    }
+    Peer peer = new Peer(sender, port.address());
+    Optional<UdpPort> open = operators.of(sender, () -> replyPort(port, sender));
+    if (open.isEmpty()) {
+      return;
+    }
+    open.get().send(bytes, plan.drone());
+    if (isCommand(bytes)) {
+      operator = Optional.of(peer);
+    }
+    watch.commanded(nanos);
+    recorder.command(nanos, sender, plan.drone(), bytes);
+  }
+
+  /** Whether it is {@code command}, perhaps with the end of a line. */
+  private static boolean isCommand(byte[] bytes) {
+    int end = bytes.length;
+    while (end > 0 && bytes[end - 1] <= ' ') {
+      end--;
+    }
+    return Arrays.equals(bytes, 0, end, COMMAND, 0, COMMAND.length);
+  }
+
+  private UdpPort replyPort(UdpPort port, InetSocketAddress asked) throws IOException {
+    UdpPort opened = UdpPort.open(new InetSocketAddress(0));
+    receive(opened, (sender, bytes, nanos) -> reply(port, asked, sender, bytes, nanos));
+    return opened;
+  }
+
+  private void tellForeign(InetSocketAddress sender) {
+    if (!foreignTold) {
+      LOG.warn(
+          "{} is no private address of this machine's networks, so its commands are not passed on",
+          sender.getAddress().getHostAddress());
+    }
+    foreignTold = true;
+  }
+
+  // --- from the drone to operators ---
+
+  private void reply(
+      UdpPort port, InetSocketAddress asked, InetSocketAddress sender, byte[] bytes, long nanos) {
+    if (isDrone(sender)) {
+      port.send(bytes, asked);
+      recorder.sent(nanos, Kind.REPLY, sender, asked, bytes);
+    }
+  }
+
+  private void push(Kind kind, InetSocketAddress sender, byte[] bytes, long nanos) {
+    if (!isDrone(sender) || addresses.contains(sender) || operator.isEmpty()) {
+      return;
+    }
+    Peer to = operator.get();
+    int number =
+        kind == Kind.STATE
+            ? plan.towardsOperator().statePort()
+            : plan.towardsOperator().videoPort();
+    InetSocketAddress place = new InetSocketAddress(to.address().getAddress(), number);
+    listening.stream()
+        .filter(port -> port.address().equals(to.via()))
+        .forEach(port -> port.send(bytes, place));
+    recorder.sent(nanos, kind, sender, place, bytes);
+  }
+
+  /** Whatever port it sends from. */
+  private boolean isDrone(InetSocketAddress sender) {
+    boolean drone = sender.getAddress().equals(plan.drone().getAddress());
+    if (drone) {
+      watch.heard();
+    }
+    return drone;
+  }
+
+  // --- sockets ---
+
+  private void receive(UdpPort port, Taker taker) {
+    port.register(selector, new Source(port, taker));
+  }
+
+  private void receiveFromDrone() {
+    towardsDrone
+        .state()
+        .ifPresent(
+            port ->
+                receive(port, (sender, bytes, nanos) -> push(Kind.STATE, sender, bytes, nanos)));
+    towardsDrone
+        .video()
+        .ifPresent(
+            port ->
+                receive(port, (sender, bytes, nanos) -> push(Kind.VIDEO, sender, bytes, nanos)));
+  }
+
+  /** This machine may have joined another network, such as the drone's. */
+  private void look() {
+    try {
+      if (towardsDrone.follow()) {
+        receiveFromDrone();
+        networks = LocalNetworks.look();
+        listen();
+      }
+    } catch (PortTakenException e) {
+      if (!e.getMessage().equals(obstacle)) { // it is tried again each second
+        LOG.warn("{}", e.getMessage());
+      }
+      obstacle = e.getMessage();
+    }
+  }
+
+  /** Takes commands at all addresses that are wanted and not open yet. */
+  private void listen() throws PortTakenException {
+    try {
+      for (InetSocketAddress wanted : plan.addresses(networks)) {
+        InetAddress host = wanted.getAddress();
+        if (listening.stream().noneMatch(port -> port.address().getAddress().equals(host))) {
+          UdpPort port = UdpPort.bind(wanted);
+          listening.add(port);
+          receive(port, (sender, bytes, nanos) -> command(port, sender, bytes, nanos));
+        }
+      }
+    } finally {
+      addresses = listening.stream().map(UdpPort::address).toList();
+    }
+  }
+
+  @Override
+  public Verdict onError(Throwable thrown) {
+    return failed;
+  }
+
+  @Override
+  public void onClose() {
+    listening.forEach(UdpPort::close);
+    operators.close();
+    towardsDrone.close();
+    try {
+      synchronized (selector) {
+        selector.close();
+      }
+    } catch (IOException e) {
+      LOG.debug("Closing the selector failed: {}", e.toString());
+    }
+  }
+}
