@@ -65,6 +65,7 @@ public final class Benchmarks {
     parts.put("memory", WireBenchmark::memoryAfter);
     parts.put("window", WindowBenchmark::all);
     parts.put("recording", minutes -> RecordingBenchmark.all());
+    parts.put("proxy", minutes -> ProxyBenchmark.all());
     parts.put("kit", minutes -> KitBenchmark.all());
     parts.put("report", minutes -> ReportBenchmark.all());
     return parts;

@@ -73,6 +73,23 @@ final class Simulator implements AutoCloseable {
     return simulator;
   }
 
+  /** Starts it as a proxy for a drone of this machine, and waits until it is ready. */
+  static Simulator asProxy(int dronePort, String recordings) throws IOException {
+    return new Simulator(
+        "proxy",
+        List.of(
+            "--command-port",
+            "0",
+            "--drone-state-port",
+            "0",
+            "--drone-video-port",
+            "0",
+            "--drone",
+            "127.0.0.1:" + dronePort,
+            "--record",
+            recordings));
+  }
+
   private void readErrors() {
     try {
       lines(process.getErrorStream(), this::note);
