@@ -16,7 +16,7 @@ import time
 
 import network
 from judge import Judge
-from simulator import Simulator
+from simulator import Proxy, Simulator
 
 HERE = pathlib.Path(__file__).resolve().parent
 INSIDE = "TELLO_CONFORMANCE_NETWORK"
@@ -30,6 +30,7 @@ FORBIDDEN = 78
 LONGEST_FLIGHT_S = 60
 LONGEST_FLIGHT_WITH_FAULTS_S = 240
 LOOPBACK = ("127.0.0.1", "8879")
+BEHIND_PROXY = "127.0.0.2"
 
 
 def python():
@@ -141,6 +142,11 @@ def options():
         help="fly without any change, over a network in which the drone is 192.168.10.1:8889",
     )
     parser.add_argument(
+        "--proxy",
+        action="store_true",
+        help="with --private-network: a proxy is there in its place, and the drone behind it",
+    )
+    parser.add_argument(
         "--time-factor", help="how fast time passes, or max; 5, with video 1, unless given"
     )
     parser.add_argument(
@@ -156,11 +162,13 @@ def options():
     unknown = [name for name in chosen.clients if name not in CLIENTS]
     if unknown:
         parser.error("there is no client " + ", ".join(unknown))
+    if chosen.proxy and not chosen.private_network:
+        parser.error("a proxy takes --private-network")
     if not chosen.clients:
         chosen.clients = [
             name
             for name, client in CLIENTS.items()
-            if chosen.private_network or not client.swarm()
+            if (chosen.private_network and not chosen.proxy) or not client.swarm()
         ]
     elif not chosen.private_network and any(CLIENTS[name].swarm() for name in chosen.clients):
         parser.error("a swarm flies with --private-network only")
@@ -210,6 +218,8 @@ def carried_out(text, log):
 def fly(name, chosen):
     """Whether all went well."""
     place = "private network" if chosen.private_network else "loopback"
+    if chosen.proxy:
+        place += " and a proxy"
     client = CLIENTS[name]
     time_factor = chosen.time_factor or client.time_factor
     print(f"{name} over {place}, time factor {time_factor}", flush=True)
@@ -220,6 +230,8 @@ def fly(name, chosen):
         if chosen.private_network:
             cable = stack.enter_context(network.PrivateNetwork())
             drones = ",".join(network.DRONES[: client.drones])
+            if chosen.proxy:
+                drones = BEHIND_PROXY
             simulator_options += ["--bind", drones, "--command-port", "8889"]
             command = cable.way_in() + command
         else:
@@ -227,6 +239,9 @@ def fly(name, chosen):
         if time_factor == "max":
             command.append("--at-full-speed")
         simulator = stack.enter_context(Simulator(chosen.java, chosen.jar, simulator_options))
+        if chosen.proxy:
+            proxy_options = ["--drone", BEHIND_PROXY, "--bind", network.DRONES[0]]
+            stack.enter_context(Proxy(chosen.java, chosen.jar, proxy_options))
         judge = Judge(simulator)
         faults, chatter = follow(command, judge, simulator)
         if judge.steps < client.fewest_steps:

@@ -119,3 +119,31 @@ class Simulator:
     def log(self):
         self._log.seek(0)
         return self._log.read()
+
+
+class Proxy:
+    """Stands between a client and the simulator from `with` to the end of its block."""
+
+    def __init__(self, java, jar, options):
+        self._recordings = tempfile.TemporaryDirectory()
+        self._command = [
+            *(java, "-jar", jar, "proxy", "--command-port", "8889"),
+            *("--record", self._recordings.name, *options),
+        ]
+        self._process = None
+
+    def __enter__(self):
+        self._process = subprocess.Popen(
+            self._command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True, bufsize=1
+        )
+        if not self._process.stdout.readline().startswith("ready"):
+            raise RuntimeError("the proxy did not start")
+        return self
+
+    def __exit__(self, *failure):
+        try:
+            self._process.communicate("quit\n", timeout=10)
+        except (subprocess.TimeoutExpired, BrokenPipeError):
+            self._process.kill()
+            self._process.wait()
+        self._recordings.cleanup()

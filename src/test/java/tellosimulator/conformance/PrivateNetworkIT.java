@@ -1,6 +1,7 @@
 package tellosimulator.conformance;
 
 import java.io.IOException;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
@@ -12,5 +13,10 @@ class PrivateNetworkIT {
   void unchangedClientFliesWhereItsCommandsLead(String client)
       throws IOException, InterruptedException {
     ClientFlight.fly("--private-network", client);
+  }
+
+  @Test
+  void unchangedClientFliesThroughAProxyOnTheRealPorts() throws IOException, InterruptedException {
+    ClientFlight.fly("--private-network", "--proxy", "djitellopy");
   }
 }
