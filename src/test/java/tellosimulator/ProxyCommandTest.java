@@ -84,6 +84,7 @@ class ProxyCommandTest {
           proxy                           | Missing required option: '--drone=ADDRESS[:PORT]'. Try --help.
           proxy --drone drone             | Invalid value for option '--drone': expected the address of a drone such as 192.168.10.1 or 192.168.10.1:8889, found drone. Try --help.
           proxy --drone 192.168.10.1:0    | Invalid value for option '--drone': expected the address of a drone such as 192.168.10.1 or 192.168.10.1:8889, found 0. Try --help.
+          proxy --drone 127.0.0.1 --record pom.xml | --record pom.xml: no flight can be recorded there: pom.xml is in the way. Try --help.
           proxy --drone 127.0.0.1:8879 --record target/proxy | --drone 127.0.0.1:8879 is where the proxy itself takes commands; name the drone's address. Try --help.
           """)
   void mistakesAreSentences(String words, String sentence) {

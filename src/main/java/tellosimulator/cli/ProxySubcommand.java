@@ -37,8 +37,7 @@ final class ProxySubcommand implements Subcommand {
       Choices.of(
           SubcommandName.PROXY,
           "Passes commands on to a real drone, and back what it sends, and records its flights.",
-          "Exit code 0: ended by quit; 1: an address, a port or the folder cannot be had;"
-              + " 2: wrong options.");
+          "Exit code 0: ended by quit; 1: an address or a port cannot be had; 2: wrong options.");
 
   private final Supplier<InetSocketAddress> drone =
       choices
