@@ -24,6 +24,11 @@ public record CommandPair(
     return either().command().text();
   }
 
+  /** Whether it differs in nothing. */
+  public boolean alike() {
+    return differing.isEmpty();
+  }
+
   /** To which drone, from 1. */
   public int drone() {
     return either().command().drone();

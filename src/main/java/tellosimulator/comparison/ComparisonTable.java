@@ -5,11 +5,8 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
-import java.util.OptionalDouble;
-import java.util.function.Function;
 import java.util.stream.Collectors;
 import tellosimulator.command.WireText;
-import tellosimulator.comparison.FlownCommand.Motion;
 import tellosimulator.comparison.Tolerance.Aspect;
 
 /** Two flights as a table of text: a row for each command, two values in each cell. */
@@ -60,12 +57,10 @@ public final class ComparisonTable {
   }
 
   private String summary() {
-    long differing =
-        comparison.pairs().stream().filter(pair -> !pair.differing().isEmpty()).count();
     return String.format(
         Locale.ROOT,
         "%d of %d commands differ by more than %.0f %% or %.1f s, %.0f cm, %.0f degrees",
-        differing,
+        comparison.differing(),
         comparison.pairs().size(),
         100 * tolerance.share(),
         tolerance.seconds(),
@@ -74,43 +69,34 @@ public final class ComparisonTable {
   }
 
   private static List<String> row(CommandPair pair) {
-    return List.of(
-        Integer.toString(pair.drone()),
-        shortened(pair.text()),
-        both(pair, flown -> shortened(flown.command().reply().stripTrailing())),
-        both(pair, flown -> seconds(flown.command().duration())),
-        both(pair, flown -> whole(flown, Motion::forward)),
-        both(pair, flown -> whole(flown, Motion::left)),
-        both(pair, flown -> whole(flown, Motion::up)),
-        both(pair, flown -> whole(flown, Motion::turn)),
-        verdict(pair));
+    List<String> row = new ArrayList<>();
+    row.add(Integer.toString(pair.drone()));
+    row.add(shortened(WireText.printable(pair.text())));
+    for (ComparisonColumn column : ComparisonColumn.values()) {
+      String first = cell(column, pair.first());
+      String second = cell(column, pair.second());
+      row.add(first.equals(second) ? first : first + " | " + second);
+    }
+    row.add(verdict(pair));
+    return row;
   }
 
-  private static String both(CommandPair pair, Function<FlownCommand, String> value) {
-    String first = pair.first().map(value).orElse("-");
-    String second = pair.second().map(value).orElse("-");
-    return first.equals(second) ? first : first + " | " + second;
-  }
-
-  private static String seconds(OptionalDouble seconds) {
-    return seconds.isPresent() ? String.format(Locale.ROOT, "%.2f", seconds.getAsDouble()) : "-";
-  }
-
-  private static String whole(FlownCommand flown, Function<Motion, Double> part) {
-    Optional<Motion> motion = flown.motion();
-    return motion.map(part).map(value -> Long.toString(Math.round(value))).orElse("-");
+  private static String cell(ComparisonColumn column, Optional<FlownCommand> flown) {
+    return flown
+        .map(command -> shortened(column.text(command, Locale.ROOT)))
+        .filter(text -> !text.isEmpty())
+        .orElse("-");
   }
 
   private static String shortened(String text) {
-    String shown = WireText.printable(text);
-    return shown.length() <= LONGEST ? shown : shown.substring(0, LONGEST - 1) + "…";
+    return text.length() <= LONGEST ? text : text.substring(0, LONGEST - 1) + "…";
   }
 
   private static String verdict(CommandPair pair) {
     if (pair.differing().contains(Aspect.MISSING)) {
       return pair.first().isPresent() ? "only in the first" : "only in the second";
     }
-    return pair.differing().isEmpty()
+    return pair.alike()
         ? "alike"
         : pair.differing().stream()
             .sorted()

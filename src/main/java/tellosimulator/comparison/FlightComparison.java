@@ -86,7 +86,12 @@ public record FlightComparison(List<CommandPair> pairs) {
 
   /** Whether nothing differs by more than is tolerated. */
   public boolean alike() {
-    return pairs.stream().allMatch(pair -> pair.differing().isEmpty());
+    return differing() == 0;
+  }
+
+  /** How many commands differ by more than is tolerated. */
+  public long differing() {
+    return pairs.stream().filter(pair -> !pair.alike()).count();
   }
 
   private static List<CommandPair> pairs(Sequence first, Sequence second, Tolerance tolerance) {

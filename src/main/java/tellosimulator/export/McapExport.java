@@ -14,6 +14,7 @@ import tellosimulator.recording.RecordedDatagram;
 import tellosimulator.recording.RecordedEvent;
 import tellosimulator.recording.RecordedFlight;
 import tellosimulator.recording.Sample;
+import tellosimulator.recording.StateNumbers;
 import tellosimulator.recording.Track;
 import tellosimulator.recording.WireLog;
 
@@ -113,27 +114,15 @@ final class McapExport {
       send("/wire", "datagram", ANY_SCHEMA, datagram.time(), message);
       if (datagram.kind().equals("state")) {
         String topic = "/drone" + datagram.drone() + "/state";
-        send(topic, "state", STATE_SCHEMA, datagram.time(), numbers(datagram.text()));
+        send(topic, "state", STATE_SCHEMA, datagram.time(), StateNumbers.of(datagram.text()));
       }
     } catch (IOException e) {
       throw new UncheckedIOException(e);
     }
   }
 
-  /** The fields of a state line that are one number. */
-  private static Map<String, Object> numbers(String text) {
-    Map<String, Object> numbers = new LinkedHashMap<>();
-    for (String field : text.strip().split(";", -1)) {
-      int colon = field.indexOf(':');
-      if (colon > 0 && field.substring(colon + 1).matches("-?\\d{1,9}([.]\\d{1,9})?")) {
-        numbers.put(field.substring(0, colon), Double.valueOf(field.substring(colon + 1)));
-      }
-    }
-    return numbers;
-  }
-
   private void send(
-      String topic, String schemaName, String schema, double time, Map<String, Object> message)
+      String topic, String schemaName, String schema, double time, Map<String, ?> message)
       throws IOException {
     Integer channel = channels.get(topic);
     if (channel == null) {

@@ -30,12 +30,12 @@ final class EstimatedTrack {
     Optional<ReportedState> state = ReportedState.of(line.numberOr("t", 0), drone, text);
     if (state.isPresent() && RecordedRun.isNumber(drone)) {
       List<Sample> before = samples.computeIfAbsent(drone, number -> new ArrayList<>());
-      before.add(sample(before, state.get(), ReportedState.fields(text)));
+      before.add(sample(before, state.get(), StateNumbers.of(text)));
     }
   }
 
   private static Sample sample(
-      List<Sample> before, ReportedState state, Map<String, String> fields) {
+      List<Sample> before, ReportedState state, Map<String, Double> said) {
     Vec3 told = state.velocity();
     Vec3 velocity = new Vec3(told.x(), -told.y(), -told.z());
     Vec3 place =
@@ -44,9 +44,10 @@ final class EstimatedTrack {
         state.time(),
         new Vec3(place.x(), place.y(), Math.max(0, Frames.metres(state.heightCm()))),
         velocity,
-        new Sample.Angles(number(fields, "roll"), number(fields, "pitch"), state.yawDeg()),
+        new Sample.Angles(
+            said.getOrDefault("roll", 0.0), said.getOrDefault("pitch", 0.0), state.yawDeg()),
         "",
-        number(fields, "bat"),
+        said.getOrDefault("bat", 0.0),
         "");
   }
 
@@ -55,12 +56,6 @@ final class EstimatedTrack {
     boolean gap = seconds < 0 || seconds > LONGEST_GAP;
     Vec3 mean = last.velocity().plus(velocity).times(0.5);
     return gap ? last.position() : last.position().plus(mean.times(seconds));
-  }
-
-  /** 0 where it is missing, or was corrupted on its way. */
-  private static double number(Map<String, String> fields, String name) {
-    String value = fields.getOrDefault(name, "");
-    return value.matches("-?[0-9]{1,6}([.][0-9]{1,6})?") ? Double.parseDouble(value) : 0;
   }
 
   /** How each drone moved, in the order of their numbers. */

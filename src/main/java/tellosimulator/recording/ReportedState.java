@@ -2,7 +2,7 @@ package tellosimulator.recording;
 
 import java.util.Map;
 import java.util.Optional;
-import java.util.TreeMap;
+import java.util.Set;
 import tellosimulator.math.Vec3;
 
 /**
@@ -20,6 +20,8 @@ public record ReportedState(double time, int drone, double heightCm, double yawD
   /** Unit of the velocities in a state line [m/s]. Source: SDK 3.0 User Guide. */
   private static final double DECIMETER = 0.1;
 
+  private static final Set<String> WANTED = Set.of("h", "yaw", "vgx", "vgy", "vgz");
+
   /**
    * Reads a state line.
    *
@@ -27,30 +29,12 @@ public record ReportedState(double time, int drone, double heightCm, double yawD
    * @return empty if it lacks yaw, height or velocity
    */
   static Optional<ReportedState> of(double time, int drone, String text) {
-    Map<String, String> fields = fields(text);
-    try {
-      Vec3 velocity = new Vec3(number(fields, "vgx"), number(fields, "vgy"), number(fields, "vgz"));
-      return Optional.of(
-          new ReportedState(
-              time, drone, number(fields, "h"), number(fields, "yaw"), velocity.times(DECIMETER)));
-    } catch (NumberFormatException e) { // a line that was corrupted on its way
+    Map<String, Double> said = StateNumbers.of(text);
+    if (!said.keySet().containsAll(WANTED)) {
       return Optional.empty();
     }
-  }
-
-  /** The fields of a state line, by their names. */
-  static Map<String, String> fields(String text) {
-    Map<String, String> fields = new TreeMap<>();
-    for (String field : text.strip().split(";", -1)) {
-      int colon = field.indexOf(':');
-      if (colon > 0) {
-        fields.put(field.substring(0, colon), field.substring(colon + 1));
-      }
-    }
-    return fields;
-  }
-
-  private static double number(Map<String, String> fields, String name) {
-    return Double.parseDouble(fields.getOrDefault(name, "missing"));
+    Vec3 velocity = new Vec3(said.get("vgx"), said.get("vgy"), said.get("vgz"));
+    return Optional.of(
+        new ReportedState(time, drone, said.get("h"), said.get("yaw"), velocity.times(DECIMETER)));
   }
 }

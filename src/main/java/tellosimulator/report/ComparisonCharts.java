@@ -35,7 +35,7 @@ final class ComparisonCharts {
 
   private String chart(String key, String unit, ToDoubleFunction<ReportedState> value) {
     DoubleStream values =
-        Stream.of(first, second).flatMap(flight -> flight.states().stream()).mapToDouble(value);
+        Stream.of(first, second).flatMap(flight -> flown(flight).stream()).mapToDouble(value);
     double[] sorted = values.sorted().toArray();
     double low = sorted.length == 0 ? 0 : sorted[0];
     double high = sorted.length == 0 ? 0 : sorted[sorted.length - 1];

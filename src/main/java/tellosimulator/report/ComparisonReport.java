@@ -3,19 +3,17 @@ package tellosimulator.report;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
-import java.util.OptionalDouble;
-import java.util.function.Function;
 import java.util.stream.Collectors;
-import java.util.stream.Stream;
 import tellosimulator.command.WireText;
 import tellosimulator.comparison.CommandPair;
+import tellosimulator.comparison.ComparisonColumn;
 import tellosimulator.comparison.FlightComparison;
 import tellosimulator.comparison.FlightComparison.Flight;
 import tellosimulator.comparison.FlownCommand;
-import tellosimulator.comparison.FlownCommand.Motion;
 import tellosimulator.comparison.Tolerance;
 import tellosimulator.comparison.Tolerance.Aspect;
 import tellosimulator.files.IrregularFileException;
@@ -37,15 +35,20 @@ public final class ComparisonReport {
 
   private final NamedFlight first;
   private final NamedFlight second;
+  private final FlightComparison comparison;
   private final Tolerance tolerance;
   private final ReportTexts texts;
 
+  /**
+   * @param tolerance by which both are compared
+   */
   public ComparisonReport(
       NamedFlight first, NamedFlight second, Tolerance tolerance, ReportTexts texts) {
     this.first = first;
     this.second = second;
     this.tolerance = tolerance;
     this.texts = texts;
+    comparison = FlightComparison.of(first.flight(), second.flight(), tolerance);
   }
 
   /**
@@ -60,31 +63,25 @@ public final class ComparisonReport {
 
   /** The whole page. */
   String html() {
-    FlightComparison comparison = FlightComparison.of(first.flight(), second.flight(), tolerance);
     String style =
         HtmlTemplate.resource("report.css") + "\n" + HtmlTemplate.resource("comparison.css");
-    HtmlTemplate template = new HtmlTemplate(HtmlTemplate.resource("comparison.html"));
-    texts.all().forEach((key, text) -> template.text("text." + key, text));
-    return template
-        .text("language", texts.language())
+    return HtmlTemplate.page("comparison.html", texts)
         .text("title", texts.of("comparison.title", first.name(), second.name()))
         .text("first", first.name())
         .text("second", second.name())
-        .text("policy", "default-src 'none'; img-src data:; style-src 'unsafe-inline'")
         .text("state", comparison.alike() ? "good" : "bad")
-        .text("verdict", summary(comparison.pairs()))
+        .text("verdict", summary())
         .text("tolerance", tolerance())
-        .code("style", style)
+        .ownCode(style, "")
         .code("charts", new ComparisonCharts(first.flight(), second.flight(), texts).markup())
         .code("rows", comparison.pairs().stream().map(this::row).collect(Collectors.joining("\n")))
         .filled();
   }
 
-  private String summary(List<CommandPair> pairs) {
-    long differing = pairs.stream().filter(pair -> !pair.differing().isEmpty()).count();
-    return differing == 0
-        ? texts.of("comparison.alike", pairs.size())
-        : texts.of("comparison.differing", differing, pairs.size());
+  private String summary() {
+    return comparison.alike()
+        ? texts.of("comparison.alike", comparison.pairs().size())
+        : texts.of("comparison.differing", comparison.differing(), comparison.pairs().size());
   }
 
   private String tolerance() {
@@ -97,39 +94,21 @@ public final class ComparisonReport {
   }
 
   private String row(CommandPair pair) {
-    Stream<String> values =
-        Stream.of(
-                both(pair, flown -> WireText.printable(flown.command().reply().stripTrailing())),
-                both(pair, flown -> seconds(flown.command().duration())),
-                both(pair, flown -> whole(flown, Motion::forward)),
-                both(pair, flown -> whole(flown, Motion::left)),
-                both(pair, flown -> whole(flown, Motion::up)),
-                both(pair, flown -> whole(flown, Motion::turn)))
-            .flatMap(List::stream);
-    Stream<String> cells =
-        Stream.of(
-                Stream.of(Integer.toString(pair.drone()), WireText.printable(pair.text())),
-                values,
-                Stream.of(verdict(pair)))
-            .flatMap(Function.identity());
-    return cells
+    List<String> cells = new ArrayList<>();
+    cells.add(Integer.toString(pair.drone()));
+    cells.add(WireText.printable(pair.text()));
+    for (ComparisonColumn column : ComparisonColumn.values()) {
+      cells.add(cell(column, pair.first()));
+      cells.add(cell(column, pair.second()));
+    }
+    cells.add(verdict(pair));
+    return cells.stream()
         .map(cell -> "<td>" + HtmlTemplate.escaped(cell) + "</td>")
-        .collect(
-            Collectors.joining(
-                "", pair.differing().isEmpty() ? "<tr>" : "<tr class=\"wrong\">", "</tr>"));
+        .collect(Collectors.joining("", pair.alike() ? "<tr>" : "<tr class=\"wrong\">", "</tr>"));
   }
 
-  private static List<String> both(CommandPair pair, Function<FlownCommand, String> value) {
-    return List.of(pair.first().map(value).orElse(""), pair.second().map(value).orElse(""));
-  }
-
-  private String seconds(OptionalDouble seconds) {
-    return seconds.isPresent() ? String.format(texts.locale(), "%.2f", seconds.getAsDouble()) : "";
-  }
-
-  private static String whole(FlownCommand flown, Function<Motion, Double> part) {
-    Optional<Motion> motion = flown.motion();
-    return motion.map(part).map(value -> Long.toString(Math.round(value))).orElse("");
+  private String cell(ComparisonColumn column, Optional<FlownCommand> flown) {
+    return flown.map(command -> column.text(command, texts.locale())).orElse("");
   }
 
   private String verdict(CommandPair pair) {
@@ -137,7 +116,7 @@ public final class ComparisonReport {
       return texts.of(
           pair.first().isPresent() ? "comparison.only-first" : "comparison.only-second");
     }
-    return pair.differing().isEmpty()
+    return pair.alike()
         ? texts.of("comparison.row-alike")
         : pair.differing().stream()
             .sorted()

@@ -1,12 +1,8 @@
 package tellosimulator.report;
 
 import java.io.IOException;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.security.MessageDigest;
-import java.security.NoSuchAlgorithmException;
-import java.util.Base64;
 import java.util.List;
 import java.util.stream.Collectors;
 import tellosimulator.files.IrregularFileException;
@@ -47,16 +43,11 @@ public final class FlightReport {
   String html() {
     String style = HtmlTemplate.resource("report.css");
     String script = SCRIPTS.stream().map(HtmlTemplate::resource).collect(Collectors.joining("\n"));
-    HtmlTemplate template = new HtmlTemplate(HtmlTemplate.resource("report.html"));
-    texts.all().forEach((key, text) -> template.text("text." + key, text));
-    return template
-        .text("language", texts.language())
+    return HtmlTemplate.page("report.html", texts)
         .text("title", texts.of("title", heading()))
         .text("heading", heading())
         .text("footer", texts.of("footer", flight.run().program()))
-        .text("policy", policy(style, script))
-        .code("style", style)
-        .code("script", script)
+        .ownCode(style, script)
         .code("data", HtmlTemplate.escapedJson(Json.text(new ReportData(flight, texts).members())))
         .filled();
   }
@@ -64,24 +55,5 @@ public final class FlightReport {
   private String heading() {
     String scenario = flight.run().setting().scenario();
     return scenario.isEmpty() ? texts.of("no-scenario") : scenario;
-  }
-
-  /** Nothing may be loaded or sent, and no other script run. */
-  private static String policy(String style, String script) {
-    return "default-src 'none'; img-src data:; style-src '"
-        + digest(style)
-        + "'; script-src '"
-        + digest(script)
-        + "'; base-uri 'none'; form-action 'none'";
-  }
-
-  private static String digest(String code) {
-    try {
-      byte[] digest =
-          MessageDigest.getInstance("SHA-256").digest(code.getBytes(StandardCharsets.UTF_8));
-      return "sha256-" + Base64.getEncoder().encodeToString(digest);
-    } catch (NoSuchAlgorithmException e) {
-      throw new IllegalStateException("each JDK has SHA-256", e);
-    }
   }
 }

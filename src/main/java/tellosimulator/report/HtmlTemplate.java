@@ -4,6 +4,9 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
+import java.security.MessageDigest;
+import java.security.NoSuchAlgorithmException;
+import java.util.Base64;
 import java.util.HashMap;
 import java.util.Map;
 import java.util.regex.Matcher;
@@ -24,6 +27,18 @@ final class HtmlTemplate {
 
   HtmlTemplate(String page) {
     this.page = page;
+  }
+
+  /**
+   * A page of this package in the language of some texts, with the head that all pages have: it
+   * wants {@code title} and {@link #ownCode}.
+   *
+   * @param name of the resource that has the page's body
+   */
+  static HtmlTemplate page(String name, ReportTexts texts) {
+    HtmlTemplate page = new HtmlTemplate(resource("head.html") + resource(name));
+    texts.all().forEach((key, text) -> page.text("text." + key, text));
+    return page.text("language", texts.language());
   }
 
   /** A resource of this package. */
@@ -48,6 +63,32 @@ final class HtmlTemplate {
   HtmlTemplate code(String place, String code) {
     values.put(place, code);
     return this;
+  }
+
+  /**
+   * Says what the page looks like and what it does: nothing may be loaded or sent, and no other
+   * style or script applies.
+   *
+   * @param script empty if the page runs none
+   */
+  HtmlTemplate ownCode(String style, String script) {
+    String policy =
+        "default-src 'none'; img-src data:; style-src '"
+            + digest(style)
+            + "'; script-src "
+            + (script.isEmpty() ? "'none'" : "'" + digest(script) + "'")
+            + "; base-uri 'none'; form-action 'none'";
+    return text("policy", policy).code("style", style).code("script", script);
+  }
+
+  private static String digest(String code) {
+    try {
+      byte[] digest =
+          MessageDigest.getInstance("SHA-256").digest(code.getBytes(StandardCharsets.UTF_8));
+      return "sha256-" + Base64.getEncoder().encodeToString(digest);
+    } catch (NoSuchAlgorithmException e) {
+      throw new IllegalStateException("each JDK has SHA-256", e);
+    }
   }
 
   /**

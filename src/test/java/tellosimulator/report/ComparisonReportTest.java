@@ -3,6 +3,7 @@ package tellosimulator.report;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.nio.file.Path;
+import java.util.Locale;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import tellosimulator.comparison.FlightComparison.Flight;
@@ -25,7 +26,29 @@ class ComparisonReportTest {
         .contains("<span class=\"badge good\">all 7 commands alike</span>")
         .contains("<title>&lt;b&gt; and other</title>")
         .doesNotContain(RecordingFixture.MARKUP)
-        .doesNotContain("<script");
+        .doesNotContain("<script")
+        .contains("script-src &#39;none&#39;")
+        .doesNotContain("unsafe");
+  }
+
+  @Test
+  void chartsReachAsFarAsTheirLines() throws Exception {
+    Path flown = RecordingFixture.in(folder.resolve("a"));
+    new RecordingFixture(flown)
+        .with("wire.jsonl", state(1, 5.0, 80) + state(1, 6.0, 90) + state(2, 6.0, 250));
+    Flight flight = Flight.read(flown);
+
+    assertThat(html(flight, flight)).contains("<span>90 cm</span><span>80 cm</span>");
+  }
+
+  private static String state(int drone, double time, int height) {
+    return String.format(
+        Locale.ROOT,
+        "{\"t\":%.3f,\"drone\":%d,\"kind\":\"state\","
+            + "\"text\":\"yaw:0;vgx:0;vgy:0;vgz:0;h:%d;\"}%n",
+        time,
+        drone,
+        height);
   }
 
   @Test
