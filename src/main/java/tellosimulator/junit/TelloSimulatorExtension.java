@@ -6,6 +6,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.concurrent.Semaphore;
 import org.junit.jupiter.api.extension.AfterAllCallback;
@@ -29,7 +30,7 @@ import tellosimulator.recording.RecordedFlight;
 import tellosimulator.recording.RecordingFolder;
 import tellosimulator.report.FlightReport;
 import tellosimulator.report.ReportTexts;
-import tellosimulator.words.Translation;
+import tellosimulator.translation.PhraseCatalog;
 
 /**
  * Gives simulated drones to JUnit tests; {@link TelloTest} registers it. With {@code
@@ -303,7 +304,7 @@ public final class TelloSimulatorExtension
     }
   }
 
-  /** The recordings of all flights of a test, and a page of each. */
+  /** The recordings of all flights of a test, and a page of each in the language of the system. */
   private static void publishFlights(ExtensionContext context, FlightRecorder recorder) {
     List<Path> recordings = new ArrayList<>();
     context.publishDirectory(
@@ -320,7 +321,9 @@ public final class TelloSimulatorExtension
           name,
           HTML,
           file ->
-              new FlightReport(RecordedFlight.read(recording), new ReportTexts(Translation.ENGLISH))
+              new FlightReport(
+                      RecordedFlight.read(recording),
+                      new ReportTexts(PhraseCatalog.of(Locale.getDefault())))
                   .write(file));
     }
   }

@@ -34,8 +34,7 @@ final class EstimatedTrack {
     }
   }
 
-  private static Sample sample(
-      List<Sample> before, ReportedState state, Map<String, Double> said) {
+  private static Sample sample(List<Sample> before, ReportedState state, Map<String, Double> said) {
     Vec3 told = state.velocity();
     Vec3 velocity = new Vec3(told.x(), -told.y(), -told.z());
     Vec3 place =

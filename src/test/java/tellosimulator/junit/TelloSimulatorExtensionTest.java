@@ -9,6 +9,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.stream.Collectors;
@@ -23,6 +24,7 @@ import org.junit.jupiter.api.TestMethodOrder;
 import org.junit.jupiter.api.extension.RegisterExtension;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.junit.platform.engine.DiscoverySelector;
 import org.junit.platform.engine.reporting.OutputDirectoryProvider;
@@ -380,6 +382,43 @@ class TelloSimulatorExtensionTest {
     assertThat(published("tello-flight.html"))
         .singleElement()
         .satisfies(page -> assertThat(page).content().contains("<title>", "\"up 30\""));
+  }
+
+  @TelloTest
+  static final class Refused {
+    @Test
+    void fails(SimulatedDrone drone) throws IOException {
+      fly(drone, "command", "takeoff", "takeoff");
+      assertThat(drone).hasCrashed();
+    }
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      textBlock =
+          """
+          de-AT | de | Flugbericht   | fliegt schon
+          en-GB | en | flight report | flies already
+          fr-FR | en | flight report | flies already
+          """)
+  void thePageSpeaksTheLanguageOfTheSystem(
+      String system, String language, String title, String reason) throws IOException {
+    Locale before = Locale.getDefault();
+    Locale.setDefault(Locale.forLanguageTag(system));
+    try {
+      assertThat(failures(selectClass(Refused.class))).containsOnlyKeys("fails");
+    } finally {
+      Locale.setDefault(before);
+    }
+
+    assertThat(published("tello-flight.html"))
+        .singleElement()
+        .satisfies(
+            page ->
+                assertThat(page)
+                    .content()
+                    .contains("<html lang=\"" + language + "\">", title, reason));
   }
 
   // --- mistakes ---

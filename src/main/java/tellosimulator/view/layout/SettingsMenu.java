@@ -14,6 +14,7 @@ import javafx.scene.control.RadioMenuItem;
 import javafx.scene.control.ToggleGroup;
 import org.kordamp.ikonli.feather.Feather;
 import org.kordamp.ikonli.javafx.FontIcon;
+import tellosimulator.translation.PhraseCatalog;
 import tellosimulator.view.text.Language;
 import tellosimulator.view.text.Messages;
 
@@ -35,7 +36,7 @@ final class SettingsMenu extends MenuButton {
     about.setOnAction(event -> pages.showAbout());
     getItems()
         .setAll(
-            choice("language", Language.OFFERED, language.localeProperty()),
+            choice("language", PhraseCatalog.OFFERED, language.localeProperty()),
             choice("theme", List.of(Theme.values()), state.themeProperty()),
             choice("scale", List.of(UiScale.values()), state.uiScaleProperty()),
             flag("smooth-edges", smooth),

@@ -2,12 +2,12 @@ package tellosimulator.view.text;
 
 import java.io.IOException;
 import java.util.HashMap;
-import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import javafx.beans.property.ObjectProperty;
 import javafx.beans.property.SimpleObjectProperty;
 import tellosimulator.files.IoReason;
+import tellosimulator.translation.PhraseCatalog;
 import tellosimulator.view.settings.SettingCodec;
 import tellosimulator.words.Phrase;
 import tellosimulator.words.Translation;
@@ -15,25 +15,14 @@ import tellosimulator.words.Translation;
 /** The language of the window; texts follow it at once. For the JavaFX thread. */
 public final class Language {
 
-  /** The languages that there are texts in, the fallback first. */
-  public static final List<Locale> OFFERED = List.of(Locale.ENGLISH, Locale.GERMAN);
-
   private final ObjectProperty<Locale> locale = new SimpleObjectProperty<>();
   private final Map<Locale, Translation> translations = new HashMap<>();
 
   public Language(Locale locale) {
-    this.locale.set(nearest(locale));
+    this.locale.set(PhraseCatalog.nearest(locale));
   }
 
-  /** Of the offered languages the one that a person with this locale reads, English for others. */
-  public static Locale nearest(Locale wanted) {
-    return OFFERED.stream()
-        .filter(offered -> offered.getLanguage().equals(wanted.getLanguage()))
-        .findFirst()
-        .orElse(Locale.ENGLISH);
-  }
-
-  /** One of {@link #OFFERED}. */
+  /** One of {@link PhraseCatalog#OFFERED}. */
   public ObjectProperty<Locale> localeProperty() {
     return locale;
   }
@@ -41,12 +30,16 @@ public final class Language {
   /** How a language is written in the settings. */
   public static SettingCodec<Locale> codec() {
     return new SettingCodec<>(
-        "one of " + String.join(", ", OFFERED.stream().map(Locale::getLanguage).toList()),
-        text -> OFFERED.stream().filter(offer -> offer.getLanguage().equals(text)).findFirst(),
+        "one of "
+            + String.join(", ", PhraseCatalog.OFFERED.stream().map(Locale::getLanguage).toList()),
+        text ->
+            PhraseCatalog.OFFERED.stream()
+                .filter(offer -> offer.getLanguage().equals(text))
+                .findFirst(),
         Locale::getLanguage);
   }
 
-  /** One of {@link #OFFERED}. */
+  /** One of {@link PhraseCatalog#OFFERED}. */
   public Locale locale() {
     return locale.get();
   }

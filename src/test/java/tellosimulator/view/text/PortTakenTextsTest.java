@@ -6,6 +6,7 @@ import java.util.Locale;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import tellosimulator.network.PortTakenException.Obstacle;
+import tellosimulator.translation.PhraseCatalog;
 import tellosimulator.view.log.LogQueue;
 import tellosimulator.view.pilot.DemoFlight;
 
@@ -16,7 +17,7 @@ class PortTakenTextsTest {
   @EnumSource
   void eachObstacleHasWordsInTheLogAndForTheDemoFlight(Obstacle obstacle) {
     String word = obstacle.name().toLowerCase(Locale.ROOT).replace('_', '-');
-    for (Locale locale : Language.OFFERED) {
+    for (Locale locale : PhraseCatalog.OFFERED) {
       Language language = new Language(locale);
       assertThat(language.messages(LogQueue.class).now("port." + obstacle.name(), 8879, "10.0.0.1"))
           .containsAnyOf("8879", "10.0.0.1");

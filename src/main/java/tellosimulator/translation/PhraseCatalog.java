@@ -1,4 +1,4 @@
-package tellosimulator.view.text;
+package tellosimulator.translation;
 
 import java.io.BufferedReader;
 import java.io.IOException;
@@ -22,7 +22,10 @@ import tellosimulator.words.Translation;
  * language's code, a colon and the translation. Empty lines and those that begin with {@code #} say
  * nothing.
  */
-final class PhraseCatalog implements Translation {
+public final class PhraseCatalog implements Translation {
+
+  /** The languages that there are texts in, the fallback first. */
+  public static final List<Locale> OFFERED = List.of(Locale.ENGLISH, Locale.GERMAN);
 
   private static final String ENGLISH_MARK = "en: ";
 
@@ -34,8 +37,17 @@ final class PhraseCatalog implements Translation {
     this.translations = Map.copyOf(translations);
   }
 
-  /** The translation into a language that texts are offered in. */
-  static Translation of(Locale locale) {
+  /** Of the offered languages the one that a person with this locale reads, English for others. */
+  public static Locale nearest(Locale wanted) {
+    return OFFERED.stream()
+        .filter(offered -> offered.getLanguage().equals(wanted.getLanguage()))
+        .findFirst()
+        .orElse(Locale.ENGLISH);
+  }
+
+  /** The translation for a person with this locale. */
+  public static Translation of(Locale wanted) {
+    Locale locale = nearest(wanted);
     if (locale.equals(Locale.ENGLISH)) {
       return Translation.ENGLISH;
     }

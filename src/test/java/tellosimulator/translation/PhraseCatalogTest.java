@@ -1,4 +1,4 @@
-package tellosimulator.view.text;
+package tellosimulator.translation;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
@@ -19,6 +19,7 @@ import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
+import tellosimulator.view.text.Language;
 import tellosimulator.words.Phrase;
 
 class PhraseCatalogTest {

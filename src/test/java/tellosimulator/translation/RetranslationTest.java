@@ -1,4 +1,4 @@
-package tellosimulator.view.text;
+package tellosimulator.translation;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
