@@ -90,6 +90,23 @@ public record Attitude(double w, double x, double y, double z) {
         .normalized();
   }
 
+  /**
+   * An orientation on the shortest way to another (normalized linear interpolation).
+   *
+   * @param part of the way, 0 to 1
+   */
+  public Attitude towards(Attitude other, double part) {
+    double cosine = w * other.w + x * other.x + y * other.y + z * other.z;
+    double more = cosine < 0 ? -part : part;
+    double rest = 1 - part;
+    return new Attitude(
+            rest * w + more * other.w,
+            rest * x + more * other.x,
+            rest * y + more * other.y,
+            rest * z + more * other.z)
+        .normalized();
+  }
+
   public Attitude normalized() {
     double factor = 1 / Math.sqrt(w * w + x * x + y * y + z * z);
     return new Attitude(w * factor, x * factor, y * factor, z * factor);

@@ -72,9 +72,13 @@ final class FlightTable {
         .orElseThrow(() -> new IllegalArgumentException("there is no " + column));
   }
 
-  /** That of a column; 0 if it is empty or not there. */
+  /** That of a column; 0 if it is empty, not finite or not there. */
   private double number(String column) {
-    return cell(column).filter(cell -> !cell.isEmpty()).map(Double::parseDouble).orElse(0.0);
+    return cell(column)
+        .filter(cell -> !cell.isEmpty())
+        .map(Double::parseDouble)
+        .filter(Double::isFinite)
+        .orElse(0.0);
   }
 
   private Optional<String> cell(String column) {

@@ -14,6 +14,7 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.regex.Pattern;
 import org.slf4j.Logger;
@@ -46,6 +47,7 @@ public final class RecordingFolder {
   private final int kept;
   private final Disk disk;
   private final List<Path> made = new CopyOnWriteArrayList<>();
+  private volatile Optional<Path> latest = Optional.empty();
 
   /** Makes the files of recordings. */
   @FunctionalInterface
@@ -111,6 +113,16 @@ public final class RecordingFolder {
   /** The folders of recordings that were made through this object, the first one first. */
   public List<Path> made() {
     return List.copyOf(made);
+  }
+
+  /** Of the recordings that were made through this object, the one that was finished last. */
+  public Optional<Path> latest() {
+    return latest;
+  }
+
+  /** Nothing more is written into the folder of a recording. */
+  void finished(Path recording) {
+    latest = Optional.of(recording);
   }
 
   /** A title as any file system takes it. */

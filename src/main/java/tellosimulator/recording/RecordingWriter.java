@@ -185,6 +185,7 @@ final class RecordingWriter implements Agent {
     List<FilmKeepers.Kept> kept = films.end();
     if (files.isPresent()) {
       files.get().finish(end, kept);
+      folder.finished(files.get().folder());
       files = Optional.empty();
     }
   }
@@ -220,6 +221,7 @@ final class RecordingWriter implements Agent {
     films.end();
     if (files.isPresent()) {
       closeQuietly(files.get());
+      folder.finished(files.get().folder());
       files = Optional.empty();
     }
     tell(reason);

@@ -19,6 +19,15 @@ public record Track(int drone, List<Sample> samples) {
 
   /** The last sample until a moment, or else the first one. */
   public Sample at(double time) {
+    return samples.get(indexAt(time));
+  }
+
+  /** The sample that follows a sample of this track; the last one is followed by itself. */
+  Sample after(Sample sample) {
+    return samples.get(Math.min(samples.size() - 1, indexAt(sample.time()) + 1));
+  }
+
+  private int indexAt(double time) {
     int low = 0;
     int high = samples.size() - 1;
     while (low < high) {
@@ -29,6 +38,6 @@ public record Track(int drone, List<Sample> samples) {
         high = middle - 1;
       }
     }
-    return samples.get(low);
+    return low;
   }
 }

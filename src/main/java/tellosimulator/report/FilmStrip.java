@@ -9,6 +9,7 @@ import java.util.TreeMap;
 import tellosimulator.math.Attitude;
 import tellosimulator.math.Pose;
 import tellosimulator.math.Vec3;
+import tellosimulator.recording.FlightSnapshots;
 import tellosimulator.scenery.Scene;
 import tellosimulator.scenery.SceneBuilder;
 import tellosimulator.sim.SimSnapshot;
@@ -104,12 +105,29 @@ final class FilmStrip {
   }
 
   private static PinholeCamera room(SimSnapshot snapshot) {
-    FlightSnapshots.Focus focus = FlightSnapshots.focus(snapshot);
+    Focus focus = focus(snapshot);
     double distance = DISTANCE + 1.5 * focus.reach();
     Vec3 eye = focus.middle().minus(VIEW.toRoom(new Vec3(distance, 0, 0)));
     return new PinholeCamera(
         new Pose(eye, VIEW), new CameraIntrinsics(WIDTH, HEIGHT, FIELD_OF_VIEW), 0.05);
   }
+
+  /** The middle between all drones at a moment, and how far they are from it [m]. */
+  private static Focus focus(SimSnapshot snapshot) {
+    List<Vec3> places =
+        snapshot.drones().stream().map(drone -> drone.state().motion().position()).toList();
+    Vec3 sum = places.stream().reduce(Vec3.ZERO, Vec3::plus);
+    Vec3 middle = sum.times(1.0 / places.size());
+    double reach = places.stream().mapToDouble(place -> place.minus(middle).norm()).max().orElse(0);
+    return new Focus(middle, reach);
+  }
+
+  /**
+   * What a camera looks at.
+   *
+   * @param reach how far from its middle things are [m]
+   */
+  private record Focus(Vec3 middle, double reach) {}
 
   private String picture(Scene scene, PinholeCamera seenBy, JpegEncoder encoder) {
     camera.draw(scene, seenBy, frameBuffer);

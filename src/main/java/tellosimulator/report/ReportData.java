@@ -12,6 +12,7 @@ import java.util.function.Function;
 import tellosimulator.math.Frames;
 import tellosimulator.math.Pose;
 import tellosimulator.math.Vec3;
+import tellosimulator.recording.FlightSnapshots;
 import tellosimulator.recording.RecordedFlight;
 import tellosimulator.recording.RecordedRun.DroneEntry;
 import tellosimulator.recording.Sample;

@@ -19,7 +19,7 @@ import tellosimulator.recording.RecordedFlight;
  * Makes the list of commands and events of a flight. Equal commands that follow each other, as when
  * a program steers or polls, become one entry. For one thread.
  */
-final class ReportEntries {
+public final class ReportEntries {
 
   /** Most entries that a page shows. Decided: more than anybody reads, and still quick. */
   static final int MOST = 3_000;
@@ -38,13 +38,14 @@ final class ReportEntries {
   /** For each drone the index of its last entry. */
   private final Map<Integer, Integer> last = new HashMap<>();
 
-  ReportEntries(ReportTexts texts) {
+  /** Entries in the words of a language. */
+  public ReportEntries(ReportTexts texts) {
     this.texts = texts;
     commandWords = new CommandWords(texts);
   }
 
   /** All entries, in the order of time. */
-  List<ReportEntry> of(RecordedFlight flight) {
+  public List<ReportEntry> of(RecordedFlight flight) {
     List<ReportEntry> all = new ArrayList<>();
     flight.commands().forEach(command -> all.add(of(command)));
     flight.events().stream().filter(ReportEntries::isToldAlone).forEach(each -> all.add(of(each)));

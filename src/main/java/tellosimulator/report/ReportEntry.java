@@ -15,7 +15,7 @@ import java.util.OptionalInt;
  * @param wrong whether somebody wanted something else
  * @param words what is written
  */
-record ReportEntry(
+public record ReportEntry(
     double time, OptionalInt drone, String kind, boolean event, boolean wrong, Words words) {
 
   /**
@@ -27,7 +27,7 @@ record ReportEntry(
    * @param lasted how long the reply took [s]
    * @param count how many equal commands it stands for
    */
-  record Words(String text, String reply, String why, OptionalDouble lasted, int count) {}
+  public record Words(String text, String reply, String why, OptionalDouble lasted, int count) {}
 
   /** The same for one command more, and its reply. */
   ReportEntry andOneMore(String reply) {

@@ -86,6 +86,15 @@ public record SimSnapshot(SimTime time, Clock clock, Arena arena, List<DroneSnap
       this(state, link, product, start, OptionalInt.empty(), ActiveFaults.NONE);
     }
 
+    /**
+     * The same drone in another colour.
+     *
+     * @param newRgb as one writes #rrggbb
+     */
+    public DroneSnapshot withColor(int newRgb) {
+      return new DroneSnapshot(state, link, product, start, OptionalInt.of(newRgb), faults);
+    }
+
     /** The same drone in another state. */
     public DroneSnapshot withState(DroneState newState) {
       return new DroneSnapshot(newState, link, product, start, rgb, faults);

@@ -63,6 +63,7 @@ final class FlightPaths {
   void clear() {
     present.clear();
     earlier.clear();
+    wasTakingOff = false;
     changes++;
   }
 

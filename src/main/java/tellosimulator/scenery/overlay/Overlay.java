@@ -38,6 +38,11 @@ public final class Overlay {
     trailsShown = shown;
   }
 
+  /** Begins all trails anew. */
+  public void clearTrails() {
+    trails.forEach(Trail::clear);
+  }
+
   /**
    * Moves on to a snapshot.
    *

@@ -66,14 +66,19 @@ final class Trail {
   void advance(DroneSnapshot drone, long nanos) {
     Pose pose = drone.state().motion().pose();
     if (!pose.equals(last) && pose.equals(drone.start())) {
-      paths.clear();
-      changed = true;
-      lastUpdate = 0;
+      clear();
     }
     last = pose;
     boolean takingOff = drone.state().phase() == FlightPhase.TAKING_OFF;
     changed |= paths.advance(takingOff, pose.position().plusScaled(Vec3.UP, MIDDLE));
     now = nanos;
+  }
+
+  /** Forgets all flights; the next update is due at once. */
+  void clear() {
+    paths.clear();
+    changed = true;
+    lastUpdate = now - UPDATE_PERIOD;
   }
 
   /**

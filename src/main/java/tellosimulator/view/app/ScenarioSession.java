@@ -23,6 +23,7 @@ import tellosimulator.view.layout.QuestionPage.Question;
 import tellosimulator.view.layout.WindowState;
 import tellosimulator.view.log.LogLevel;
 import tellosimulator.view.log.LogQueue;
+import tellosimulator.view.log.ReportOffer;
 import tellosimulator.view.model.FxScenario;
 import tellosimulator.view.model.Pulse;
 import tellosimulator.view.model.ScenarioActions;
@@ -114,6 +115,11 @@ final class ScenarioSession implements AutoCloseable {
             .flightsRecordedProperty()
             .subscribe(wanted -> recorder.setRecording(wanted || recordings.always()));
     window.show();
+  }
+
+  /** Lets one open the report of the last flight. */
+  void offer(ReportOffer report) {
+    window.offer(report);
   }
 
   /** Not at each frame: it compares the whole scenario. */

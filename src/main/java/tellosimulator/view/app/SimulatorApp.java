@@ -8,6 +8,7 @@ import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.concurrent.CountDownLatch;
 import java.util.function.Function;
+import java.util.function.Predicate;
 import java.util.function.UnaryOperator;
 import javafx.application.Platform;
 import javafx.stage.Stage;
@@ -67,6 +68,7 @@ public final class SimulatorApp implements AutoCloseable, ScenarioActions {
   private final LogQueue logQueue = new LogQueue();
   private final Rules rules;
   private final DroneOptics optics;
+  private final LastFlightReport report;
   private final CountDownLatch closed = new CountDownLatch(1);
   private volatile ScenarioSession running;
   private volatile boolean failed;
@@ -79,8 +81,17 @@ public final class SimulatorApp implements AutoCloseable, ScenarioActions {
    * @param optics of the drones' cameras
    */
   public SimulatorApp(OpenedScenario first, Rules rules, DroneOptics optics) {
+    this(first, rules, optics, SystemBrowser::open);
+  }
+
+  /**
+   * @param reportOpener shows a report to people; says whether it could
+   */
+  SimulatorApp(
+      OpenedScenario first, Rules rules, DroneOptics optics, Predicate<Path> reportOpener) {
     this.rules = rules;
     this.optics = optics;
+    report = new LastFlightReport(rules.recordings.folder(), logQueue, reportOpener);
     AddressPlan plan = rules.plan.apply(first.scenario());
     running = new ScenarioSession(first, wireOf(plan), optics, logQueue);
   }
@@ -154,8 +165,15 @@ public final class SimulatorApp implements AutoCloseable, ScenarioActions {
 
   private void show(ScenarioSession scenario) {
     scenario.showIn(frame, this);
+    scenario.offer(report);
     watch = scenario.opened().file().map(FileWatcher::new);
     scenario.pulse().onBeat(this::lookAtFile);
+    scenario.pulse().onBeat(nanos -> lookForFlight());
+  }
+
+  private void lookForFlight() {
+    boolean recorded = rules.recordings.always() || frame.state().flightsRecordedProperty().get();
+    report.update(recorded, frame.language().translation());
   }
 
   private void lookAtFile(long nanos) {

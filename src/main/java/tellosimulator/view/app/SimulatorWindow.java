@@ -31,6 +31,7 @@ import tellosimulator.view.layout.WindowState;
 import tellosimulator.view.log.LogLevel;
 import tellosimulator.view.log.LogPane;
 import tellosimulator.view.log.LogQueue;
+import tellosimulator.view.log.ReportOffer;
 import tellosimulator.view.model.FxScenario;
 import tellosimulator.view.model.ViewContext;
 import tellosimulator.view.pilot.PilotControls;
@@ -96,7 +97,7 @@ public final class SimulatorWindow implements AutoCloseable {
     state
         .themeProperty()
         .subscribe(theme -> Application.setUserAgentStylesheet(theme.stylesheet()));
-    world = new Simulator3DScene(context);
+    world = new Simulator3DScene(context.scene());
     pilot = new PilotControls(context);
     simulatorControls = new SimulatorControls(context);
     goals = new GoalPanel(context);
@@ -276,6 +277,11 @@ public final class SimulatorWindow implements AutoCloseable {
       rememberGrid(settings);
     }
     context.pulse().onBeat(settings::beat);
+  }
+
+  /** Lets one open the report of the last flight. */
+  public void offer(ReportOffer report) {
+    log.offer(report);
   }
 
   /** Lets another window of the same program remember. */

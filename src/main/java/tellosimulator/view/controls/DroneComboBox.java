@@ -6,16 +6,17 @@ import javafx.scene.shape.Circle;
 import tellosimulator.view.drone.DroneColors;
 import tellosimulator.view.model.FxDroneModel;
 import tellosimulator.view.model.FxSimulation;
-import tellosimulator.view.model.ViewContext;
+import tellosimulator.view.model.SceneContext;
 import tellosimulator.view.text.Messages;
 
 /** Which drone panels and cameras show; only there if there are several. For the JavaFX thread. */
-final class DroneComboBox extends ComboBox<FxDroneModel> {
+public final class DroneComboBox extends ComboBox<FxDroneModel> {
 
   private final FxSimulation simulation;
   private final Messages messages;
 
-  DroneComboBox(ViewContext context) {
+  /** A choice of the drones that a window shows. */
+  public DroneComboBox(SceneContext context) {
     this.simulation = context.simulation();
     this.messages = context.language().messages(DroneComboBox.class);
     initializeSelf();

@@ -42,7 +42,7 @@ public final class SimulatorControls extends ScrollPane {
     simulation = context.simulation();
     actions = context.actions();
     messages = context.language().messages(SimulatorControls.class);
-    choice = new DroneComboBox(context);
+    choice = new DroneComboBox(context.scene());
     flight = new FlightPanel(context);
     charts = new ChartPanel(context);
     room = new RoomPanel(context);

@@ -79,6 +79,11 @@ public final class LogPane extends VBox {
     toolbar.startSearch();
   }
 
+  /** Lets one open the report of the last flight. */
+  public void offer(ReportOffer offer) {
+    toolbar.offer(offer);
+  }
+
   /** Hands what it shows to the log that comes after it. */
   public void handOver() {
     logQueue.takeBack(model.lines());

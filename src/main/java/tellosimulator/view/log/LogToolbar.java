@@ -50,6 +50,10 @@ final class LogToolbar extends HBox {
   private final Button copy = new Button(null, new FontIcon(Feather.COPY));
   private final Button save = new Button(null, new FontIcon(Feather.SAVE));
   private final Button clear = new Button(null, new FontIcon(Feather.TRASH));
+  private final Button report = new Button(null, new FontIcon(Feather.FILE_TEXT));
+
+  /** Holds the button that opens the report: one that is disabled would show no tooltip itself. */
+  private final HBox reportFrame = new HBox(report);
 
   /**
    * @param found how many lines are shown
@@ -95,6 +99,19 @@ final class LogToolbar extends HBox {
     search.selectAll();
   }
 
+  /** Lets one open the report of the last flight, from now on. */
+  void offer(ReportOffer offer) {
+    report.setOnAction(action -> offer.open());
+    report
+        .disableProperty()
+        .bind(offer.availabilityProperty().map(now -> now != ReportOffer.Availability.READY));
+    Tooltips.install(
+        reportFrame,
+        offer.availabilityProperty().flatMap(now -> messages.text("report." + now.key())));
+    reportFrame.setVisible(true);
+    reportFrame.setManaged(true);
+  }
+
   private void initializeSelf() {
     getStyleClass().add("log-toolbar");
     setAlignment(Pos.CENTER_LEFT);
@@ -118,6 +135,11 @@ final class LogToolbar extends HBox {
     initializeButton(copy, "copy");
     initializeButton(save, "save");
     initializeButton(clear, "clear");
+    report.setId("log-report");
+    report.getStyleClass().addAll(Styles.SMALL);
+    report.textProperty().bind(messages.text("report"));
+    reportFrame.setVisible(false);
+    reportFrame.setManaged(false);
     timeStamps.setSelected(true);
     autoscroll.setSelected(true);
   }
@@ -130,12 +152,22 @@ final class LogToolbar extends HBox {
   }
 
   private void layoutParts() {
-    for (Node fixed : new Node[] {level, timeStamps, autoscroll, copy, save, clear}) {
+    for (Node fixed : new Node[] {level, report, timeStamps, autoscroll, copy, save, clear}) {
       ((Region) fixed).setMinWidth(USE_PREF_SIZE);
     }
     getChildren()
         .addAll(
-            title, level, search, matches, new Spacer(), timeStamps, autoscroll, copy, save, clear);
+            title,
+            level,
+            search,
+            matches,
+            new Spacer(),
+            reportFrame,
+            timeStamps,
+            autoscroll,
+            copy,
+            save,
+            clear);
   }
 
   private void setupEventHandlers() {

@@ -37,6 +37,11 @@ public record ViewContext(
     }
   }
 
+  /** What views of the room need of it. */
+  public SceneContext scene() {
+    return new SceneContext(simulation, language, pulse, video);
+  }
+
   /** The context of a window on a running simulation that nobody asks for anything. */
   public static ViewContext of(OnlineSimulation online, Language language, WindowVideo video) {
     List<DroneSetup> drones =

@@ -20,7 +20,7 @@ import org.kordamp.ikonli.javafx.FontIcon;
 import tellosimulator.video.VideoFigures;
 import tellosimulator.view.model.FxDroneModel;
 import tellosimulator.view.model.FxSimulation;
-import tellosimulator.view.model.ViewContext;
+import tellosimulator.view.model.SceneContext;
 import tellosimulator.view.text.Messages;
 import tellosimulator.view.video.VideoCapture;
 import tellosimulator.view.video.VideoView;
@@ -66,7 +66,7 @@ final class DroneCameraInset extends StackPane {
   private final HBox buttons = new HBox(still, record, enlarge, toggle);
   private long describedNanos = Long.MIN_VALUE;
 
-  DroneCameraInset(ViewContext context) {
+  DroneCameraInset(SceneContext context) {
     messages = context.language().messages(DroneCameraInset.class);
     simulation = context.simulation();
     video = context.video();

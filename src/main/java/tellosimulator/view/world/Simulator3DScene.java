@@ -1,5 +1,6 @@
 package tellosimulator.view.world;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import javafx.application.ConditionalFeature;
@@ -20,7 +21,7 @@ import tellosimulator.scenery.overlay.Overlay;
 import tellosimulator.sim.SimSnapshot;
 import tellosimulator.video.camera.DroneOptics;
 import tellosimulator.view.model.FxSimulation;
-import tellosimulator.view.model.ViewContext;
+import tellosimulator.view.model.SceneContext;
 
 /**
  * The room with its drones in 3D, seen through one of two cameras; over it the inset with the
@@ -46,8 +47,9 @@ public final class Simulator3DScene extends Region {
   private final DroneCameraInset inset;
   private final WindArrow wind;
   private final FaultTags faults;
+  private Optional<GhostFlight> ghost = Optional.empty();
 
-  public Simulator3DScene(ViewContext context) {
+  public Simulator3DScene(SceneContext context) {
     simulation = context.simulation();
     optics = context.video().optics();
     scenes = context.video().scenes();
@@ -97,6 +99,20 @@ public final class Simulator3DScene extends Region {
     return antialiasing;
   }
 
+  /** Shows another flight with this one, or no longer. */
+  public void setGhost(Optional<GhostFlight> newGhost) {
+    ghost.ifPresent(before -> getChildren().remove(before.labels()));
+    ghost = newGhost;
+    ghost.ifPresent(now -> getChildren().add(getChildren().indexOf(faults), now.labels()));
+    requestLayout();
+  }
+
+  /** Draws the trails anew, along what was to be seen until now. */
+  public void retrace(Iterable<SimSnapshot> past) {
+    overlay.clearTrails();
+    past.forEach(each -> overlay.advance(each, 0));
+  }
+
   /** What shows the scene. */
   SceneView view() {
     return view;
@@ -143,11 +159,26 @@ public final class Simulator3DScene extends Region {
     if (viewCamera.get() == ViewCamera.DRONE) {
       view.show(scenes.scene(snapshot, simulation.selected().number()), onDrone(), nanos);
       faults.advance(snapshot, Optional.empty());
+      ghost.ifPresent(GhostFlight::hideLabels);
     } else {
-      List<Instance> aids = overlay.instances(snapshot, camera.pose());
-      view.show(scenes.scene(snapshot).withOverlay(aids), camera.viewpoint(), nanos);
-      faults.advance(snapshot, Optional.of(camera.viewpoint()));
+      Viewpoint viewpoint = camera.viewpoint();
+      view.show(
+          scenes.scene(snapshot).withOverlay(aids(snapshot, viewpoint, nanos)), viewpoint, nanos);
+      faults.advance(snapshot, Optional.of(viewpoint));
+      ghost.ifPresent(other -> other.label(viewpoint));
     }
+  }
+
+  /** What only people see. */
+  private List<Instance> aids(SimSnapshot snapshot, Viewpoint viewpoint, long nanos) {
+    List<Instance> aids = new ArrayList<>();
+    ghost.ifPresent(
+        other -> {
+          other.showTrails(trailVisible.get());
+          aids.addAll(other.instances(scenes, viewpoint, nanos));
+        });
+    aids.addAll(overlay.instances(snapshot, viewpoint.pose()));
+    return aids;
   }
 
   /** The camera in the nose of the selected drone. */
@@ -184,6 +215,7 @@ public final class Simulator3DScene extends Region {
     double height = onDrone ? width / ratio : getHeight();
     view.resize(width, height);
     faults.resizeRelocate(0, 0, getWidth(), getHeight());
+    ghost.ifPresent(other -> other.labels().resizeRelocate(0, 0, getWidth(), getHeight()));
     view.node().relocate((getWidth() - width) / 2, (getHeight() - height) / 2);
   }
 }

@@ -10,7 +10,7 @@ import javafx.scene.transform.Rotate;
 import tellosimulator.math.Frames;
 import tellosimulator.math.Vec3;
 import tellosimulator.view.model.FxSimulation;
-import tellosimulator.view.model.ViewContext;
+import tellosimulator.view.model.SceneContext;
 import tellosimulator.view.text.Messages;
 
 /**
@@ -30,7 +30,7 @@ final class WindArrow extends VBox {
   private final Rotate turn = new Rotate();
   private final Label speed = new Label();
 
-  WindArrow(ViewContext context, SimulatorCamera camera) {
+  WindArrow(SceneContext context, SimulatorCamera camera) {
     this.simulation = context.simulation();
     this.camera = camera;
     Messages messages = context.language().messages(WindArrow.class);

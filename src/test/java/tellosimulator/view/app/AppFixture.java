@@ -9,6 +9,7 @@ import java.nio.file.Path;
 import java.util.Comparator;
 import java.util.List;
 import java.util.OptionalInt;
+import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.TimeoutException;
 import java.util.function.Supplier;
 import java.util.function.UnaryOperator;
@@ -41,6 +42,8 @@ final class AppFixture implements BeforeEachCallback, AfterEachCallback {
 
   private final Supplier<Stage> stageMaker;
   private final FxRobot robot = new FxRobot();
+  private final List<Path> openedReports = new CopyOnWriteArrayList<>();
+  private volatile boolean browser = true;
   private Path settingsFile;
   private SimulatorApp app;
   private Stage stage;
@@ -71,7 +74,8 @@ final class AppFixture implements BeforeEachCallback, AfterEachCallback {
                     RecordingFolder.at(settingsFile.resolveSibling("recordings")),
                     false,
                     List.of())),
-            DroneOptics.DEFAULT);
+            DroneOptics.DEFAULT,
+            this::openReport);
     change(
         () -> {
           stage = stageMaker.get();
@@ -88,6 +92,21 @@ final class AppFixture implements BeforeEachCallback, AfterEachCallback {
         Files.delete(path);
       }
     }
+  }
+
+  private boolean openReport(Path file) {
+    openedReports.add(file);
+    return browser;
+  }
+
+  /** The reports that were opened, the first one first. */
+  List<Path> openedReports() {
+    return openedReports;
+  }
+
+  /** From now on no report can be opened. */
+  void removeBrowser() {
+    browser = false;
   }
 
   /** What is remembered; it is there once something was changed. */

@@ -8,12 +8,17 @@ import java.net.DatagramPacket;
 import java.net.DatagramSocket;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.List;
 import java.util.concurrent.Callable;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
+import javafx.scene.Node;
+import javafx.scene.control.Button;
 import javafx.scene.control.CheckMenuItem;
 import javafx.scene.control.MenuButton;
+import javafx.scene.control.Tooltip;
+import javafx.scene.layout.HBox;
 import javafx.stage.Stage;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -49,6 +54,48 @@ class RecordedFlightsFxTest {
         () ->
             Files.exists(window.settings())
                 && Files.readString(window.settings()).contains("record-flights=false"));
+  }
+
+  @Test
+  void theReportOfTheLastFlightIsOneClickAway() throws Exception {
+    Button report = window.robot().lookup("#log-report").queryButton();
+    assertThat(report.isDisabled()).as("no drone has flown").isTrue();
+    window.app().switchAllOn();
+    int port = Integer.parseInt(window.app().ready().replaceAll(".*:", ""));
+    assertThat(List.of(ask("command", port), ask("takeoff", port))).containsExactly("ok", "ok");
+    await(() -> recorded("wire.jsonl"));
+    assertThat(report.isDisabled()).as("the flight is not over").isTrue();
+
+    change(() -> item().setSelected(false)); // which ends it
+    await(() -> !report.isDisabled());
+    window.robot().clickOn(report);
+    await(() -> window.openedReports().size() == 1 && !report.isDisabled());
+    window.removeBrowser();
+    window.robot().clickOn(report);
+    await(() -> window.openedReports().size() == 2 && !report.isDisabled());
+
+    Path file = RecordingFiles.only(window.recordings()).folder().resolve("report.html");
+    assertThat(window.openedReports()).containsOnly(file);
+    assertThat(Files.readString(file)).contains("takeoff").endsWith("</html>\n");
+    await(
+        () ->
+            window.log().contains("The report of the last flight is open in the browser: " + file)
+                && window.log().contains("No browser could be opened"));
+  }
+
+  @Test
+  void withoutRecordingsThereIsNoReport() throws Exception {
+    HBox frame = (HBox) window.robot().lookup("#log-report").query().getParent();
+    assertThat(tooltip(frame)).isEqualTo("Here is the report of a flight as soon as one is over.");
+
+    change(() -> item().setSelected(false));
+
+    await(() -> tooltip(frame).startsWith("There is no report, because flights are not recorded"));
+  }
+
+  /** What the toolkit keeps for a node that is no control. */
+  private static String tooltip(Node node) {
+    return ((Tooltip) node.getProperties().get("javafx.scene.control.Tooltip")).getText();
   }
 
   private boolean recorded(String file) throws IOException {

@@ -39,7 +39,7 @@ import tellosimulator.time.SimTime;
 import tellosimulator.video.camera.DroneOptics;
 import tellosimulator.view.model.FxSimulation;
 import tellosimulator.view.model.Pulse;
-import tellosimulator.view.model.ViewContext;
+import tellosimulator.view.model.SceneContext;
 import tellosimulator.view.text.Language;
 import tellosimulator.view.video.MediaFolder;
 import tellosimulator.view.video.WindowVideo;
@@ -87,8 +87,7 @@ public final class SceneFixture implements BeforeEachCallback, AfterEachCallback
           simulation = new FxSimulation(snapshot);
           language = new Language(Locale.ENGLISH);
           pulse = new Pulse(() -> simulation.update(snapshot), simulation::still);
-          scene =
-              new Simulator3DScene(new ViewContext(simulation, null, language, pulse, video, null));
+          scene = new Simulator3DScene(new SceneContext(simulation, language, pulse, video));
           scene.setPrefSize(WIDTH, HEIGHT);
           stage = new Stage(StageStyle.UNDECORATED);
           stage.setScene(new Scene(scene, WIDTH, HEIGHT));

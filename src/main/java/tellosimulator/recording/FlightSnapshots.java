@@ -1,4 +1,4 @@
-package tellosimulator.report;
+package tellosimulator.recording;
 
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -11,13 +11,11 @@ import tellosimulator.math.Attitude;
 import tellosimulator.math.Frames;
 import tellosimulator.math.Pose;
 import tellosimulator.math.Vec3;
+import tellosimulator.model.Battery;
 import tellosimulator.model.DroneState;
 import tellosimulator.model.FlightPhase;
 import tellosimulator.model.Motion;
-import tellosimulator.recording.RecordedFlight;
 import tellosimulator.recording.RecordedRun.DroneEntry;
-import tellosimulator.recording.Sample;
-import tellosimulator.recording.Track;
 import tellosimulator.scenario.Scenario;
 import tellosimulator.sim.SimConfig;
 import tellosimulator.sim.SimSnapshot;
@@ -28,17 +26,43 @@ import tellosimulator.world.Arena;
 import tellosimulator.world.Cover;
 import tellosimulator.world.Obstacle;
 
-/** Rebuilds what could be seen at the moments of a recorded flight. For any thread. */
-final class FlightSnapshots {
+/**
+ * Rebuilds what could be seen at the moments of a recorded flight. Between two samples drones are
+ * on the way from one to the other. Immutable; for any thread.
+ */
+public final class FlightSnapshots {
+
+  /** Samples that are farther apart are not joined [s]. Decided: some times their period. */
+  private static final double LONGEST_GAP = 0.5;
+
+  /** A drone that is farther away at the next sample was put there [m]. Decided: 20 m/s. */
+  private static final double FARTHEST = 1;
 
   private final SimSnapshot beginning;
   private final List<Track> tracks;
 
-  FlightSnapshots(RecordedFlight flight) {
-    beginning =
+  /** The moments of a recorded flight. */
+  public FlightSnapshots(RecordedFlight flight) {
+    this(
         new Simulation(config(flight), drone -> (peer, text) -> {}, report -> {}, List.of())
-            .snapshot();
-    tracks = flight.tracks();
+            .snapshot(),
+        flight.tracks());
+  }
+
+  private FlightSnapshots(SimSnapshot beginning, List<Track> tracks) {
+    this.beginning = beginning;
+    this.tracks = tracks;
+  }
+
+  /**
+   * The same flight with all drones in one colour.
+   *
+   * @param rgb as one writes #rrggbb
+   */
+  public FlightSnapshots withColor(int rgb) {
+    List<DroneSnapshot> painted =
+        beginning.drones().stream().map(drone -> drone.withColor(rgb)).toList();
+    return new FlightSnapshots(beginning.withDrones(painted), tracks);
   }
 
   private static SimConfig config(RecordedFlight flight) {
@@ -85,34 +109,56 @@ final class FlightSnapshots {
   }
 
   /** The room with all that is in it. */
-  Arena arena() {
+  public Arena arena() {
     return beginning.arena();
   }
 
   /** A moment, in simulated seconds since the simulation began. */
-  SimSnapshot at(double time) {
+  public SimSnapshot at(double time) {
+    SimTime moment = SimTime.ZERO.plus(Math.max(0, time));
     List<DroneSnapshot> drones = new ArrayList<>();
     for (DroneSnapshot drone : beginning.drones()) {
       drones.add(
           tracks.stream()
               .filter(track -> track.drone() == drone.state().drone())
               .findFirst()
-              .map(track -> drone.withState(state(drone.state(), track.at(time), time)))
+              .map(track -> drone.withState(state(drone.state().at(moment), track, time)))
               .orElse(drone));
     }
-    return beginning.withDrones(drones);
+    return new SimSnapshot(moment, beginning.clock(), beginning.arena(), drones);
   }
 
-  private static DroneState state(DroneState was, Sample sample, double time) {
+  private static DroneState state(DroneState was, Track track, double time) {
+    Sample sample = track.at(time);
+    Sample next = track.after(sample);
+    double percent = Math.max(0, Math.min(100, sample.batteryPercent()));
     return new DroneState(
         was.drone(),
-        SimTime.ZERO.plus(Math.max(0, time)),
-        Motion.restingAt(new Pose(sample.position(), attitude(sample.angles()))),
+        was.time(),
+        motion(sample, next, time),
         phase(sample.phase()),
-        was.energy(),
+        new DroneState.Energy(
+            new Battery(percent / 100), was.energy().temperature(), was.energy().motorTime()),
         was.reference(),
         was.perception(),
         was.video());
+  }
+
+  private static Motion motion(Sample sample, Sample next, double time) {
+    double gap = next.time() - sample.time();
+    boolean joined =
+        gap > 0
+            && gap <= LONGEST_GAP
+            && sample.position().distanceTo(next.position()) <= FARTHEST
+            && time > sample.time();
+    double part = joined ? Math.min(1, (time - sample.time()) / gap) : 0;
+    Vec3 way = next.position().minus(sample.position());
+    Pose pose =
+        new Pose(
+            sample.position().plusScaled(way, part),
+            attitude(sample.angles()).towards(attitude(next.angles()), part));
+    Motion resting = Motion.restingAt(pose);
+    return resting.heldAt(pose.position(), sample.velocity());
   }
 
   private static Attitude attitude(Sample.Angles angles) {
@@ -131,21 +177,4 @@ final class FlightSnapshots {
         .findFirst()
         .orElse(FlightPhase.FLYING);
   }
-
-  /** The middle between all drones at a moment, and how far they are from it [m]. */
-  static Focus focus(SimSnapshot snapshot) {
-    List<Vec3> places =
-        snapshot.drones().stream().map(drone -> drone.state().motion().position()).toList();
-    Vec3 sum = places.stream().reduce(Vec3.ZERO, Vec3::plus);
-    Vec3 middle = sum.times(1.0 / places.size());
-    double reach = places.stream().mapToDouble(place -> place.minus(middle).norm()).max().orElse(0);
-    return new Focus(middle, reach);
-  }
-
-  /**
-   * What a camera looks at.
-   *
-   * @param reach how far from its middle things are [m]
-   */
-  record Focus(Vec3 middle, double reach) {}
 }

@@ -1,0 +1,122 @@
+package tellosimulator.view.app;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.function.Predicate;
+import javafx.beans.property.ReadOnlyObjectProperty;
+import javafx.beans.property.ReadOnlyObjectWrapper;
+import tellosimulator.concurrent.Verdict;
+import tellosimulator.concurrent.Worker;
+import tellosimulator.recording.RecordedFlight;
+import tellosimulator.recording.RecordingFolder;
+import tellosimulator.recording.UnreadableRecordingException;
+import tellosimulator.report.FlightReport;
+import tellosimulator.report.ReportTexts;
+import tellosimulator.view.log.LogLevel;
+import tellosimulator.view.log.LogQueue;
+import tellosimulator.view.log.ReportOffer;
+import tellosimulator.words.Translation;
+
+/**
+ * The report of the flight that was recorded last. A thread of its own writes it into the folder of
+ * the recording and opens it; the log tells what came of that. For the JavaFX thread.
+ */
+final class LastFlightReport implements ReportOffer {
+
+  private static final String FILE = "report.html";
+  private static final Verdict FAILED = Verdict.finish("The report of a flight failed");
+
+  private final RecordingFolder recordings;
+  private final LogQueue logQueue;
+  private final Predicate<Path> opener;
+  private final ReadOnlyObjectWrapper<Availability> availability =
+      new ReadOnlyObjectWrapper<>(this, "availability", Availability.NO_FLIGHT);
+  private Translation translation = Translation.ENGLISH;
+  private volatile boolean writing;
+
+  /**
+   * @param opener shows a file to people, on the thread that has written it; says whether it could
+   */
+  LastFlightReport(RecordingFolder recordings, LogQueue logQueue, Predicate<Path> opener) {
+    this.recordings = recordings;
+    this.logQueue = logQueue;
+    this.opener = opener;
+  }
+
+  /**
+   * Looks whether there is a flight; called once a pulse.
+   *
+   * @param recorded whether flights are recorded
+   * @param newTranslation in which a report is written
+   */
+  void update(boolean recorded, Translation newTranslation) {
+    translation = newTranslation;
+    availability.set(availability(recorded));
+  }
+
+  private Availability availability(boolean recorded) {
+    if (writing) {
+      return Availability.WRITING;
+    }
+    if (recordings.latest().isPresent()) {
+      return Availability.READY;
+    }
+    if (!recordings.made().isEmpty()) {
+      return Availability.IN_FLIGHT;
+    }
+    return recorded ? Availability.NO_FLIGHT : Availability.NOT_RECORDED;
+  }
+
+  @Override
+  public ReadOnlyObjectProperty<Availability> availabilityProperty() {
+    return availability.getReadOnlyProperty();
+  }
+
+  @Override
+  public void open() {
+    Translation chosen = translation;
+    if (!writing) {
+      recordings.latest().ifPresent(folder -> begin(folder, chosen));
+    }
+  }
+
+  private void begin(Path folder, Translation chosen) {
+    writing = true;
+    availability.set(Availability.WRITING);
+    Worker.once(
+        "report",
+        FAILED,
+        () -> {
+          try {
+            writeAndOpen(folder, chosen);
+          } finally {
+            writing = false;
+          }
+        });
+  }
+
+  private void writeAndOpen(Path folder, Translation chosen) {
+    Path file = folder.resolve(FILE);
+    try {
+      new FlightReport(RecordedFlight.read(folder), new ReportTexts(chosen)).write(file);
+    } catch (UnreadableRecordingException e) {
+      logQueue.say(LogLevel.ERROR, language -> e.getMessage());
+      return;
+    } catch (IOException e) {
+      logQueue.say(
+          LogLevel.ERROR,
+          language ->
+              language
+                  .messages(LastFlightReport.class)
+                  .now("report-not-written", file, language.reason(e)));
+      return;
+    }
+    boolean opened = opener.test(file);
+    logQueue.say(
+        opened ? LogLevel.INFO : LogLevel.WARN,
+        language ->
+            language
+                .messages(LastFlightReport.class)
+                .now(opened ? "report-opened" : "report-written", file));
+  }
+}
