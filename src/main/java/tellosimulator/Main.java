@@ -5,6 +5,7 @@ import java.io.IOException;
 import java.io.InputStreamReader;
 import java.io.PrintStream;
 import java.nio.charset.Charset;
+import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
@@ -27,12 +28,15 @@ import tellosimulator.log.LogSetup;
 import tellosimulator.log.StandardErrorLog;
 import tellosimulator.network.PortTakenException;
 import tellosimulator.recording.RecordingFolder;
+import tellosimulator.recording.UnreadableRecordingException;
 import tellosimulator.report.FlightReports;
 import tellosimulator.report.ReportTexts;
 import tellosimulator.video.SoftwareCameras;
+import tellosimulator.view.app.ReplayApp;
 import tellosimulator.view.app.SimulatorApp;
 import tellosimulator.view.app.Toolkit;
 import tellosimulator.view.layout.WindowState;
+import tellosimulator.view.replay.ReplayFlight;
 import tellosimulator.view.settings.DataFolder;
 import tellosimulator.view.settings.Settings;
 import tellosimulator.view.text.Language;
@@ -97,13 +101,35 @@ public final class Main {
     return language;
   }
 
-  private int start(List<String> words) throws PortTakenException, InterruptedException {
+  private int start(List<String> words)
+      throws UnreadableRecordingException, PortTakenException, InterruptedException {
     if (options.listScenarios()) {
       ScenarioOptions.list(out);
       return ExitCode.DONE;
     }
     LogSetup.setLevel(options.logLevel());
-    return simulate(words);
+    options.checkReplay();
+    return options.replay().isPresent() ? replay(options.replay().get()) : simulate(words);
+  }
+
+  /** Shows recorded flights in the window. */
+  private int replay(Path folder) throws UnreadableRecordingException, InterruptedException {
+    ReplayFlight flight = ReplayFlight.read(folder);
+    Optional<ReplayFlight> ghost = Optional.empty();
+    if (options.ghost().isPresent()) {
+      ghost = Optional.of(ReplayFlight.read(options.ghost().get()));
+    }
+    StandardErrorLog.install();
+    Settings settings = Settings.load(Settings.file());
+    WindowState state = WindowState.remembered(settings);
+    state.applyUiScale();
+    if (Toolkit.start().isPresent()) {
+      err.println(
+          "The replay needs a window, which cannot be opened here; report FOLDER makes a page of"
+              + " the flight, which any browser shows.");
+      return ExitCode.FAILED;
+    }
+    return new ReplayApp(flight, ghost).run(settings, state) ? ExitCode.DONE : ExitCode.FAILED;
   }
 
   private int simulate(List<String> words) throws PortTakenException, InterruptedException {

@@ -83,9 +83,10 @@ class ArchitectureTest {
           Map.entry("view.log", List.of("view.model")),
           Map.entry("view.pilot", List.of("view.model")),
           Map.entry("view.plan", List.of("view.drone")),
+          Map.entry("view.replay", List.of("report", "view.layout")),
           Map.entry("view.world", List.of("view.drone")),
           Map.entry("view.layout", List.of("view.controls", "view.pilot", "view.world")),
-          Map.entry("view.app", List.of("view.goal", "view.layout", "view.log", "view.plan")));
+          Map.entry("view.app", List.of("view.goal", "view.log", "view.plan", "view.replay")));
 
   /** All that has a result which can reach a trace. */
   private static final String[] CORE =

@@ -184,6 +184,8 @@ public final class Options {
 
   private final RecordingOptions recordingOptions = new RecordingOptions(choices);
 
+  private final ReplayOptions replayOptions = new ReplayOptions(choices);
+
   private final Choice<String> logLevel =
       choices
           .option(
@@ -227,6 +229,25 @@ public final class Options {
   /** The file of the report that is made at the end, as far as it is said. */
   public Optional<Path> report() {
     return recordingOptions.report();
+  }
+
+  /** The recording that the window is to show instead of a simulation, as far as it is said. */
+  public Optional<Path> replay() {
+    return replayOptions.folder();
+  }
+
+  /** The recording that is shown with it, as far as it is said. */
+  public Optional<Path> ghost() {
+    return replayOptions.ghost();
+  }
+
+  /**
+   * Looks whether what is said about replays fits together.
+   *
+   * @throws IllegalArgumentException with a sentence, if it does not
+   */
+  public void checkReplay() {
+    replayOptions.check(headless());
   }
 
   /** The port of the control channel, 0 for a free one; empty for no such channel. */

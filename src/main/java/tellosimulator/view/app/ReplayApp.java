@@ -1,0 +1,73 @@
+package tellosimulator.view.app;
+
+import java.util.Locale;
+import java.util.Optional;
+import java.util.concurrent.CountDownLatch;
+import javafx.application.Platform;
+import javafx.stage.Stage;
+import tellosimulator.view.layout.WindowState;
+import tellosimulator.view.replay.ReplayFlight;
+import tellosimulator.view.replay.ReplayWindow;
+import tellosimulator.view.settings.Settings;
+import tellosimulator.view.settings.WindowPlacement;
+import tellosimulator.view.text.Language;
+
+/** The program with a window on recorded flights. */
+public final class ReplayApp {
+
+  private final ReplayFlight flight;
+  private final Optional<ReplayFlight> ghost;
+  private final CountDownLatch closed = new CountDownLatch(1);
+  private volatile boolean failed;
+
+  /**
+   * One that shows a flight.
+   *
+   * @param ghost that is shown with it
+   */
+  public ReplayApp(ReplayFlight flight, Optional<ReplayFlight> ghost) {
+    this.flight = flight;
+    this.ghost = ghost;
+  }
+
+  /**
+   * Opens the window, and returns after it was closed. The {@link Toolkit} must run.
+   *
+   * @param settings what was remembered, and what is to be remembered
+   * @param state what the window is switched to
+   * @return whether there was a window; if not, the log says why
+   * @throws InterruptedException if the program is to end
+   */
+  public boolean run(Settings settings, WindowState state) throws InterruptedException {
+    Platform.runLater(
+        () -> {
+          try {
+            show(new Stage(), settings, state);
+          } catch (RuntimeException e) {
+            failed = true;
+            closed.countDown(); // or the program would go on, with nothing to be seen of it
+            throw e;
+          }
+        });
+    closed.await();
+    Platform.exit();
+    return !failed;
+  }
+
+  /** Shows the window in a stage. For the JavaFX thread. */
+  void show(Stage stage, Settings settings, WindowState state) {
+    Language language = new Language(Locale.getDefault());
+    settings.bind("language", language.localeProperty(), Language.codec());
+    WindowPlacement.remember(stage, settings);
+    ReplayWindow window = new ReplayWindow(stage, flight, language, state.themeProperty());
+    window.compareWith(ghost);
+    stage.setOnHidden(
+        hidden -> {
+          window.close();
+          settings.save();
+          closed.countDown();
+        });
+    window.show();
+    InitialStageSize.hold(stage);
+  }
+}

@@ -1,0 +1,135 @@
+package tellosimulator.view.layout;
+
+import atlantafx.base.theme.Styles;
+import javafx.beans.property.Property;
+import javafx.geometry.Pos;
+import javafx.scene.Node;
+import javafx.scene.control.Button;
+import javafx.scene.control.ButtonBase;
+import javafx.scene.control.ContentDisplay;
+import javafx.scene.control.ToggleButton;
+import javafx.scene.layout.HBox;
+import org.kordamp.ikonli.Ikon;
+import org.kordamp.ikonli.feather.Feather;
+import org.kordamp.ikonli.javafx.FontIcon;
+import tellosimulator.view.fx.Tooltips;
+import tellosimulator.view.text.Language;
+import tellosimulator.view.text.Messages;
+import tellosimulator.view.world.Simulator3DScene;
+import tellosimulator.view.world.ViewCamera;
+
+/**
+ * Makes the buttons of the bars at the top of windows. The id of a button is the key of its texts.
+ * For the JavaFX thread.
+ */
+public final class BarButtons {
+
+  private final Messages messages;
+
+  /** Buttons that speak a language. */
+  public BarButtons(Language language) {
+    messages = language.messages(BarButtons.class);
+  }
+
+  /** From where one looks at the drone. */
+  public HBox views(Simulator3DScene scene) {
+    HBox views =
+        new HBox(
+            view(scene, "view-front", () -> scene.camera().front()),
+            view(scene, "view-side", () -> scene.camera().side()),
+            view(scene, "view-top", () -> scene.camera().top()),
+            view(scene, "view-chase", () -> scene.camera().chase()),
+            view(scene, "view-reset", () -> scene.camera().reset()));
+    views.setAlignment(Pos.CENTER);
+    for (Node view : views.getChildren()) {
+      view.getStyleClass().add(Styles.CENTER_PILL);
+    }
+    firstAndLast(views, Styles.LEFT_PILL, Styles.RIGHT_PILL);
+    return views;
+  }
+
+  private static void firstAndLast(HBox group, String first, String last) {
+    Node firstNode = group.getChildren().get(0);
+    Node lastNode = group.getChildren().get(group.getChildren().size() - 1);
+    firstNode.getStyleClass().remove(Styles.CENTER_PILL);
+    firstNode.getStyleClass().add(first);
+    lastNode.getStyleClass().remove(Styles.CENTER_PILL);
+    lastNode.getStyleClass().add(last);
+  }
+
+  private Button view(Simulator3DScene scene, String id, Runnable look) {
+    Button button = new Button();
+    button.textProperty().bind(messages.text(id));
+    return prepared(
+        button,
+        id,
+        () -> {
+          scene.viewCameraProperty().set(ViewCamera.SIMULATOR);
+          look.run();
+        });
+  }
+
+  /** Looks through the drone's camera. */
+  public ToggleButton droneCamera(Simulator3DScene scene) {
+    ToggleButton button = new ToggleButton("", new FontIcon(Feather.CAMERA));
+    button.getStyleClass().addAll(Styles.BUTTON_ICON, Styles.FLAT);
+    scene.viewCameraProperty().subscribe(camera -> button.setSelected(camera == ViewCamera.DRONE));
+    return prepared(
+        button,
+        "view-drone",
+        () ->
+            scene
+                .viewCameraProperty()
+                .set(button.isSelected() ? ViewCamera.DRONE : ViewCamera.SIMULATOR));
+  }
+
+  /** Shows the picture of the drone's camera in the corner. */
+  public ToggleButton inset(Simulator3DScene scene) {
+    return toggle("show-inset", Feather.IMAGE, scene.insetVisibleProperty());
+  }
+
+  /** Shows the flown path. */
+  public ToggleButton trail(Simulator3DScene scene) {
+    return toggle("show-trail", Feather.ACTIVITY, scene.trailVisibleProperty());
+  }
+
+  /** Changes between light and dark. */
+  public Button theme(Property<Theme> theme) {
+    FontIcon icon = new FontIcon(Feather.MOON);
+    theme.subscribe(now -> icon.setIconCode(now == Theme.LIGHT ? Feather.MOON : Feather.SUN));
+    Button button = new Button("", icon);
+    button.getStyleClass().addAll(Styles.BUTTON_ICON, Styles.FLAT);
+    return prepared(button, "theme", () -> theme.setValue(theme.getValue().other()));
+  }
+
+  /** Fills the screen. */
+  public ToggleButton fullScreen(Property<Boolean> state) {
+    return toggle("full-screen", Feather.MAXIMIZE, state);
+  }
+
+  Button button(String id, Ikon icon, Runnable action) {
+    Button button = new Button("", new FontIcon(icon));
+    button.getStyleClass().addAll(Styles.BUTTON_ICON, Styles.FLAT);
+    return prepared(button, id, action);
+  }
+
+  ToggleButton toggle(String id, Ikon icon, Property<Boolean> state) {
+    ToggleButton button = new ToggleButton("", new FontIcon(icon));
+    button.getStyleClass().addAll(Styles.BUTTON_ICON, Styles.FLAT);
+    button.selectedProperty().bindBidirectional(state);
+    return prepared(button, id, () -> {});
+  }
+
+  private <B extends ButtonBase> B prepared(B button, String id, Runnable action) {
+    button.setId(id);
+    button.getStyleClass().add(Styles.SMALL);
+    Tooltips.install(button, messages.text(id + "-tip"));
+    button.accessibleTextProperty().bind(messages.text(id + "-tip"));
+    button.setFocusTraversable(false); // the keys belong to the 3D scene
+    if (button.getGraphic() != null) {
+      button.setContentDisplay(ContentDisplay.GRAPHIC_ONLY);
+    }
+    button.setOnAction(event -> action.run());
+    return button;
+  }
+}

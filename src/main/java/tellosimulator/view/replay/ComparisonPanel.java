@@ -1,0 +1,118 @@
+package tellosimulator.view.replay;
+
+import atlantafx.base.theme.Styles;
+import java.util.List;
+import java.util.Optional;
+import javafx.beans.value.ObservableValue;
+import javafx.scene.control.Label;
+import javafx.scene.control.MenuButton;
+import javafx.scene.control.MenuItem;
+import javafx.scene.layout.VBox;
+import javafx.scene.paint.Color;
+import javafx.scene.shape.Circle;
+import org.kordamp.ikonli.feather.Feather;
+import org.kordamp.ikonli.javafx.FontIcon;
+import tellosimulator.scenery.mesh.Rgb;
+import tellosimulator.view.drone.DroneColors;
+import tellosimulator.view.fx.FxTextures;
+import tellosimulator.view.text.Language;
+import tellosimulator.view.text.Messages;
+
+/**
+ * Which flight is shown, with which ghost, what of them is missing, and the choice of another
+ * ghost. For the JavaFX thread.
+ */
+final class ComparisonPanel extends VBox {
+
+  private static final double DOT = 5;
+
+  private final FxReplay replay;
+  private final Ghosts ghosts;
+  private final Language language;
+  private final Messages messages;
+  private final Label flight = new Label();
+  private final Label ghost = new Label();
+  private final Label remarks = new Label();
+  private final Label news = new Label();
+  private final MenuButton compare = new MenuButton();
+
+  ComparisonPanel(FxReplay replay, Ghosts ghosts, Language language) {
+    this.replay = replay;
+    this.ghosts = ghosts;
+    this.language = language;
+    messages = language.messages(ComparisonPanel.class);
+    initializeParts();
+    setupBindings();
+    getStyleClass().add("comparison");
+    getChildren().addAll(flight, ghost, remarks, news, compare);
+  }
+
+  private void initializeParts() {
+    flight.setId("flight-name");
+    ghost.setId("ghost-name");
+    remarks.setId("remarks");
+    remarks.getStyleClass().add("remarks");
+    news.setId("ghost-news");
+    for (Label words : List.of(flight, ghost, remarks, news)) {
+      words.setWrapText(true);
+      words.setMinHeight(USE_PREF_SIZE);
+      words.managedProperty().bind(words.textProperty().isNotEmpty());
+      words.visibleProperty().bind(words.managedProperty());
+    }
+    compare.setId("compare");
+    compare.getStyleClass().add(Styles.SMALL);
+    compare.setGraphic(new FontIcon(Feather.COPY));
+    compare.textProperty().bind(messages.text("compare"));
+    MenuItem other = item("compare-other", () -> ghosts.choose(getScene().getWindow()));
+    MenuItem none = item("compare-none", ghosts::remove);
+    none.disableProperty().bind(replay.ghostProperty().map(Optional::isEmpty));
+    compare.getItems().setAll(other, none);
+  }
+
+  private MenuItem item(String id, Runnable action) {
+    MenuItem item = new MenuItem();
+    item.setId(id);
+    item.textProperty().bind(messages.text(id));
+    item.setOnAction(chosen -> action.run());
+    return item;
+  }
+
+  private void setupBindings() {
+    flight.textProperty().bind(messages.text("flight-name", replay.flight().name()));
+    ObservableValue<Color> color = replay.simulation().selectedProperty().map(DroneColors::of);
+    flight.setGraphic(dot(color.getValue()));
+    color.subscribe(now -> flight.setGraphic(dot(now)));
+    ghost.setGraphic(dot(FxTextures.color(Rgb.of(FxReplay.GHOST_RGB))));
+    ghost
+        .textProperty()
+        .bind(
+            replay
+                .ghostProperty()
+                .flatMap(
+                    other ->
+                        other
+                            .map(there -> messages.text("ghost-name", there.name()))
+                            .orElseGet(() -> messages.text("nothing"))));
+    language.localeProperty().subscribe(locale -> writeRemarks());
+    replay.ghostProperty().subscribe(other -> writeRemarks());
+    news.textProperty().bind(replay.newsProperty());
+  }
+
+  private static Circle dot(Color color) {
+    return new Circle(DOT, color);
+  }
+
+  private void writeRemarks() {
+    StringBuilder text = new StringBuilder();
+    add(text, "remark-on-flight", replay.flight());
+    replay.ghostProperty().get().ifPresent(other -> add(text, "remark-on-ghost", other));
+    remarks.setText(text.toString().strip());
+  }
+
+  private void add(StringBuilder text, String key, ReplayFlight about) {
+    about
+        .flight()
+        .remarks()
+        .forEach(remark -> text.append(messages.now(key, language.say(remark))).append('\n'));
+  }
+}

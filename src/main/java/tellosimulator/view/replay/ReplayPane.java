@@ -1,0 +1,123 @@
+package tellosimulator.view.replay;
+
+import atlantafx.base.controls.Spacer;
+import javafx.beans.property.Property;
+import javafx.geometry.Orientation;
+import javafx.scene.control.Button;
+import javafx.scene.control.Separator;
+import javafx.scene.control.ToolBar;
+import javafx.scene.input.KeyCode;
+import javafx.scene.layout.BorderPane;
+import javafx.scene.layout.Priority;
+import javafx.scene.layout.VBox;
+import tellosimulator.view.layout.BarButtons;
+import tellosimulator.view.layout.Theme;
+import tellosimulator.view.model.SceneContext;
+import tellosimulator.view.world.Simulator3DScene;
+import tellosimulator.view.world.ViewCamera;
+
+/**
+ * The parts of the player: the room in the middle, what was commanded at the right, and the slider
+ * over the flight below. For the JavaFX thread.
+ */
+final class ReplayPane extends BorderPane {
+
+  /** Width of what is at the right [px]. Decided: the room keeps two thirds of a small screen. */
+  private static final double SIDE_WIDTH = 320;
+
+  /** How far an arrow key goes, without and with Shift [s]. Decided: as in reports. */
+  private static final double STEP = 0.1;
+
+  private static final double LARGE_STEP = 1;
+
+  private final Playback playback;
+  private final Simulator3DScene world;
+  private final EntryList entries;
+
+  /** How the player's window can look. */
+  record Looks(Property<Theme> theme, Property<Boolean> fullScreen) {}
+
+  ReplayPane(FxReplay replay, Ghosts ghosts, SceneContext context, Looks looks) {
+    playback = replay.playback();
+    world = new ReplayScene(replay, context).scene();
+    entries = new EntryList(replay, context.language());
+    setId("replay-pane");
+    getStylesheets().add(ReplayPane.class.getResource("replay.css").toExternalForm());
+    VBox side =
+        new VBox(
+            new ComparisonPanel(replay, ghosts, context.language()),
+            new FlightReadout(replay, context),
+            entries);
+    side.getStyleClass().add("side");
+    side.setMinWidth(SIDE_WIDTH);
+    side.setPrefWidth(SIDE_WIDTH);
+    side.setMaxWidth(SIDE_WIDTH);
+    VBox.setVgrow(entries, Priority.ALWAYS);
+    setTop(bar(new BarButtons(context.language()), looks));
+    setCenter(world);
+    setRight(side);
+    setBottom(new TransportBar(replay, context.language(), entries));
+  }
+
+  private ToolBar bar(BarButtons buttons, Looks looks) {
+    Button theme = buttons.theme(looks.theme());
+    theme.setFocusTraversable(true); // there is no key for it
+    ToolBar bar =
+        new ToolBar(
+            buttons.views(world),
+            buttons.droneCamera(world),
+            buttons.inset(world),
+            buttons.trail(world),
+            new Spacer(),
+            theme,
+            new Separator(Orientation.VERTICAL),
+            buttons.fullScreen(looks.fullScreen()));
+    bar.setId("replay-bar");
+    return bar;
+  }
+
+  /** The room. */
+  Simulator3DScene world() {
+    return world;
+  }
+
+  /** What keys do. */
+  ReplayKeys keys() {
+    return new ReplayKeys()
+        .on(KeyCode.SPACE, playback::toggle)
+        .on(KeyCode.LEFT, () -> playback.step(-STEP))
+        .on(KeyCode.RIGHT, () -> playback.step(STEP))
+        .onShift(KeyCode.LEFT, () -> playback.step(-LARGE_STEP))
+        .onShift(KeyCode.RIGHT, () -> playback.step(LARGE_STEP))
+        .on(KeyCode.HOME, () -> playback.seek(playback.begin()))
+        .on(KeyCode.END, () -> playback.seek(playback.end()))
+        .on(KeyCode.PAGE_UP, () -> entries.jump(-1))
+        .on(KeyCode.PAGE_DOWN, () -> entries.jump(1))
+        .on(KeyCode.MINUS, () -> playback.faster(-1))
+        .on(KeyCode.SUBTRACT, () -> playback.faster(-1))
+        .on(KeyCode.PLUS, () -> playback.faster(1))
+        .on(KeyCode.ADD, () -> playback.faster(1))
+        .on(KeyCode.DIGIT1, () -> look(world.camera()::front))
+        .on(KeyCode.DIGIT2, () -> look(world.camera()::side))
+        .on(KeyCode.DIGIT3, () -> look(world.camera()::top))
+        .on(KeyCode.DIGIT4, () -> look(world.camera()::chase))
+        .on(KeyCode.DIGIT5, this::switchCamera)
+        .on(KeyCode.DIGIT0, () -> look(world.camera()::reset))
+        .on(KeyCode.F6, () -> toggle(world.insetVisibleProperty()))
+        .on(KeyCode.F7, () -> toggle(world.trailVisibleProperty()));
+  }
+
+  private void look(Runnable from) {
+    world.viewCameraProperty().set(ViewCamera.SIMULATOR);
+    from.run();
+  }
+
+  private void switchCamera() {
+    boolean drones = world.viewCameraProperty().get() == ViewCamera.DRONE;
+    world.viewCameraProperty().set(drones ? ViewCamera.SIMULATOR : ViewCamera.DRONE);
+  }
+
+  static void toggle(Property<Boolean> property) {
+    property.setValue(!property.getValue());
+  }
+}

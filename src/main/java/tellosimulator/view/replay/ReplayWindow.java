@@ -1,0 +1,98 @@
+package tellosimulator.view.replay;
+
+import java.util.Optional;
+import javafx.application.Application;
+import javafx.application.Platform;
+import javafx.beans.property.BooleanProperty;
+import javafx.beans.property.Property;
+import javafx.beans.property.SimpleBooleanProperty;
+import javafx.event.EventHandler;
+import javafx.scene.Scene;
+import javafx.scene.input.InputEvent;
+import javafx.scene.input.KeyCode;
+import javafx.scene.input.KeyCodeCombination;
+import javafx.scene.input.KeyCombination;
+import javafx.stage.Stage;
+import javafx.stage.WindowEvent;
+import tellosimulator.video.camera.DroneOptics;
+import tellosimulator.view.layout.Theme;
+import tellosimulator.view.model.Pulse;
+import tellosimulator.view.model.SceneContext;
+import tellosimulator.view.text.Language;
+import tellosimulator.view.video.MediaFolder;
+import tellosimulator.view.video.WindowVideo;
+
+/** The player in a stage. For the JavaFX thread. */
+public final class ReplayWindow implements AutoCloseable {
+
+  /** Size of the scene before the window has its own [px]. */
+  private static final double FIRST_WIDTH = 1280;
+
+  private static final double FIRST_HEIGHT = 800;
+
+  private final Stage stage;
+  private final FxReplay replay;
+  private final Ghosts ghosts;
+  private final Pulse pulse;
+  private final WindowVideo video;
+  private final ReplayPane pane;
+
+  /** Builds the window, and does not show it yet. */
+  public ReplayWindow(Stage stage, ReplayFlight flight, Language language, Property<Theme> theme) {
+    this.stage = stage;
+    theme.subscribe(now -> Application.setUserAgentStylesheet(now.stylesheet()));
+    replay = new FxReplay(flight);
+    pulse = new Pulse(() -> {}, () -> !replay.playback().playingProperty().get());
+    video = new WindowVideo(replay::snapshot, DroneOptics.DEFAULT, MediaFolder.ofUser());
+    ghosts = new Ghosts(replay, language, pulse::wake);
+    BooleanProperty fullScreen = new SimpleBooleanProperty();
+    stage.fullScreenProperty().subscribe(fullScreen::set);
+    fullScreen.subscribe(stage::setFullScreen);
+    SceneContext context = new SceneContext(replay.simulation(), language, pulse, video);
+    pane = new ReplayPane(replay, ghosts, context, new ReplayPane.Looks(theme, fullScreen));
+    pulse.onBeat(nanos -> video.advance());
+    video.onReport(
+        report ->
+            Platform.runLater(() -> replay.newsProperty().set(language.say(report.phrase()))));
+    Scene scene = new Scene(pane, FIRST_WIDTH, FIRST_HEIGHT);
+    pane.keys().on(KeyCode.F11, () -> ReplayPane.toggle(fullScreen)).install(scene);
+    scene
+        .getAccelerators()
+        .put(new KeyCodeCombination(KeyCode.Q, KeyCombination.SHORTCUT_DOWN), this::quit);
+    EventHandler<InputEvent> waking = input -> pulse.wake();
+    scene.addEventFilter(InputEvent.ANY, waking);
+    scene.widthProperty().subscribe(pulse::wake);
+    scene.heightProperty().subscribe(pulse::wake);
+    replay.playback().timeProperty().subscribe(pulse::wake);
+    replay.playback().playingProperty().subscribe(pulse::wake);
+    stage.setScene(scene);
+    stage.setTitle(flight.name() + " \u2013 Tello Simulator");
+    stage.setFullScreenExitHint("");
+    stage.setFullScreenExitKeyCombination(KeyCombination.NO_MATCH);
+  }
+
+  /** Shows another flight as the ghost. */
+  public void compareWith(Optional<ReplayFlight> other) {
+    other.ifPresent(ghosts::show);
+  }
+
+  /** Opens it. */
+  public void show() {
+    pulse.start();
+    stage.show();
+    pane.world().requestFocus(); // or the first button would have it, and Space would press that
+  }
+
+  /** As the button of the frame does. */
+  private void quit() {
+    stage.fireEvent(new WindowEvent(stage, WindowEvent.WINDOW_CLOSE_REQUEST));
+  }
+
+  /** Ends what it does beside showing. */
+  @Override
+  public void close() {
+    pulse.stop();
+    pane.world().rest();
+    video.close();
+  }
+}
