@@ -26,6 +26,7 @@ import javafx.scene.control.Labeled;
 import javafx.scene.input.KeyCode;
 import javafx.stage.Stage;
 import org.testfx.api.FxRobot;
+import org.testfx.service.query.EmptyNodeQueryException;
 import org.testfx.util.WaitForAsyncUtils;
 import tellosimulator.math.Vec3;
 import tellosimulator.network.AddressPlan;
@@ -141,12 +142,20 @@ final class PanelWindow implements AutoCloseable {
     robot.interact(() -> language.localeProperty().set(locale));
   }
 
-  /** Waits until something holds. */
+  /** Waits until something holds, also of a node that is not there yet, or half changed. */
   void until(Callable<Boolean> condition) {
     try {
-      WaitForAsyncUtils.waitFor(20, TimeUnit.SECONDS, condition);
+      WaitForAsyncUtils.waitFor(20, TimeUnit.SECONDS, () -> holds(condition));
     } catch (TimeoutException e) {
       throw new AssertionError("it never became true", e);
+    }
+  }
+
+  private static boolean holds(Callable<Boolean> condition) throws Exception {
+    try {
+      return condition.call();
+    } catch (EmptyNodeQueryException | AssertionError notYet) {
+      return false;
     }
   }
 
