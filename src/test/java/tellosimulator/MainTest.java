@@ -45,7 +45,7 @@ class MainTest {
             .commandLine(() -> new String[0]).getCommandSpec().options().stream()
                 .map(OptionSpec::longestName)
                 .toList();
-    assertThat(options).hasSize(34);
+    assertThat(options).hasSize(36);
     assertThat(lines(out)).contains(options).contains("--help", "--version");
     assertThat(lines(out).lines()).allMatch(printed -> printed.length() <= 80);
     assertThat(lines(err)).isEmpty();
