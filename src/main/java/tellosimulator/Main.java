@@ -187,14 +187,15 @@ public final class Main {
           options.report().isPresent()
               ? Optional.of(FlightReports.to(options.report().get(), kept))
               : Optional.empty();
-      atEnd(() -> end(simulator, reports));
-      if (options.control().isPresent()) {
-        simulator.openControl(options.control().get(), out);
-      }
       reports
           .map(FlightReports::recordings)
           .or(() -> kept)
           .ifPresent(folder -> simulator.record(folder, launch.scenario().title(), words));
+      simulator.switchOn();
+      atEnd(() -> end(simulator, reports));
+      if (options.control().isPresent()) {
+        simulator.openControl(options.control().get(), out);
+      }
       simulator.sayReady(out);
       int status = run(simulator);
       return end(simulator, reports) || status != ExitCode.DONE ? status : ExitCode.FAILED;

@@ -466,6 +466,7 @@ class ExamplesTest {
               AddressPlan.portPerDrone(config.starts().size(), loopback, 0),
               OptionalInt.empty(),
               new SoftwareCameras(DroneOptics.DEFAULT));
+      simulator.switchOn();
       addresses = ADDRESS.matcher(type("")).results().map(MatchResult::group).toList();
     }
 

@@ -10,7 +10,8 @@ public enum SubcommandName {
   REPORT(ReportSubcommand::new),
   DIFF(DiffSubcommand::new),
   EXPORT(ExportSubcommand::new),
-  PROXY(ProxySubcommand::new);
+  PROXY(ProxySubcommand::new),
+  REPLAY(ReplaySubcommand::new);
 
   private final Supplier<Subcommand> subcommand;
 

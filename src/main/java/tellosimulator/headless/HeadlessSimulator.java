@@ -37,15 +37,13 @@ public final class HeadlessSimulator implements AutoCloseable {
   private volatile Optional<FlightRecorder> recorder = Optional.empty();
 
   /**
-   * Opens the sockets and starts the simulation; all drones are on.
+   * Starts the simulation; all drones are off.
    *
    * @param replyPort port to which all replies go; empty for the port each command came from
    * @param cameras makes a camera for each drone's video
-   * @throws PortTakenException if an address or port cannot be had
    */
   public HeadlessSimulator(
-      Scenario scenario, AddressPlan plan, OptionalInt replyPort, SoftwareCameras cameras)
-      throws PortTakenException {
+      Scenario scenario, AddressPlan plan, OptionalInt replyPort, SoftwareCameras cameras) {
     this.scenario = scenario;
     EventLog log = new EventLog();
     goals =
@@ -60,16 +58,20 @@ public final class HeadlessSimulator implements AutoCloseable {
         new OnlineSimulation(
             scenario.config(), plan, replyPort, List.of(new LogLimiter(log), goals, ending));
     video = VideoStreams.of(simulation, cameras, H264Encoder::new);
-    try {
-      simulation.switchAllOn();
-    } catch (PortTakenException e) {
-      close();
-      throw e;
-    }
   }
 
   /**
-   * Opens the control channel, and says where it is. Before {@link #sayReady}.
+   * Opens the sockets and switches all drones on.
+   *
+   * @throws PortTakenException if an address or port cannot be had
+   */
+  public void switchOn() throws PortTakenException {
+    simulation.switchAllOn();
+  }
+
+  /**
+   * Opens the control channel, and says where it is. After {@link #switchOn} and before {@link
+   * #sayReady}.
    *
    * @param port 0 for one that the system chooses
    * @throws PortTakenException if the port cannot be had
@@ -81,7 +83,7 @@ public final class HeadlessSimulator implements AutoCloseable {
   }
 
   /**
-   * Records all flights from now on. Before {@link #sayReady}.
+   * Records all flights from now on. Before {@link #switchOn}, or else they cannot be flown again.
    *
    * @param title of the scenario, or the name of its file
    * @param options words of the command line

@@ -77,7 +77,6 @@ final class CommandConnection {
 
   /** Gives a datagram to the simulation. */
   void handOver(Simulation simulation, DatagramBatch.Entry entry) {
-    ports.tap().received(drone, entry.peer(), entry.text()); // before its answer can be sent
     if (!simulation.submit(drone, entry.peer(), entry.text())) {
       traffic.countDropped();
     }

@@ -127,6 +127,7 @@ public final class DroneNetwork implements AutoCloseable {
    */
   public synchronized void listen(Simulation to) {
     simulation = Optional.of(to);
+    to.listen(new TakenDatagrams(ports));
     receiver = Optional.of(Receiver.start(to));
     for (int drone = 1; drone <= drones.size(); drone++) {
       admissions.add(new AdmissionControl(drone, to));

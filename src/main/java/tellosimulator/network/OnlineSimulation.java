@@ -31,6 +31,7 @@ public final class OnlineSimulation implements AutoCloseable {
   private static final long WATCH_NANOS = 1_000_000_000;
 
   private final DroneNetwork network;
+  private final OptionalInt replyPort;
   private final Simulation simulation;
   private final SimulationLoop loop;
   private final Metronome clock = new Metronome();
@@ -46,6 +47,7 @@ public final class OnlineSimulation implements AutoCloseable {
   public OnlineSimulation(
       SimConfig config, AddressPlan plan, OptionalInt replyPort, List<SimListener> listeners) {
     network = DroneNetwork.of(plan);
+    this.replyPort = replyPort;
     simulation = new Simulation(config, network.replies(replyPort), network.states(), listeners);
     loop = new SimulationLoop(simulation);
     network.listen(simulation);
@@ -175,6 +177,21 @@ public final class OnlineSimulation implements AutoCloseable {
     return network.tap();
   }
 
+  /** What it began from, now or the last time that it began anew. */
+  public SimConfig config() {
+    return simulation.config();
+  }
+
+  /** Port to which all replies go; empty for the port each command came from. */
+  public OptionalInt replyPort() {
+    return replyPort;
+  }
+
+  /** Whether nothing has come to it from outside yet, neither commands nor what people do. */
+  public boolean untouched() {
+    return simulation.untouched();
+  }
+
   /** Until when the simulation has come: the end of the step that is being made, if one is. */
   public SimTime time() {
     return simulation.time();
@@ -224,8 +241,8 @@ public final class OnlineSimulation implements AutoCloseable {
     watch.close();
     synchronized (this) {
       closed = true;
-      network.close();
     }
-    loop.close();
+    loop.close(); // before the sockets, so that what it sends until then does leave
+    network.close();
   }
 }

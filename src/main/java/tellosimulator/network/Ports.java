@@ -18,10 +18,25 @@ public final class Ports {
   @SuppressWarnings("ArrayRecordComponent") // never compared, and nobody changes the bytes
   record Outgoing(int drone, WireTap.Kind kind, byte[] bytes) {}
 
+  /** Whether there are sockets at all. */
+  private final boolean real;
+
+  private Ports(boolean real) {
+    this.real = real;
+  }
+
   /** None are open yet. */
-  Ports() {}
+  Ports() {
+    this(true);
+  }
+
+  /** From which nothing leaves; the tap sees all that would. */
+  static Ports withoutSockets() {
+    return new Ports(false);
+  }
 
   public Ports(Collection<? extends DatagramPort> ports) {
+    this(true);
     ports.forEach(port -> add(port, new Traffic()));
   }
 
@@ -55,7 +70,9 @@ public final class Ports {
   /** Sends from the port at {@code from}, if it is still there. */
   void send(InetSocketAddress from, Outgoing datagram, InetSocketAddress to) {
     Open open = byAddress.get(from);
-    if (open != null) {
+    if (!real) {
+      tap.sent(datagram.drone(), datagram.kind(), from, to, datagram.bytes());
+    } else if (open != null) {
       open.traffic().countSent(); // first, so that who has a reply finds it counted
       tap.sent(datagram.drone(), datagram.kind(), from, to, datagram.bytes());
       open.port().send(datagram.bytes(), to);

@@ -40,8 +40,7 @@ public interface WireTap {
       };
 
   /**
-   * A datagram came to a drone, and is handed to the simulation next. What was turned away before
-   * is not told.
+   * A datagram came to a drone, and is taken next. What was turned away before is not told.
    *
    * @param drone its number, from 1
    * @param text one character a byte (ISO-8859-1)

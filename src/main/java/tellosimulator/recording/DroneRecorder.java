@@ -67,7 +67,12 @@ public final class DroneRecorder implements AutoCloseable {
     FlightSource source = new FlightSource.Real(drone, options);
     worker =
         Worker.start(
-            "recorder", new RecordingWriter(queue, folder, source, new FilmKeepers(1), told));
+            "recorder",
+            new RecordingWriter(
+                new RecordingWriter.Sources(queue, new FilmKeepers(1), new InputHistory()),
+                folder,
+                source,
+                told));
   }
 
   /**

@@ -5,6 +5,7 @@ import java.util.Optional;
 import tellosimulator.math.Vec3;
 import tellosimulator.network.WireTap;
 import tellosimulator.sim.SimEvent;
+import tellosimulator.sim.SimInput;
 import tellosimulator.sim.SimSnapshot;
 import tellosimulator.time.SimTime;
 import tellosimulator.time.WallTime;
@@ -42,8 +43,18 @@ sealed interface Entry {
   /** What came before is not recorded any more, because too much waited. */
   record Overrun() implements Entry {}
 
-  /** What came before belongs to another simulation. */
-  record Forget() implements Entry {}
+  /**
+   * What came before belongs to another simulation.
+   *
+   * @param start what the one began from that follows; empty if that is not known
+   */
+  record Anew(Optional<Start> start) implements Entry {}
+
+  /** There were inputs that are not known. */
+  record Missed() implements Entry {}
+
+  /** An input that is no datagram. */
+  record Taken(SimTime time, SimInput input) implements Entry {}
 
   /** How all drones are at a moment. */
   record Sampled(SimSnapshot snapshot) implements Entry {

@@ -5,6 +5,7 @@ import java.util.Queue;
 import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.atomic.AtomicLong;
+import java.util.function.Consumer;
 import tellosimulator.time.Metronome;
 
 /**
@@ -52,7 +53,7 @@ final class EntryQueue {
 
   /** Adds an entry, or drops it, if too much waits. */
   void add(Entry entry) {
-    if (entry instanceof Entry.Begin) {
+    if (entry instanceof Entry.Begin || entry instanceof Entry.Anew) {
       closed.set(false);
     } else if (closed.get() && !always(entry)) {
       return;
@@ -76,7 +77,8 @@ final class EntryQueue {
   private static boolean always(Entry entry) {
     return entry instanceof Entry.Begin
         || entry instanceof Entry.End
-        || entry instanceof Entry.Forget;
+        || entry instanceof Entry.Anew
+        || entry instanceof Entry.Missed;
   }
 
   /** Takes the oldest entry. */
@@ -92,10 +94,19 @@ final class EntryQueue {
     return Optional.ofNullable(next);
   }
 
-  /** Forgets all that waits. */
-  void clear() {
-    while (poll().isPresent()) {
-      // it is gone
+  /**
+   * Takes out all that belongs to earlier simulations, or all if there are none.
+   *
+   * @param taken is handed each entry that is taken out
+   */
+  void takeEarlier(Consumer<Entry> taken) {
+    long begins = waiting.stream().filter(Entry.Anew.class::isInstance).count();
+    boolean more = true;
+    for (long left = begins; more; ) {
+      Optional<Entry> next = poll();
+      next.ifPresent(taken);
+      left -= next.filter(Entry.Anew.class::isInstance).isPresent() ? 1 : 0;
+      more = next.isPresent() && (begins == 0 || left > 0);
     }
     closed.set(false);
   }

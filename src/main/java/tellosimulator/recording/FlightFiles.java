@@ -25,6 +25,9 @@ final class FlightFiles implements AutoCloseable {
   private static final String GOALS = "goals.json";
   private static final String SCENARIO = "scenario.yaml";
 
+  /** What the simulation began from, and all that came to it since. */
+  static final String INPUTS = "inputs.jsonl";
+
   private final Path folder;
   private final RecordingFolder.Disk disk;
   private final RunText run;
@@ -33,6 +36,9 @@ final class FlightFiles implements AutoCloseable {
   private final TextFile wire;
   private Optional<TextFile> events = Optional.empty();
   private Optional<TextFile> table = Optional.empty();
+
+  /** Empty if not all inputs are known. */
+  private Optional<TextFile> inputs = Optional.empty();
 
   /**
    * Begins those that each recording has: what was on the wire, and what is known of the flight.
@@ -53,10 +59,18 @@ final class FlightFiles implements AutoCloseable {
    * Begins those that only a simulation can have, too: what happened, and where the drones were.
    *
    * @param flown the scenario as it is at the takeoff
+   * @param history what the flight follows from
    * @throws IOException if one cannot be written; then all are closed
    */
-  void addTruth(Scenario flown, ScenarioDocument document) throws IOException {
+  void addTruth(Scenario flown, ScenarioDocument document, InputHistory history)
+      throws IOException {
     try {
+      if (history.complete()) {
+        TextFile known = open(INPUTS);
+        open.add(0, open.remove(open.size() - 1)); // first, so that it is never behind the others
+        known.row().raw(history.text());
+        inputs = Optional.of(known);
+      }
       events = Optional.of(open("events.jsonl"));
       TextFile rows = open("flight.csv");
       rows.row().raw(Lines.HEADER);
@@ -94,6 +108,24 @@ final class FlightFiles implements AutoCloseable {
   /** Of a simulation alone. */
   TextFile table() {
     return table.orElseThrow();
+  }
+
+  /** Adds an input. */
+  void input(String line) throws IOException {
+    if (inputs.isPresent()) {
+      inputs.get().row().raw(line);
+      flushIfLarge(inputs.get());
+    }
+  }
+
+  /** Hands the lines of a file to the system, if there are many; inputs are never behind. */
+  void flushIfLarge(TextFile file) throws IOException {
+    if (file.isLarge()) {
+      if (inputs.isPresent()) {
+        inputs.get().flush();
+      }
+      file.flush();
+    }
   }
 
   /** Hands all that is written to the system. */

@@ -3,6 +3,7 @@ package tellosimulator.recording;
 import java.net.InetSocketAddress;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalInt;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
 import tellosimulator.command.Peer;
@@ -16,9 +17,13 @@ import tellosimulator.network.OnlineSimulation;
 import tellosimulator.network.WireTap;
 import tellosimulator.recording.Entry.Ends;
 import tellosimulator.scenario.Scenario;
+import tellosimulator.sim.Control;
+import tellosimulator.sim.SimConfig;
 import tellosimulator.sim.SimEvent;
+import tellosimulator.sim.SimInput;
 import tellosimulator.sim.SimListener;
 import tellosimulator.sim.SimSnapshot;
+import tellosimulator.sim.Simulation;
 import tellosimulator.time.SimTime;
 import tellosimulator.time.WallTime;
 import tellosimulator.video.VideoStreams;
@@ -44,8 +49,12 @@ public final class FlightRecorder implements SimListener, WireTap, AutoCloseable
   private static final long MOST_REMEMBERED = 100_000;
 
   private final EntryQueue queue;
-  private final FilmKeepers films;
+  private final RecordingWriter.Sources sources;
   private final Subject subject;
+
+  /** Writes when it is told to; empty if a worker writes, or nobody yet. */
+  private final Optional<RecordingWriter> writer;
+
   private final Optional<Worker> worker;
   private final GoalWatch goals;
   private volatile Supplier<SimTime> clock = () -> SimTime.ZERO;
@@ -53,8 +62,17 @@ public final class FlightRecorder implements SimListener, WireTap, AutoCloseable
   private volatile boolean recording;
   private volatile boolean flown;
 
+  /** What the simulation began from; empty if that is not known. */
+  private volatile Optional<Start> start = Optional.empty();
+
+  /** Whether something was done since the simulation began. */
+  private volatile boolean begun;
+
   /** All that follows is for the simulation thread. */
   private boolean flying;
+
+  /** Whether there was an input that is not recorded. */
+  private boolean missed;
 
   private long steps;
 
@@ -81,12 +99,16 @@ public final class FlightRecorder implements SimListener, WireTap, AutoCloseable
   }
 
   private FlightRecorder(
-      Subject subject, EntryQueue queue, FilmKeepers films, Optional<Worker> worker) {
+      Subject subject,
+      RecordingWriter.Sources sources,
+      Optional<RecordingWriter> writer,
+      Optional<Worker> worker) {
     this.subject = subject;
-    this.queue = queue;
-    this.films = films;
+    this.sources = sources;
+    this.queue = sources.queue();
     this.goals = subject.goals();
     this.progress = goals.progress();
+    this.writer = writer;
     this.worker = worker;
   }
 
@@ -105,9 +127,34 @@ public final class FlightRecorder implements SimListener, WireTap, AutoCloseable
   static FlightRecorder start(
       RecordingFolder folder, Subject subject, Consumer<Phrase> told, EntryQueue queue) {
     FilmKeepers films = new FilmKeepers(subject.scenario().config().drones().size());
-    RecordingWriter writer =
-        new RecordingWriter(queue, folder, new FlightSource.Simulated(subject), films, told);
-    return new FlightRecorder(subject, queue, films, Optional.of(Worker.start("recorder", writer)));
+    var sources = new RecordingWriter.Sources(queue, films, new InputHistory());
+    RecordingWriter writer = writer(sources, folder, subject, told);
+    return new FlightRecorder(
+        subject, sources, Optional.empty(), Optional.of(Worker.start("recorder", writer)));
+  }
+
+  private static RecordingWriter writer(
+      RecordingWriter.Sources sources,
+      RecordingFolder folder,
+      Subject subject,
+      Consumer<Phrase> told) {
+    var source = new FlightSource.Simulated(subject, sources.inputs());
+    return new RecordingWriter(sources, folder, source, told);
+  }
+
+  /**
+   * One that writes when it is told to ({@link #writeWaiting}), for somebody who steps a simulation
+   * faster than any disk, and waits for it. It keeps no film.
+   *
+   * @param told takes a sentence for people when a flight cannot be recorded any more
+   */
+  public static FlightRecorder stepped(
+      RecordingFolder folder, Subject subject, Consumer<Phrase> told) {
+    var sources =
+        new RecordingWriter.Sources(
+            new EntryQueue(Long.MAX_VALUE), new FilmKeepers(0), new InputHistory());
+    RecordingWriter writer = writer(sources, folder, subject, told);
+    return new FlightRecorder(subject, sources, Optional.of(writer), Optional.empty());
   }
 
   /**
@@ -115,30 +162,58 @@ public final class FlightRecorder implements SimListener, WireTap, AutoCloseable
    * {@link #writeTo}. It keeps no film, and no more than half an hour of one drone.
    */
   public static FlightRecorder inMemory(Subject subject) {
-    return new FlightRecorder(
-        subject, new EntryQueue(MOST_REMEMBERED), new FilmKeepers(0), Optional.empty());
+    var sources =
+        new RecordingWriter.Sources(
+            new EntryQueue(MOST_REMEMBERED), new FilmKeepers(0), new InputHistory());
+    return new FlightRecorder(subject, sources, Optional.empty(), Optional.empty());
   }
 
   /** Looks at a simulation from now on, with its wire and its drones' films. */
   public void attach(OnlineSimulation simulation, VideoStreams streams) {
     attach(simulation);
-    films.watch(streams, simulation::time);
+    sources.films().watch(streams, simulation::time);
   }
 
-  /** Looks at a simulation from now on, with its wire, but without films. */
+  /**
+   * Looks at a simulation from now on, with its wire, but without films. Flights can be flown again
+   * if nothing was done to it before.
+   */
   public void attach(OnlineSimulation simulation) {
     follow(simulation::time, simulation::snapshot);
+    begin(simulation.config(), simulation.replyPort());
     simulation.listen(this);
     simulation.setTap(this);
+    if (!simulation.untouched()) {
+      queue.add(new Entry.Missed());
+    }
+  }
+
+  /**
+   * Looks at a simulation that its owner steps, and to which nothing was done yet; the owner hands
+   * over what is on its wire.
+   *
+   * @param replyPort port to which all replies go; empty for the port each command came from
+   */
+  public void attach(Simulation simulation, OptionalInt replyPort) {
+    follow(simulation::time, simulation::snapshot);
+    begin(simulation.config(), replyPort);
+    simulation.listen(this);
+  }
+
+  private void begin(SimConfig config, OptionalInt replyPort) {
+    start = Optional.of(new Start(config, goals.progress().challenge(), replyPort));
+    begun = false;
+    queue.add(new Entry.Anew(start));
   }
 
   /**
    * Whom to ask for the time and for the newest snapshot, where somebody else hands over steps,
-   * events and datagrams.
+   * events and datagrams. Its flights cannot be flown again.
    */
   public void follow(Supplier<SimTime> newClock, Supplier<SimSnapshot> newSnapshots) {
     clock = newClock;
     snapshots = newSnapshots;
+    begun = true;
     recording = true;
   }
 
@@ -156,7 +231,7 @@ public final class FlightRecorder implements SimListener, WireTap, AutoCloseable
 
   /** Forgets all flights until now. When the simulation has just begun anew; for any thread. */
   public void forget() {
-    queue.clear();
+    queue.takeEarlier(sources.inputs()::take);
     flown = false;
   }
 
@@ -168,8 +243,7 @@ public final class FlightRecorder implements SimListener, WireTap, AutoCloseable
    */
   public void writeTo(RecordingFolder folder, Consumer<Phrase> told) {
     queue.add(new Entry.End(clock.get(), new GoalResult(progress, attemptNanos)));
-    FlightSource source = new FlightSource.Simulated(subject);
-    new RecordingWriter(queue, folder, source, films, told).onClose();
+    writer(sources, folder, subject, told).onClose();
     flown = false;
   }
 
@@ -177,7 +251,7 @@ public final class FlightRecorder implements SimListener, WireTap, AutoCloseable
 
   @Override
   public void received(int drone, Peer peer, String text) {
-    if (recording) {
+    if (takes()) {
       Ends ends = new Ends(peer.address(), peer.via());
       queue.add(new Entry.Received(clock.get(), WallTime.nanoTime(), drone, ends, text));
     }
@@ -194,15 +268,44 @@ public final class FlightRecorder implements SimListener, WireTap, AutoCloseable
 
   // --- simulation ---
 
+  /** Whether an input is taken; if not, those who come later know that one is missing. */
+  private boolean takes() {
+    begun = true;
+    if (!recording) {
+      miss();
+    }
+    return recording;
+  }
+
+  private void miss() {
+    if (!missed) {
+      missed = true;
+      queue.add(new Entry.Missed());
+    }
+  }
+
+  @Override
+  public void taken(SimTime now, SimInput input) {
+    if (input instanceof SimInput.Act act && act.control() instanceof Control.Restart restart) {
+      start =
+          start.map(before -> new Start(restart.config(), before.challenge(), before.replyPort()));
+    } else if (!(input instanceof SimInput.Datagram) && takes()) { // those come from the wire
+      queue.add(new Entry.Taken(now, input));
+    }
+  }
+
   @Override
   public void event(SimEvent event) {
-    if (!recording) {
-      return;
-    }
     if (event instanceof SimEvent.Restarted) {
       end(last());
       lastNanos = event.time().nanos();
-      queue.add(new Entry.Forget());
+      missed = false;
+      begun = start.isEmpty();
+      queue.add(new Entry.Anew(start));
+      return;
+    }
+    if (!recording || !begun) {
+      return;
     }
     SimSnapshot snapshot = snapshots.get();
     if (!flying && tookOff(event)) {
@@ -240,6 +343,7 @@ public final class FlightRecorder implements SimListener, WireTap, AutoCloseable
     }
     if (!recording) {
       end(last());
+      miss(); // the rest of this flight, for those that follow
       return;
     }
     judge(goals.progress());
@@ -303,6 +407,11 @@ public final class FlightRecorder implements SimListener, WireTap, AutoCloseable
     }
   }
 
+  /** Writes all that waits, on the thread that calls it; for one that is stepped. */
+  public void writeWaiting() {
+    writer.ifPresent(RecordingWriter::writeWaiting);
+  }
+
   /**
    * Ends the flight that is recorded, and writes what waits. After the simulation, or the last
    * things may be missing.
@@ -314,5 +423,6 @@ public final class FlightRecorder implements SimListener, WireTap, AutoCloseable
     worker.ifPresent(Worker::end);
     queue.wake();
     worker.ifPresent(Worker::close);
+    writer.ifPresent(RecordingWriter::onClose);
   }
 }

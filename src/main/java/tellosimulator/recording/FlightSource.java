@@ -30,8 +30,12 @@ sealed interface FlightSource {
   /** A datagram of a flight left the drone. */
   void sent(Entry.Sent datagram, FilmKeepers films);
 
-  /** A simulation, of which all is known. */
-  record Simulated(FlightRecorder.Subject subject) implements FlightSource {
+  /**
+   * A simulation, of which all is known.
+   *
+   * @param inputs what came to it until the flight begins
+   */
+  record Simulated(FlightRecorder.Subject subject, InputHistory inputs) implements FlightSource {
 
     @Override
     public String title() {
@@ -46,9 +50,10 @@ sealed interface FlightSource {
     @Override
     public FlightFiles begin(Path folder, RecordingFolder.Disk disk, Entry.Begin begin)
         throws IOException {
-      FlightFiles files = new FlightFiles(folder, disk, RunText.of(subject, begin), begin.wall());
+      RunText run = RunText.of(subject, begin, inputs);
+      FlightFiles files = new FlightFiles(folder, disk, run, begin.wall());
       Scenario flown = subject.scenario().asIn(begin.snapshot().orElseThrow());
-      files.addTruth(flown, ScenarioDocument.of(subject.scenario()));
+      files.addTruth(flown, ScenarioDocument.of(subject.scenario()), inputs);
       return files;
     }
 

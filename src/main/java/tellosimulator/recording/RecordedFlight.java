@@ -44,6 +44,17 @@ public record RecordedFlight(
     return new RecordingReader(folder).read();
   }
 
+  /**
+   * Reads what is known of a recording as a whole, however long it is: nothing but {@link #run},
+   * {@link #scenario} and {@link #remarks}.
+   *
+   * @param folder in which it is
+   * @throws UnreadableRecordingException with a sentence, if there is none
+   */
+  public static RecordedFlight readOutline(Path folder) throws UnreadableRecordingException {
+    return new RecordingReader(folder).readOutline();
+  }
+
   /** The first moment that it tells of [s]. */
   public double begin() {
     double samples =

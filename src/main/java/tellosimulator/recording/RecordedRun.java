@@ -66,6 +66,12 @@ public record RecordedRun(
   public record DroneEntry(
       int number, String profile, String behaviour, Pose start, String color) {}
 
+  /** The version of this program. */
+  public static String version() {
+    return Optional.ofNullable(RecordedRun.class.getPackage().getImplementationVersion())
+        .orElse("development");
+  }
+
   /** Whether a drone can have this number. */
   static boolean isNumber(int drone) {
     return drone >= 1 && drone <= MOST_DRONES;

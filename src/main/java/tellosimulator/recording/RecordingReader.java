@@ -47,6 +47,12 @@ final class RecordingReader {
         run, tracks, pairing.commands(), events, goals(), scenario(), remarks);
   }
 
+  /** What is known of it as a whole. */
+  RecordedFlight readOutline() throws UnreadableRecordingException {
+    return new RecordedFlight(
+        run(), List.of(), List.of(), List.of(), List.of(), scenario(), remarks);
+  }
+
   private RecordedRun run() throws UnreadableRecordingException {
     Path file = folder.resolve(RUN);
     if (!Files.isDirectory(folder)) {

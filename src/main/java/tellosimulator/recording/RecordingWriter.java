@@ -40,9 +40,10 @@ final class RecordingWriter implements Agent {
 
   private final Verdict failed = Verdict.goOn("A recording failed");
   private final EntryQueue queue;
+  private final FilmKeepers films;
+  private final InputHistory inputs;
   private final RecordingFolder folder;
   private final FlightSource source;
-  private final FilmKeepers films;
   private final Consumer<Phrase> told;
   private final Lines lines = new Lines();
   private final Deque<Entry> before = new ArrayDeque<>();
@@ -52,16 +53,22 @@ final class RecordingWriter implements Agent {
   /** Whether a flight has begun, even if it cannot be recorded. */
   private boolean flight;
 
+  /**
+   * Where a recorder puts what it sees.
+   *
+   * @param queue what waits to be written
+   * @param films what drones film
+   * @param inputs what came to the simulation, until what waits
+   */
+  record Sources(EntryQueue queue, FilmKeepers films, InputHistory inputs) {}
+
   RecordingWriter(
-      EntryQueue queue,
-      RecordingFolder folder,
-      FlightSource source,
-      FilmKeepers films,
-      Consumer<Phrase> told) {
-    this.queue = queue;
+      Sources sources, RecordingFolder folder, FlightSource source, Consumer<Phrase> told) {
+    this.queue = sources.queue();
+    this.films = sources.films();
+    this.inputs = sources.inputs();
     this.folder = folder;
     this.source = source;
-    this.films = films;
     this.told = told;
     for (int drone = 1; drone <= source.drones(); drone++) {
       pilots.add(new PilotState());
@@ -93,13 +100,17 @@ final class RecordingWriter implements Agent {
 
   private void take(Entry entry) {
     try {
+      Optional<String> input = inputs.take(entry);
+      if (files.isPresent() && input.isPresent()) {
+        files.get().input(input.get());
+      }
       if (entry instanceof Entry.Begin begin) {
         begin(begin);
       } else if (entry instanceof Entry.End end) {
         end(end);
       } else if (entry instanceof Entry.Overrun) {
         overrun();
-      } else if (entry instanceof Entry.Forget) {
+      } else if (entry instanceof Entry.Anew) {
         before.clear();
         pilots.replaceAll(pilot -> new PilotState());
       } else if (files.isPresent()) {
@@ -160,7 +171,7 @@ final class RecordingWriter implements Agent {
         }
         Lines.write(to.table().row(), sampled.snapshot().time(), drone, pilot);
       }
-      to.table().flushIfLarge();
+      to.flushIfLarge(to.table());
     } else {
       line(to, entry);
     }
@@ -169,14 +180,14 @@ final class RecordingWriter implements Agent {
   private void line(FlightFiles to, Entry entry) throws IOException {
     if (entry instanceof Entry.Happened happened) {
       Lines.write(to.events().row(), happened);
-      to.events().flushIfLarge();
+      to.flushIfLarge(to.events());
     } else if (entry instanceof Entry.Received received) {
       lines.write(to.wire().row(), received, to.begun());
-      to.wire().flushIfLarge();
+      to.flushIfLarge(to.wire());
     } else if (entry instanceof Entry.Sent sent) {
       source.sent(sent, films);
       lines.write(to.wire().row(), sent, to.begun());
-      to.wire().flushIfLarge();
+      to.flushIfLarge(to.wire());
     }
   }
 
@@ -245,13 +256,18 @@ final class RecordingWriter implements Agent {
     return failed;
   }
 
-  /** Writes what still waits. */
-  @Override
-  public void onClose() {
+  /** Writes all that waits. */
+  void writeWaiting() {
     boolean more = true;
     while (more) {
       more = work();
     }
+  }
+
+  /** Writes what still waits. */
+  @Override
+  public void onClose() {
+    writeWaiting();
     films.end();
     files.ifPresent(this::closeQuietly);
   }

@@ -6,7 +6,6 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
-import java.util.Optional;
 import tellosimulator.json.Json;
 import tellosimulator.math.Frames;
 import tellosimulator.math.Vec3;
@@ -29,7 +28,7 @@ final class RunText {
 
   private RunText() {
     members.put("format", FORMAT);
-    members.put("program", version());
+    members.put("program", RecordedRun.version());
   }
 
   private void putTimes(String factor, Entry.Begin begin) {
@@ -39,7 +38,7 @@ final class RunText {
   }
 
   /** Of a simulated flight. */
-  static RunText of(FlightRecorder.Subject subject, Entry.Begin begin) {
+  static RunText of(FlightRecorder.Subject subject, Entry.Begin begin, InputHistory inputs) {
     SimSnapshot snapshot = begin.snapshot().orElseThrow();
     RunText text = new RunText();
     Map<String, Object> members = text.members;
@@ -49,6 +48,9 @@ final class RunText {
     members.put("room", room(snapshot.room()));
     members.put("drones", snapshot.drones().stream().map(RunText::drone).toList());
     members.put("options", subject.options());
+    if (inputs.begun()) {
+      members.put("inputs", inputs.complete() ? "all" : "incomplete");
+    }
     return text;
   }
 
@@ -65,11 +67,6 @@ final class RunText {
     text.members.put("drones", List.of(Map.of("number", 1)));
     text.members.put("options", options);
     return text;
-  }
-
-  private static String version() {
-    return Optional.ofNullable(RunText.class.getPackage().getImplementationVersion())
-        .orElse("development");
   }
 
   private static String factor(TimeFactor factor) {

@@ -28,11 +28,9 @@ final class TextFile implements AutoCloseable {
     return row;
   }
 
-  /** Writes the lines, if there are many. */
-  void flushIfLarge() throws IOException {
-    if (row.length() >= LARGE) {
-      flush();
-    }
+  /** Whether many lines wait. */
+  boolean isLarge() {
+    return row.length() >= LARGE;
   }
 
   /** Hands all lines to the system, which keeps them if the program is killed. */

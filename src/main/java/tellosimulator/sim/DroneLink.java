@@ -30,10 +30,10 @@ final class DroneLink implements ReplyPort {
 
   private final ReplyPort replyPort;
   private final StatePort statePort;
-  private final Consumer<Inbox.Datagram> drone;
+  private final Consumer<SimInput.Datagram> drone;
   private final DroneEvents events;
   private final Supplier<SimTime> now;
-  private final LinkChannel<Inbox.Datagram> commands;
+  private final LinkChannel<SimInput.Datagram> commands;
   private final LinkChannel<Outgoing> replies;
   private final LinkChannel<StateReport> states;
   private final Interference interference;
@@ -48,7 +48,7 @@ final class DroneLink implements ReplyPort {
       int number,
       ReplyPort replies,
       StatePort states,
-      Consumer<Inbox.Datagram> drone,
+      Consumer<SimInput.Datagram> drone,
       DroneEvents events,
       Supplier<SimTime> now) {}
 
@@ -64,7 +64,7 @@ final class DroneLink implements ReplyPort {
     interference =
         new Interference(
             (peer, text) -> replies.send(new Outgoing(peer, text), false, now.get()),
-            (peer, text) -> drone.accept(new Inbox.Datagram(ends.number(), peer, text)));
+            (peer, text) -> drone.accept(new SimInput.Datagram(ends.number(), peer, text)));
   }
 
   /** Lets other faults act from now on. */
@@ -80,7 +80,7 @@ final class DroneLink implements ReplyPort {
   }
 
   /** A datagram has come to the drone's socket. */
-  void receive(Inbox.Datagram datagram) {
+  void receive(SimInput.Datagram datagram) {
     commands.send(datagram, true, now.get());
     tellDropped();
   }
@@ -157,31 +157,31 @@ final class DroneLink implements ReplyPort {
         : Phrase.of("the link %s", faults.link().option());
   }
 
-  private final class CommandReceiver implements LinkChannel.Receiver<Inbox.Datagram> {
+  private final class CommandReceiver implements LinkChannel.Receiver<SimInput.Datagram> {
 
     @Override
-    public void arrived(Inbox.Datagram datagram) {
+    public void arrived(SimInput.Datagram datagram) {
       drone.accept(datagram);
     }
 
     @Override
-    public void lost(Inbox.Datagram datagram, Fault fault) {
+    public void lost(SimInput.Datagram datagram, Fault fault) {
       events.commandLost(datagram.peer(), datagram.text(), cause(fault));
     }
 
     @Override
-    public Inbox.Datagram corrupted(Inbox.Datagram datagram, Corruption corruption) {
-      return new Inbox.Datagram(
+    public SimInput.Datagram corrupted(SimInput.Datagram datagram, Corruption corruption) {
+      return new SimInput.Datagram(
           datagram.drone(), datagram.peer(), corruption.applied(datagram.text()));
     }
 
     @Override
-    public int length(Inbox.Datagram datagram) {
+    public int length(SimInput.Datagram datagram) {
       return datagram.text().length();
     }
 
     @Override
-    public Object party(Inbox.Datagram datagram) {
+    public Object party(SimInput.Datagram datagram) {
       return datagram.peer();
     }
   }

@@ -6,6 +6,7 @@ import java.util.concurrent.CopyOnWriteArrayList;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 import tellosimulator.concurrent.Exceptions;
+import tellosimulator.time.SimTime;
 
 /**
  * Keeps what happens until the snapshot shows it, and tells the listeners then. What one of them
@@ -30,6 +31,13 @@ final class EventDispatcher {
   /** Tells one more listener, after all others. For any thread. */
   void listen(SimListener listener) {
     listeners.add(listener);
+  }
+
+  /** Tells that an input is taken next. */
+  void taken(SimTime now, SimInput input) {
+    for (SimListener listener : listeners) {
+      guarded(LISTENER_FAILED, () -> listener.taken(now, input));
+    }
   }
 
   void add(SimEvent event) {

@@ -5,7 +5,6 @@ import java.util.ArrayDeque;
 import java.util.HashMap;
 import java.util.Map;
 import java.util.Queue;
-import tellosimulator.command.Peer;
 
 /**
  * The queue of all that waits for the simulation: datagrams, and calls of the program itself, in
@@ -24,15 +23,7 @@ final class Inbox {
   private static final int MOST_OF_SENDER = 256;
 
   /** Something that waits. */
-  sealed interface Item {}
-
-  /**
-   * A datagram.
-   *
-   * @param drone number of the drone that it came to
-   * @param text one character a byte (ISO-8859-1)
-   */
-  record Datagram(int drone, Peer peer, String text) implements Item {}
+  sealed interface Item permits SimInput.Datagram, Call {}
 
   /**
    * Something that the program itself wants to be done.
@@ -53,7 +44,7 @@ final class Inbox {
    * @param operator whether it comes from the host that operates the drone
    * @return false if there is no room for it
    */
-  synchronized boolean offer(Datagram datagram, boolean operator) {
+  synchronized boolean offer(SimInput.Datagram datagram, boolean operator) {
     int room = operator ? CAPACITY : CAPACITY - RESERVED;
     InetSocketAddress sender = datagram.peer().address();
     if (datagrams >= room || senders.getOrDefault(sender, 0) >= MOST_OF_SENDER) {
@@ -78,7 +69,7 @@ final class Inbox {
   /** The next one, or null. */
   synchronized Item poll() {
     Item next = waiting.poll();
-    if (next instanceof Datagram datagram) {
+    if (next instanceof SimInput.Datagram datagram) {
       datagrams--;
       senders.computeIfPresent(
           datagram.peer().address(), (sender, count) -> count == 1 ? null : count - 1);

@@ -145,7 +145,7 @@ final class SimDrone {
   // --- step 1 ---
 
   /** A datagram has come to its socket. */
-  void receive(Inbox.Datagram datagram) {
+  void receive(SimInput.Datagram datagram) {
     link.receive(datagram);
   }
 
@@ -159,7 +159,7 @@ final class SimDrone {
     link.deliverCommands(session.link().operator());
   }
 
-  private void handle(Inbox.Datagram datagram) {
+  private void handle(SimInput.Datagram datagram) {
     Peer peer = datagram.peer();
     String text = datagram.text();
     if (model.phase() == FlightPhase.OFF) {

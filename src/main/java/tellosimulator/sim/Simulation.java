@@ -54,6 +54,8 @@ public final class Simulation {
   private SilenceHint hint;
   private Clock clock;
   private volatile SimTime now;
+  private volatile SimConfig config;
+  private volatile boolean untouched = true;
 
   private volatile SimSnapshot snapshot;
   private volatile Runnable wake = () -> {};
@@ -75,7 +77,8 @@ public final class Simulation {
     publish();
   }
 
-  private void begin(SimConfig config) {
+  private void begin(SimConfig newConfig) {
+    config = newConfig;
     drones.clear();
     surroundings = new Surroundings(config.arena(), drones, config.seed());
     clock = new Clock(config.timeFactor(), false);
@@ -93,12 +96,12 @@ public final class Simulation {
     faults.begin();
   }
 
-  private void restart(SimConfig config) {
+  private void restart(SimConfig newConfig) {
     for (SimDrone drone : drones) {
       drone.apply(new Control.Power(drone.number(), false), surroundings.arena().room());
     }
     events.clear();
-    begin(config);
+    begin(newConfig);
     events.add(new SimEvent.Restarted(now));
   }
 
@@ -111,7 +114,7 @@ public final class Simulation {
    */
   public boolean submit(int drone, Peer peer, String text) {
     checkNumber(drone);
-    boolean taken = inbox.offer(new Inbox.Datagram(drone, peer, text), operates(drone, peer));
+    boolean taken = inbox.offer(new SimInput.Datagram(drone, peer, text), operates(drone, peer));
     wake.run();
     return taken;
   }
@@ -123,21 +126,18 @@ public final class Simulation {
 
   /** Hands over that nothing receives where a drone had sent something. For any thread. */
   public void unreachable(int drone, InetSocketAddress destination) {
-    checkNumber(drone);
-    notice(() -> drone(drone).unreachable(destination));
+    notice(new SimInput.Unreachable(drone, destination));
   }
 
   /** Hands over that datagrams of a host were turned away before they came here. For any thread. */
   public void dropped(int drone, InetAddress host, long count, Phrase reason) {
-    checkNumber(drone);
-    notice(
-        () ->
-            events.add(
-                new SimEvent.DatagramsDropped(now, drone, host.getHostAddress(), count, reason)));
+    notice(new SimInput.Dropped(drone, host.getHostAddress(), count, reason));
   }
 
-  private void notice(Runnable work) {
-    inbox.add(new Inbox.Call("What the network said could not be handled", work, () -> {}));
+  private void notice(SimInput.ForDrone input) {
+    checkNumber(input.drone());
+    inbox.add(
+        new Inbox.Call("What the network said could not be handled", () -> take(input), () -> {}));
     wake.run();
   }
 
@@ -163,18 +163,9 @@ public final class Simulation {
    * @param shown run on the owning thread when the snapshot shows it, or never will; must not throw
    */
   void control(Control control, Runnable shown) {
-    if (control instanceof Control.ForDrone forDrone) {
-      checkNumber(forDrone.drone());
-    }
-    if (control instanceof Control.InjectFault injected) {
-      injected.fault().target().drone().ifPresent(this::checkNumber);
-    }
-    int drones = snapshot.drones().size();
-    if (control instanceof Control.Restart restart && restart.config().drones().size() != drones) {
-      throw new IllegalArgumentException(
-          "config has " + restart.config().drones().size() + " drones, but must have " + drones);
-    }
-    inbox.add(new Inbox.Call("A control could not be carried out", () -> apply(control), shown));
+    check(control);
+    SimInput input = new SimInput.Act(control);
+    inbox.add(new Inbox.Call("A control could not be carried out", () -> take(input), shown));
     wake.run();
   }
 
@@ -222,6 +213,16 @@ public final class Simulation {
     events.listen(listener);
   }
 
+  /** What it began from, now or the last time that it began anew. For any thread. */
+  public SimConfig config() {
+    return config;
+  }
+
+  /** Whether nothing was ever taken from outside. For any thread. */
+  public boolean untouched() {
+    return untouched;
+  }
+
   /** The latest completed step. For any thread. */
   public SimSnapshot snapshot() {
     return snapshot;
@@ -253,7 +254,7 @@ public final class Simulation {
 
   /** People are told that time was lost since they were told the last time [simulated s]. */
   void tellLost(double seconds) {
-    events.add(new SimEvent.TimeLost(now, seconds, clock));
+    take(new SimInput.TimeLost(seconds, clock.lostSeconds()));
   }
 
   /** Whether something is left that {@link #drain} did not take. */
@@ -273,17 +274,20 @@ public final class Simulation {
       while (next instanceof Inbox.Call
           || (next != null && datagrams < MOST_AT_ONCE && demand.open(now, clock))) {
         if (next instanceof Inbox.Call call) {
+          show(); // what happened until now happened where drones were before the call
           take(call);
+          show();
         } else {
-          take((Inbox.Datagram) next);
+          inbox.poll();
+          SimInput datagram = (SimInput.Datagram) next;
+          EventDispatcher.guarded(COMMAND_FAILED, () -> take(datagram));
           datagrams++;
         }
         changed = true;
         next = inbox.peek();
       }
       if (changed) {
-        publish();
-        events.dispatch();
+        show();
         tellStill();
       }
     } finally {
@@ -292,16 +296,33 @@ public final class Simulation {
     }
   }
 
+  private void show() {
+    publish();
+    events.dispatch();
+  }
+
   private void take(Inbox.Call call) {
     shown.add(call.shown()); // which may fail for want of memory: then it waits on
     inbox.poll();
     EventDispatcher.guarded(call.failure(), call.work());
   }
 
-  private void take(Inbox.Datagram datagram) {
-    inbox.poll();
-    demand.taken(now);
-    EventDispatcher.guarded(COMMAND_FAILED, () -> drone(datagram.drone()).receive(datagram));
+  /**
+   * Takes what an earlier run took between the same two steps, at once. For the owning thread.
+   *
+   * @throws IllegalArgumentException if there is no such drone, or another number of drones to
+   *     begin anew with
+   */
+  public void repeat(SimInput input) {
+    if (input instanceof SimInput.ForDrone forDrone) {
+      checkNumber(forDrone.drone());
+    } else if (input instanceof SimInput.Act act) {
+      check(act.control());
+    }
+    drain();
+    EventDispatcher.guarded(COMMAND_FAILED, () -> take(input));
+    show();
+    tellStill();
   }
 
   /** Moves everything on by one step of {@link SimTime#STEP}. */
@@ -339,6 +360,26 @@ public final class Simulation {
     events.dispatch();
     events.stepped(snapshot);
     tellStill();
+  }
+
+  private void take(SimInput input) {
+    untouched = false;
+    events.taken(now, input);
+    if (input instanceof SimInput.Datagram datagram) {
+      demand.taken(now);
+      drone(datagram.drone()).receive(datagram);
+    } else if (input instanceof SimInput.Act act) {
+      apply(act.control());
+    } else if (input instanceof SimInput.Unreachable gone) {
+      drone(gone.drone()).unreachable(gone.destination());
+    } else if (input instanceof SimInput.Dropped dropped) {
+      events.add(
+          new SimEvent.DatagramsDropped(
+              now, dropped.drone(), dropped.host(), dropped.count(), dropped.reason()));
+    } else if (input instanceof SimInput.TimeLost lost) {
+      noteLost(lost.all());
+      events.add(new SimEvent.TimeLost(now, lost.seconds(), clock));
+    }
   }
 
   private void apply(Control control) {
@@ -407,6 +448,21 @@ public final class Simulation {
 
   private SimDrone drone(int number) {
     return drones.get(number - 1);
+  }
+
+  private void check(Control control) {
+    if (control instanceof Control.ForDrone forDrone) {
+      checkNumber(forDrone.drone());
+    } else if (control instanceof Control.InjectFault injected) {
+      injected.fault().target().drone().ifPresent(this::checkNumber);
+    } else if (control instanceof Control.Restart restart) {
+      int given = restart.config().drones().size();
+      int most = snapshot.drones().size();
+      if (given != most) {
+        throw new IllegalArgumentException(
+            "config has " + given + " drones, but must have " + most);
+      }
+    }
   }
 
   private void checkNumber(int drone) {

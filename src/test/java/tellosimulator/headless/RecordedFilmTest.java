@@ -54,6 +54,7 @@ class RecordedFilmTest {
       List<String> seen = new ArrayList<>();
       try (HeadlessSimulator simulator = simulator(video.getLocalPort())) {
         simulator.record(RecordingFolder.at(folder), "film", List.of());
+        simulator.switchOn();
         InetSocketAddress drone = address(simulator);
         assertThat(ask(commands, "command", drone)).isEqualTo("ok");
         assertThat(ask(commands, "streamon", drone)).isEqualTo("ok");

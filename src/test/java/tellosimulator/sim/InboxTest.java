@@ -5,7 +5,7 @@ import static tellosimulator.testing.SteppedDrone.address;
 
 import org.junit.jupiter.api.Test;
 import tellosimulator.command.Peer;
-import tellosimulator.sim.Inbox.Datagram;
+import tellosimulator.sim.SimInput.Datagram;
 
 class InboxTest {
 

@@ -1,0 +1,113 @@
+package tellosimulator.cli;
+
+import java.io.IOException;
+import java.io.PrintStream;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.function.Supplier;
+import java.util.stream.Stream;
+import picocli.CommandLine;
+import picocli.CommandLine.IVersionProvider;
+import tellosimulator.comparison.ComparisonTable;
+import tellosimulator.comparison.FlightComparison;
+import tellosimulator.comparison.FlightComparison.Flight;
+import tellosimulator.comparison.Tolerance;
+import tellosimulator.files.IoReason;
+import tellosimulator.recording.RecordingFolder;
+import tellosimulator.recording.UnreadableRecordingException;
+import tellosimulator.replay.Difference;
+import tellosimulator.replay.Repetition;
+import tellosimulator.replay.Replay;
+
+/** Flies a recorded flight again, and says whether the result is the same. For one thread. */
+final class ReplaySubcommand implements Subcommand {
+
+  /** What is shown of a line that differs [characters]. */
+  private static final int LONGEST = 300;
+
+  private final Choices choices =
+      Choices.of(
+          SubcommandName.REPLAY,
+          "Flies a recorded flight again, with the same inputs after the same steps, and compares"
+              + " both recordings byte by byte.",
+          "Exit code 0: identical; 4: they differ; 1: cannot be read or written; 2: wrong options.");
+
+  private final Supplier<Path> folder = choices.recording("FOLDER");
+
+  private final Choice<Optional<Path>> record =
+      choices
+          .option("--record", "DIR", "Keep the second recording, in a folder of its own in DIR.")
+          .readIfGiven(OptionTypes::fileOrFolder);
+
+  @Override
+  public CommandLine commandLine(IVersionProvider version) {
+    return choices.commandLine(version);
+  }
+
+  @Override
+  public int run(ProgramOutput to) throws UnreadableRecordingException {
+    try {
+      if (record.value().isPresent()) {
+        return repeat(record.value().get(), to.out());
+      }
+      Path temporary = Files.createTempDirectory("tello-replay");
+      try {
+        return repeat(temporary, to.out());
+      } finally {
+        delete(temporary);
+      }
+    } catch (IOException e) {
+      to.err().println("The flight was not flown again: " + IoReason.of(e) + ".");
+      return ExitCode.FAILED;
+    }
+  }
+
+  private int repeat(Path into, PrintStream out) throws UnreadableRecordingException, IOException {
+    Repetition repetition = Replay.of(folder.get()).repeat(RecordingFolder.at(into));
+    repetition.remarks().forEach(remark -> out.println("remark: " + remark.english()));
+    if (record.value().isPresent()) {
+      out.println("recorded: " + repetition.recording());
+    }
+    if (repetition.identical()) {
+      out.println("identical");
+      return ExitCode.DONE;
+    }
+    out.println("The flights differ:");
+    repetition.differences().forEach(difference -> print(difference, out));
+    FlightComparison comparison =
+        FlightComparison.of(
+            Flight.read(folder.get()), Flight.read(repetition.recording()), Tolerance.DEFAULT);
+    new ComparisonTable(comparison, Tolerance.DEFAULT).print(out);
+    return ExitCode.FLIGHTS_DIFFER;
+  }
+
+  private static void print(Difference difference, PrintStream out) {
+    String when =
+        difference.time().isPresent()
+            ? String.format(Locale.ROOT, ", at %.3f s", difference.time().getAsDouble())
+            : "";
+    out.println("  " + difference.file() + ", line " + difference.line() + when);
+    out.println("    recorded: " + shown(difference.recorded()));
+    out.println("    replayed: " + shown(difference.replayed()));
+  }
+
+  private static String shown(String line) {
+    return line.isEmpty()
+        ? "nothing"
+        : line.length() > LONGEST ? line.substring(0, LONGEST) + "..." : line;
+  }
+
+  private static void delete(Path temporary) throws IOException {
+    List<Path> all;
+    try (Stream<Path> found = Files.walk(temporary)) {
+      all = found.sorted(Comparator.reverseOrder()).toList();
+    }
+    for (Path path : all) {
+      Files.delete(path);
+    }
+  }
+}

@@ -1,0 +1,84 @@
+package tellosimulator.recording;
+
+import java.io.BufferedReader;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Optional;
+
+/**
+ * The inputs of a recorded flight: what the simulation began from, and then all that came to it
+ * until the flight was over. They are read one after another, since they may be many. For one
+ * thread.
+ */
+public final class RecordedInputs implements AutoCloseable {
+
+  private final BufferedReader reader;
+  private final Start start;
+  private int damaged;
+
+  private RecordedInputs(BufferedReader reader, Start start) {
+    this.reader = reader;
+    this.start = start;
+  }
+
+  /**
+   * Opens those of a recording.
+   *
+   * @param folder in which it is
+   * @return empty if they are not kept, or this version does not know what they begin from
+   * @throws IOException if they cannot be read
+   */
+  public static Optional<RecordedInputs> open(Path folder) throws IOException {
+    Path file = folder.resolve(FlightFiles.INPUTS);
+    if (!Files.isRegularFile(file)) {
+      return Optional.empty();
+    }
+    BufferedReader reader = Files.newBufferedReader(file, StandardCharsets.ISO_8859_1);
+    try {
+      String first = reader.readLine();
+      if (first != null) {
+        return Optional.of(new RecordedInputs(reader, InputLines.start(first)));
+      }
+    } catch (IllegalArgumentException e) {
+      // it is from another version, or was damaged
+    } catch (IOException e) {
+      reader.close();
+      throw e;
+    }
+    reader.close();
+    return Optional.empty();
+  }
+
+  /** What the simulation began from. */
+  public Start start() {
+    return start;
+  }
+
+  /**
+   * The next one; empty after the last. Lines that are damaged are left out.
+   *
+   * @throws IOException if it cannot be read
+   */
+  public Optional<RecordedInput> next() throws IOException {
+    for (String line = reader.readLine(); line != null; line = reader.readLine()) {
+      try {
+        return Optional.of(InputLines.input(line));
+      } catch (IllegalArgumentException e) {
+        damaged++;
+      }
+    }
+    return Optional.empty();
+  }
+
+  /** How many lines were left out until now; the last one may have been cut off. */
+  public int damaged() {
+    return damaged;
+  }
+
+  @Override
+  public void close() throws IOException {
+    reader.close();
+  }
+}

@@ -1,0 +1,15 @@
+package tellosimulator.recording;
+
+import java.util.OptionalInt;
+import tellosimulator.goal.Challenge;
+import tellosimulator.sim.SimConfig;
+
+/**
+ * What a simulation began from; all that it did since follows from that and from its inputs.
+ * Immutable; for any thread.
+ *
+ * @param config what is simulated
+ * @param challenge what the drones shall do
+ * @param replyPort port to which all replies go; empty for the port each command came from
+ */
+public record Start(SimConfig config, Challenge challenge, OptionalInt replyPort) {}

@@ -1,0 +1,91 @@
+package tellosimulator.replay;
+
+import java.io.BufferedInputStream;
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+
+/**
+ * The lines of a recording's file that a simulation decides: without what the wall clock says, and
+ * without video, which follows that clock. A last line that was cut off is left out. For one
+ * thread.
+ */
+final class LineFile implements AutoCloseable {
+
+  /** Of video, whose digest tells nothing about a simulation. */
+  private static final String VIDEO = "\"kind\":\"video\"";
+
+  /** The wall clock of a line of {@code wire.jsonl}, which comes second. */
+  private static final Pattern WALL = Pattern.compile("^(\\{\"t\":[0-9.]+),\"wall\":-?[0-9]+");
+
+  /** The moment at which a line begins, in JSON and in CSV [s]. */
+  private static final Pattern TIME = Pattern.compile("^(?:\\{\"t\":)?([0-9]{1,9}\\.[0-9]{3}),");
+
+  private static final int BUFFER = 1 << 16;
+
+  private final InputStream in;
+  private final ByteArrayOutputStream line = new ByteArrayOutputStream();
+
+  /**
+   * Opens it; one that is missing has no lines.
+   *
+   * @throws IOException if it cannot be read
+   */
+  LineFile(Path file) throws IOException {
+    in =
+        Files.isRegularFile(file)
+            ? new BufferedInputStream(Files.newInputStream(file), BUFFER)
+            : InputStream.nullInputStream();
+  }
+
+  /** The next line; empty after the last. */
+  Optional<String> next() throws IOException {
+    Optional<String> next = whole();
+    while (next.isPresent() && next.get().contains(VIDEO)) {
+      next = whole();
+    }
+    return next.map(text -> WALL.matcher(text).replaceFirst("$1"));
+  }
+
+  private Optional<String> whole() throws IOException {
+    line.reset();
+    for (int read = in.read(); read >= 0; read = in.read()) {
+      if (read == '\n') {
+        return Optional.of(line.toString(StandardCharsets.UTF_8));
+      }
+      line.write(read);
+    }
+    return Optional.empty();
+  }
+
+  /** The moment that a line tells of [s]; empty if it tells of none. */
+  static OptionalDouble time(String line) {
+    Matcher matcher = TIME.matcher(line);
+    return matcher.find()
+        ? OptionalDouble.of(Double.parseDouble(matcher.group(1)))
+        : OptionalDouble.empty();
+  }
+
+  /** The last moment that a file tells of [s]; 0 if it tells of none. */
+  static double lastTime(Path file) throws IOException {
+    double last = 0;
+    try (LineFile lines = new LineFile(file)) {
+      for (Optional<String> next = lines.next(); next.isPresent(); next = lines.next()) {
+        last = Math.max(last, time(next.get()).orElse(0));
+      }
+    }
+    return last;
+  }
+
+  @Override
+  public void close() throws IOException {
+    in.close();
+  }
+}

@@ -1,0 +1,296 @@
+package tellosimulator.replay;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.OptionalDouble;
+import java.util.OptionalInt;
+import java.util.concurrent.TimeUnit;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import tellosimulator.fault.LinkPreset;
+import tellosimulator.goal.Challenge;
+import tellosimulator.goal.Goal;
+import tellosimulator.goal.Spot;
+import tellosimulator.math.Vec3;
+import tellosimulator.profile.Behaviour;
+import tellosimulator.profile.Profile;
+import tellosimulator.recording.RecordingFolder;
+import tellosimulator.scenario.Scenario;
+import tellosimulator.sim.SimConfig;
+import tellosimulator.sim.Swarm;
+import tellosimulator.time.TimeFactor;
+import tellosimulator.world.Cover;
+import tellosimulator.world.Obstacle;
+import tellosimulator.world.Room;
+import tellosimulator.world.Shape;
+
+@Timeout(value = 300, unit = TimeUnit.SECONDS, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
+class ReplayTest {
+
+  private static final Room HALL = new Room(9, 9, 4);
+
+  @TempDir private Path parent;
+
+  private static Scenario scenario(int drones, TimeFactor factor, Behaviour behaviour) {
+    Obstacle pole =
+        new Obstacle("pole", new Shape.Cylinder(0.1, 2), new Vec3(1.5, 0, 0), 0, Cover.DEFAULT);
+    SimConfig config =
+        SimConfig.DEFAULT
+            .withRoom(HALL, Swarm.row(drones, Vec3.ZERO, HALL))
+            .withProduct(Profile.EDU, behaviour)
+            .withTimeFactor(factor)
+            .withLink(LinkPreset.IDEAL) // a program that waits for a lost reply waits for ever
+            .withSeed(3);
+    Challenge challenge =
+        new Challenge(
+            List.of(new Goal.Reach(OptionalInt.empty(), new Spot(new Vec3(0.5, 0, 0.8), 0.3))),
+            true,
+            OptionalDouble.empty(),
+            false);
+    Scenario plain = Scenario.of(config.withArena(config.arena().withObstacles(List.of(pole))));
+    return new Scenario("Test", "", plain.config(), plain.stations(), challenge);
+  }
+
+  private static final String MOVES =
+      """
+      1 command
+      1 battery?
+      1 takeoff
+      1 forward 50
+      1 cw 90
+      1 curve 25 -25 0 25 -75 0 40
+      1 flip l
+      1 foo
+      1 forward 5
+      1 land
+      """;
+
+  private static final String STICKS =
+      """
+      1 command
+      1 takeoff
+      !1 rc 20 30 0 0
+      states 10
+      !1 rc 0 0 0 40
+      1 attitude?
+      states 5
+      !1 rc 0 0 0 0
+      1 up 30
+      !1 emergency
+      states 20
+      1 battery?
+      1 takeoff
+      1 land
+      """;
+
+  private static final String SWARM =
+      """
+      1 command
+      2 command
+      fault loss state 30% burst 2 drone 1
+      fault delay commands 20ms spread 30ms
+      fault corrupt state 20% drone 2
+      1 takeoff
+      2 takeoff
+      wind 1.5 0.3 0.7
+      !1 rc 30 0 0 0
+      states 8
+      !2 rc -30 0 0 0
+      states 20
+      1 stop
+      2 tof?
+      2 land
+      1 land
+      """;
+
+  private static final String COLLISION =
+      """
+      1 command
+      1 takeoff
+      !1 forward 300
+      states 40
+      1 battery?
+      states 40
+      reset 1
+      1 command
+      1 takeoff
+      1 back 50
+      1 land
+      """;
+
+  private static final String FLIGHTS =
+      """
+      1 command
+      1 takeoff
+      !1 forward 100
+      states 5
+      reset 1
+      start 1 0.123456789 -0.3 0.7
+      battery 1 61.7
+      1 command
+      1 takeoff
+      1 forward 50
+      power 1 off
+      power 1 on
+      1 command
+      pass 3.5
+      1 takeoff
+      1 left 40
+      1 land
+      pass 4
+      """;
+
+  private static final String ANEW =
+      """
+      1 command
+      1 takeoff
+      1 forward 100
+      restart 77
+      1 command
+      1 takeoff
+      1 right 60
+      1 land
+      """;
+
+  private static final String FLOOD =
+      """
+      1 command
+      1 takeoff
+      flood 200
+      states 3
+      1 land
+      """;
+
+  @Test
+  void whatDiffersIsToldWithItsMoment() throws Exception {
+    Path flight = flown(MOVES).get(0);
+    change(flight, "inputs.jsonl", "forward 50", "forward 60");
+
+    Repetition repetition = repeated(flight);
+
+    assertThat(repetition.identical()).isFalse();
+    assertThat(repetition.differences())
+        .extracting(Difference::file)
+        .contains("wire.jsonl", "events.jsonl", "flight.csv");
+    Difference wire = repetition.differences().get(0);
+    assertThat(wire.time()).isPresent();
+    assertThat(wire.recorded()).contains("forward 50");
+    assertThat(wire.replayed()).contains("forward 60");
+  }
+
+  @Test
+  void aRecordingThatWasCutOffIsComparedAsFarAsItGoes() throws Exception {
+    Path flight = flown(MOVES).get(0);
+    change(flight, "run.json", ", \"ended\": [0-9.]+", "");
+    Files.delete(flight.resolve("goals.json"));
+    for (String file : List.of("wire.jsonl", "events.jsonl", "flight.csv")) {
+      byte[] all = Files.readAllBytes(flight.resolve(file));
+      Files.write(flight.resolve(file), Arrays.copyOf(all, all.length * 2 / 3));
+    }
+
+    Repetition repetition = repeated(flight);
+
+    assertThat(repetition.differences()).extracting(Difference::file).isSubsetOf("goals.json");
+    assertThat(repetition.remarks()).singleElement().asString().contains("cut off");
+  }
+
+  @Test
+  void withoutInputsTheSameCommandsAreFlown() throws Exception {
+    Path flight = flown(MOVES).get(0);
+    Files.delete(flight.resolve("inputs.jsonl"));
+
+    Replay replay = Replay.of(flight);
+    Repetition repetition = repeated(flight);
+
+    assertThat(replay.exact()).isFalse();
+    assertThat(repetition.remarks()).singleElement().asString().contains("only its commands");
+    assertThat(Files.readString(repetition.recording().resolve("wire.jsonl")))
+        .contains("forward 50", "flip l");
+  }
+
+  private List<Path> flown(String program) throws IOException {
+    return RecordedProgram.run(
+        scenario(1, TimeFactor.MAX, Behaviour.REPORT), program, parent.resolve("flown"));
+  }
+
+  private Repetition repeated(Path flight) throws Exception {
+    return Replay.of(flight).repeat(RecordingFolder.at(parent.resolve("replayed")));
+  }
+
+  private static void change(Path folder, String file, String part, String replacement)
+      throws IOException {
+    String before = Files.readString(folder.resolve(file));
+    String after = before.replaceAll(part, replacement);
+    assertThat(after).isNotEqualTo(before);
+    Files.writeString(folder.resolve(file), after);
+  }
+
+  @ParameterizedTest(name = "{0} {1} {2}")
+  @CsvSource(
+      textBlock =
+          """
+          MOVES,     max, report
+          MOVES,     40,  measured
+          STICKS,    max, measured
+          STICKS,    20,  report
+          SWARM,     max, measured
+          SWARM,     20,  report
+          COLLISION, max, measured
+          COLLISION, 20,  report
+          FLIGHTS,   max, measured
+          FLIGHTS,   40,  report
+          ANEW,      max, measured
+          ANEW,      40,  report
+          FLOOD,     10,  measured
+          """)
+  void whatCameOverSocketsIsFlownAgainToTheByte(String name, String factor, String behaviour)
+      throws Exception {
+    String program = PROGRAMS.get(name);
+    TimeFactor pace =
+        factor.equals("max") ? TimeFactor.MAX : new TimeFactor(Double.parseDouble(factor));
+    List<Path> flights =
+        RecordedProgram.run(
+            scenario(
+                name.equals("SWARM") ? 2 : 1,
+                pace,
+                Behaviour.valueOf(behaviour.toUpperCase(Locale.ROOT))),
+            program,
+            parent.resolve("flown"));
+
+    assertThat(flights).isNotEmpty();
+    for (Path flight : flights) {
+      Repetition repetition =
+          Replay.of(flight).repeat(RecordingFolder.at(parent.resolve("replayed")));
+      assertThat(repetition.remarks()).isEmpty();
+      assertThat(repetition.differences()).as(flight.toString()).isEmpty();
+      assertThat(Files.size(repetition.recording().resolve("wire.jsonl"))).isGreaterThan(500);
+    }
+  }
+
+  private static final Map<String, String> PROGRAMS =
+      Map.of(
+          "MOVES",
+          MOVES,
+          "STICKS",
+          STICKS,
+          "SWARM",
+          SWARM,
+          "COLLISION",
+          COLLISION,
+          "FLIGHTS",
+          FLIGHTS,
+          "ANEW",
+          ANEW,
+          "FLOOD",
+          FLOOD);
+}
