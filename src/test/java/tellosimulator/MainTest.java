@@ -90,6 +90,7 @@ class MainTest {
           --control 0 | --control needs --headless. Try --help.
           --ghost x | --ghost needs --replay. Try --help.
           --headless --replay x | --replay shows a flight in a window; without one, report FOLDER makes a page of it, which any browser shows. Try --help.
+          --exit-when-done --replay x | --exit-when-done does not go with --replay. Try --help.
           --headless --control 70000 | Invalid value for option '--control': expected a port from 1 to 65535, or 0 for a free one, found 70000. Try --help.
           --headless --control 0 --exit-when-done --scenario slalom | --control does not go with --exit-when-done. Try --help.
           --headless --timeout 20 --scenario slalom | --timeout needs --exit-when-done. Try --help.

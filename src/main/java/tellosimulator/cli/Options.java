@@ -247,7 +247,7 @@ public final class Options {
    * @throws IllegalArgumentException with a sentence, if it does not
    */
   public void checkReplay() {
-    replayOptions.check(headless());
+    replayOptions.check(headless(), exitWhenDone());
   }
 
   /** The port of the control channel, 0 for a free one; empty for no such channel. */

@@ -46,7 +46,7 @@ final class ReplayOptions {
    *
    * @throws IllegalArgumentException with a sentence, if they do not
    */
-  void check(boolean headless) {
+  void check(boolean headless, boolean exitWhenDone) {
     if (ghost().isPresent() && folder().isEmpty()) {
       throw new IllegalArgumentException(GHOST + " needs " + REPLAY);
     }
@@ -55,6 +55,10 @@ final class ReplayOptions {
           REPLAY
               + " shows a flight in a window; without one, report FOLDER makes a page of it, which"
               + " any browser shows");
+    }
+    if (folder().isPresent() && exitWhenDone) {
+      throw new IllegalArgumentException(
+          ScenarioOptions.EXIT_WHEN_DONE + " does not go with " + REPLAY);
     }
   }
 }
