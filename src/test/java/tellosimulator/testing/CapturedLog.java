@@ -3,7 +3,10 @@ package tellosimulator.testing;
 import ch.qos.logback.classic.Logger;
 import ch.qos.logback.classic.spi.ILoggingEvent;
 import ch.qos.logback.core.UnsynchronizedAppenderBase;
+import java.util.Collections;
 import java.util.List;
+import java.util.Set;
+import java.util.WeakHashMap;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
@@ -17,6 +20,11 @@ public final class CapturedLog extends UnsynchronizedAppenderBase<ILoggingEvent>
     implements AutoCloseable {
 
   private final BlockingQueue<ILoggingEvent> events = new LinkedBlockingQueue<>();
+
+  /** What was captured; while one closes, its events may still be on their way up to the root. */
+  private static final Set<ILoggingEvent> TAKEN =
+      Collections.synchronizedSet(Collections.newSetFromMap(new WeakHashMap<>()));
+
   private final Logger logger;
   private volatile boolean lookedAt;
 
@@ -31,6 +39,11 @@ public final class CapturedLog extends UnsynchronizedAppenderBase<ILoggingEvent>
     log.logger.addAppender(log);
     log.logger.setAdditive(false);
     return log;
+  }
+
+  /** Whether somebody captured an event. */
+  static boolean took(ILoggingEvent event) {
+    return TAKEN.contains(event);
   }
 
   /** Waits for the next sentence. */
@@ -56,6 +69,7 @@ public final class CapturedLog extends UnsynchronizedAppenderBase<ILoggingEvent>
 
   @Override
   protected void append(ILoggingEvent event) {
+    TAKEN.add(event);
     events.add(event);
   }
 

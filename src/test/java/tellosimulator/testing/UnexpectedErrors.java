@@ -77,7 +77,7 @@ public final class UnexpectedErrors
 
     @Override
     protected void append(ILoggingEvent event) {
-      if (asksForReport(event)) {
+      if (asksForReport(event) && !CapturedLog.took(event)) {
         errors.add(event.getThreadName() + ": " + event.getFormattedMessage());
       }
     }
