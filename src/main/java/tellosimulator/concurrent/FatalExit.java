@@ -64,12 +64,22 @@ public final class FatalExit implements Thread.UncaughtExceptionHandler {
     try {
       if (Worker.owns(thread) || Exceptions.isFatal(failure)) {
         end(thread, failure);
-      } else {
+      } else if (!shuttingDown()) { // or toolkits fail in threads that have not heard of the end
         LoggerFactory.getLogger(FatalExit.class).error("Unexpected, please report it", failure);
       }
     } catch (Throwable another) { // there is no memory even for the end
       standardError.write(OUT_OF_MEMORY);
       halt.accept(CODE);
+    }
+  }
+
+  /** Whether the virtual machine ends: only then it refuses to forget a hook. */
+  private static boolean shuttingDown() {
+    try {
+      Runtime.getRuntime().removeShutdownHook(Thread.currentThread());
+      return false;
+    } catch (IllegalStateException ending) {
+      return true;
     }
   }
 

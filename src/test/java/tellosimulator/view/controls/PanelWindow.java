@@ -29,6 +29,7 @@ import org.testfx.api.FxRobot;
 import org.testfx.service.query.EmptyNodeQueryException;
 import org.testfx.util.WaitForAsyncUtils;
 import tellosimulator.math.Vec3;
+import tellosimulator.model.FlightPhase;
 import tellosimulator.network.AddressPlan;
 import tellosimulator.network.OnlineSimulation;
 import tellosimulator.network.PortTakenException;
@@ -169,6 +170,7 @@ final class PanelWindow implements AutoCloseable {
 
   /** Sends commands one after the other and returns the last reply. */
   String fly(String... commands) throws IOException {
+    until(() -> drone(1).state().phase() != FlightPhase.OFF);
     InetSocketAddress drone = simulation.addresses(1).get(0);
     try (DatagramSocket socket = new DatagramSocket(address("127.0.0.1", 0))) {
       socket.setSoTimeout(20_000);
