@@ -137,7 +137,6 @@ class DroneProxyTest {
 
   @Test
   void stateAndVideoComeFromWhereCommandsAreTaken() throws IOException {
-    drone.send("early", stateInlet());
     exchange(operator, "command", "ok");
     for (int i = 0; i < 100; i++) {
       drone.send("mid:-1;n:" + i + ";\r\n", stateInlet());
