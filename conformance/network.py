@@ -67,6 +67,8 @@ class PrivateNetwork:
         return self
 
     def __exit__(self, *failure):
+        # Without its keeper the cable would go by itself, but some time later.
+        _ip("link", "delete", "drone")
         self._keeper.communicate(timeout=5)
 
     def way_in(self):
