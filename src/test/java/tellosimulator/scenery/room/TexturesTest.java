@@ -20,10 +20,10 @@ class TexturesTest {
   @CsvSource(
       textBlock =
           """
-          bricks,    -1427392798
-          hexagons,  -1199305545
+          bricks,    -582284616
+          hexagons,  660391525
           boards,    2073844047
-          triangles, 2049821430
+          triangles, 2076412578
           panels,    -2024680950
           parquet,   -1796736606
           """)
