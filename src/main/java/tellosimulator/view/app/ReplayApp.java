@@ -2,8 +2,6 @@ package tellosimulator.view.app;
 
 import java.util.Locale;
 import java.util.Optional;
-import java.util.concurrent.CountDownLatch;
-import javafx.application.Platform;
 import javafx.stage.Stage;
 import tellosimulator.view.layout.WindowState;
 import tellosimulator.view.replay.ReplayFlight;
@@ -17,8 +15,6 @@ public final class ReplayApp {
 
   private final ReplayFlight flight;
   private final Optional<ReplayFlight> ghost;
-  private final CountDownLatch closed = new CountDownLatch(1);
-  private volatile boolean failed;
 
   /**
    * One that shows a flight.
@@ -39,19 +35,7 @@ public final class ReplayApp {
    * @throws InterruptedException if the program is to end
    */
   public boolean run(Settings settings, WindowState state) throws InterruptedException {
-    Platform.runLater(
-        () -> {
-          try {
-            show(new Stage(), settings, state);
-          } catch (RuntimeException e) {
-            failed = true;
-            closed.countDown(); // or the program would go on, with nothing to be seen of it
-            throw e;
-          }
-        });
-    closed.await();
-    Platform.exit();
-    return !failed;
+    return Toolkit.run(stage -> show(stage, settings, state));
   }
 
   /** Shows the window in a stage. For the JavaFX thread. */
@@ -65,7 +49,6 @@ public final class ReplayApp {
         hidden -> {
           window.close();
           settings.save();
-          closed.countDown();
         });
     window.show();
     InitialStageSize.hold(stage);

@@ -6,7 +6,6 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalInt;
-import java.util.concurrent.CountDownLatch;
 import java.util.function.Function;
 import java.util.function.Predicate;
 import java.util.function.UnaryOperator;
@@ -69,9 +68,7 @@ public final class SimulatorApp implements AutoCloseable, ScenarioActions {
   private final Rules rules;
   private final DroneOptics optics;
   private final LastFlightReport report;
-  private final CountDownLatch closed = new CountDownLatch(1);
   private volatile ScenarioSession running;
-  private volatile boolean failed;
   private Frame frame;
   private Optional<FileWatcher> watch = Optional.empty();
 
@@ -128,19 +125,7 @@ public final class SimulatorApp implements AutoCloseable, ScenarioActions {
    * @return whether there was a window; if not, the log says why
    */
   public boolean run(Settings settings, WindowState state) throws InterruptedException {
-    Platform.runLater(
-        () -> {
-          try {
-            show(new Stage(), settings, state);
-          } catch (RuntimeException e) {
-            failed = true;
-            closed.countDown(); // or the program would go on, with nothing to be seen of it
-            throw e;
-          }
-        });
-    closed.await();
-    Platform.exit();
-    return !failed;
+    return Toolkit.run(stage -> show(stage, settings, state));
   }
 
   /** Shows the window in a stage. For the JavaFX thread. */
@@ -157,7 +142,6 @@ public final class SimulatorApp implements AutoCloseable, ScenarioActions {
         hidden -> {
           running.leave();
           settings.save();
-          closed.countDown();
         });
     WindowPlacement.remember(stage, settings);
     show(running);

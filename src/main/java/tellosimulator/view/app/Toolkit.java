@@ -2,8 +2,12 @@ package tellosimulator.view.app;
 
 import java.util.Optional;
 import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.function.Consumer;
 import javafx.application.ConditionalFeature;
 import javafx.application.Platform;
+import javafx.stage.Stage;
+import javafx.stage.WindowEvent;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -48,6 +52,34 @@ public final class Toolkit {
       LOG.warn("The processor draws the room, as this display cannot do 3D. {}", WHAT_HELPS);
     }
     return Optional.empty();
+  }
+
+  /**
+   * Shows a window in a stage of its own, returns after it was closed, and ends JavaFX, which must
+   * run.
+   *
+   * @param show what shows it; called on the JavaFX thread
+   * @return whether there was a window; if not, the log says why
+   */
+  static boolean run(Consumer<Stage> show) throws InterruptedException {
+    CountDownLatch closed = new CountDownLatch(1);
+    AtomicBoolean failed = new AtomicBoolean();
+    Platform.runLater(
+        () -> {
+          try {
+            Stage stage = new Stage();
+            stage.addEventHandler( // later, as other handlers of this event save what is to be kept
+                WindowEvent.WINDOW_HIDDEN, hidden -> Platform.runLater(closed::countDown));
+            show.accept(stage);
+          } catch (RuntimeException e) {
+            failed.set(true);
+            closed.countDown(); // or the program would go on, with nothing to be seen of it
+            throw e;
+          }
+        });
+    closed.await();
+    Platform.exit();
+    return !failed.get();
   }
 
   private static boolean nativesAreThere() {
