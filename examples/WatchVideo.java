@@ -157,12 +157,12 @@ public final class WatchVideo {
     int[] rgb = new int[width * height];
     for (int y = 0; y < height; y++) {
       int bright = y * picture.getPlaneWidth(0);
-      int colour = y / 2 * picture.getPlaneWidth(1);
+      int color = y / 2 * picture.getPlaneWidth(1);
       for (int x = 0; x < width; x++) {
         // JCodec's bytes are signed, 128 less than in the standard; factors are times 1024
         int light = 1192 * (lights[bright + x] + 128 - 16) + 512;
-        int blue = blues[colour + x / 2];
-        int red = reds[colour + x / 2];
+        int blue = blues[color + x / 2];
+        int red = reds[color + x / 2];
         rgb[y * width + x] =
             byteOf(light + 1634 * red) << 16
                 | byteOf(light - 401 * blue - 832 * red) << 8

@@ -66,7 +66,7 @@ class ExamplesTest {
   @TempDir private Path scratch;
 
   @Test
-  void firstFlightEndsAMetreAheadTurnedToTheRight() throws Exception {
+  void firstFlightEndsAMeterAheadTurnedToTheRight() throws Exception {
     try (Flight flight = new Flight(1)) {
       Ended ended = java("FirstFlight", "", flight.host(), flight.port());
 

@@ -38,8 +38,8 @@ final class OptionTypes {
 
   /** A place on the floor in centimetres. */
   record Point(double x, double y) {
-    Vec3 inMetres() {
-      return new Vec3(Frames.metres(x), Frames.metres(y), 0);
+    Vec3 inMeters() {
+      return new Vec3(Frames.meters(x), Frames.meters(y), 0);
     }
   }
 
@@ -194,7 +194,7 @@ final class OptionTypes {
       throw mistake("width, depth and height in cm such as 500x500x300", word);
     }
     try {
-      return new Room(metres(sizes, 1), metres(sizes, 2), metres(sizes, 3));
+      return new Room(meters(sizes, 1), meters(sizes, 2), meters(sizes, 3));
     } catch (IllegalArgumentException e) {
       throw mistake("width, depth and height from 100 to 20000 cm", word);
     }
@@ -217,7 +217,7 @@ final class OptionTypes {
       throw mistake("front, back, left, right, floor or ceiling", parts.group(1));
     }
     try {
-      return new Poster(wall, metres(parts, 2), metres(parts, 3), metres(parts, 4), parts.group(5));
+      return new Poster(wall, meters(parts, 2), meters(parts, 3), meters(parts, 4), parts.group(5));
     } catch (IllegalArgumentException e) {
       throw mistake("a width from 1 to 20000 cm", parts.group(4));
     }
@@ -277,8 +277,8 @@ final class OptionTypes {
         "expected " + expected + ", found " + (word.isEmpty() ? "nothing" : word));
   }
 
-  private static double metres(Matcher sizes, int group) {
-    return Frames.metres(Double.parseDouble(sizes.group(group)));
+  private static double meters(Matcher sizes, int group) {
+    return Frames.meters(Double.parseDouble(sizes.group(group)));
   }
 
   private static <T> T byName(String word, List<T> values, Function<T, String> name) {

@@ -72,6 +72,6 @@ final class RoomOptions {
 
   /** Around where the drones start, room frame [m]. */
   Vec3 start() {
-    return start.value().inMetres();
+    return start.value().inMeters();
   }
 }

@@ -34,8 +34,8 @@ record Arguments(List<String> words) {
     return (int) number(index);
   }
 
-  double metres(int index) {
-    return Frames.metres(number(index));
+  double meters(int index) {
+    return Frames.meters(number(index));
   }
 
   /** Radians counter-clockwise of degrees clockwise. */
@@ -45,7 +45,7 @@ record Arguments(List<String> words) {
 
   /** Three words in centimetres from {@code index} on [m]. */
   Vec3 point(int index) {
-    return new Vec3(metres(index), metres(index + 1), metres(index + 2));
+    return new Vec3(meters(index), meters(index + 1), meters(index + 2));
   }
 
   PadChoice pad(int index) {

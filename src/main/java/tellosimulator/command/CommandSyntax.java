@@ -3,7 +3,7 @@ package tellosimulator.command;
 import static tellosimulator.command.GeometryRules.CUBE;
 import static tellosimulator.command.Parameter.choice;
 import static tellosimulator.command.Parameter.cm;
-import static tellosimulator.command.Parameter.colour;
+import static tellosimulator.command.Parameter.color;
 import static tellosimulator.command.Parameter.curveSpeed;
 import static tellosimulator.command.Parameter.hertz;
 import static tellosimulator.command.Parameter.number;
@@ -62,12 +62,12 @@ public enum CommandSyntax {
           .answers("`ok` at once, `forced stop` when the drone stands still")
           .from("FHNW report; tello-asyncio 13"),
       a -> new Command.Stop()),
-  UP(move("up"), a -> new Command.Move(Direction.UP, a.metres(0))),
-  DOWN(move("down"), a -> new Command.Move(Direction.DOWN, a.metres(0))),
-  LEFT(move("left"), a -> new Command.Move(Direction.LEFT, a.metres(0))),
-  RIGHT(move("right"), a -> new Command.Move(Direction.RIGHT, a.metres(0))),
-  FORWARD(move("forward"), a -> new Command.Move(Direction.FORWARD, a.metres(0))),
-  BACK(move("back"), a -> new Command.Move(Direction.BACK, a.metres(0))),
+  UP(move("up"), a -> new Command.Move(Direction.UP, a.meters(0))),
+  DOWN(move("down"), a -> new Command.Move(Direction.DOWN, a.meters(0))),
+  LEFT(move("left"), a -> new Command.Move(Direction.LEFT, a.meters(0))),
+  RIGHT(move("right"), a -> new Command.Move(Direction.RIGHT, a.meters(0))),
+  FORWARD(move("forward"), a -> new Command.Move(Direction.FORWARD, a.meters(0))),
+  BACK(move("back"), a -> new Command.Move(Direction.BACK, a.meters(0))),
   CW(turn("cw"), a -> new Command.Turn(a.heading(0))),
   CCW(turn("ccw"), a -> new Command.Turn(-a.heading(0))),
   FLIP(
@@ -82,21 +82,21 @@ public enum CommandSyntax {
           .flight()
           .rule(CUBE, (a, profile) -> GeometryRules.go(a))
           .from("FHNW report; DJITelloPy 191, 236"),
-      a -> new Command.Go(a.point(0), a.metres(3))),
+      a -> new Command.Go(a.point(0), a.meters(3))),
   GO_TO_PAD(
       row("go", SDK_2_0)
           .with(cm("x"), cm("y"), cm("z"), number("speed", "cm/s", 10, 100), pad("mid"))
           .flight()
           .rule(CUBE + "; profile `tt`: z from 0", GeometryRules::goToPad)
           .from("SDK 2.0 and 3.0 guides; tello-asyncio 4"),
-      a -> new Command.GoToPad(a.point(0), a.metres(3), a.pad(4))),
+      a -> new Command.GoToPad(a.point(0), a.meters(3), a.pad(4))),
   CURVE(
       row("curve", SDK_1_3)
           .with(cm("x1"), cm("y1"), cm("z1"), cm("x2"), cm("y2"), cm("z2"), curveSpeed())
           .flight()
           .rule(CUBE + "; radius 0.5 to 10 m", (a, profile) -> GeometryRules.curve(a))
           .from("FHNW report; SDK 2.0 guide"),
-      a -> new Command.Curve(GeometryRules.arc(a), a.metres(6))),
+      a -> new Command.Curve(GeometryRules.arc(a), a.meters(6))),
   CURVE_OVER_PAD(
       row("curve", SDK_2_0)
           .with(
@@ -104,7 +104,7 @@ public enum CommandSyntax {
           .flight()
           .rule(CUBE + "; profile `tt`: z1 and z2 from 0", GeometryRules::curveOverPad)
           .from("SDK 2.0 and 3.0 guides; pad guides"),
-      a -> new Command.CurveOverPad(a.point(0), a.point(3), a.metres(6), a.pad(7))),
+      a -> new Command.CurveOverPad(a.point(0), a.point(3), a.meters(6), a.pad(7))),
   JUMP(
       row("jump", SDK_2_0)
           .with(
@@ -120,12 +120,12 @@ public enum CommandSyntax {
           .from("SDK 2.0 and 3.0 guides; pad guides"),
       a ->
           new Command.Jump(
-              new Command.GoToPad(a.point(0), a.metres(3), a.pad(5)),
+              new Command.GoToPad(a.point(0), a.meters(3), a.pad(5)),
               StrictMath.toRadians(a.number(4)), // in a pad's frame as RoboMaster SDK counts it
               a.pad(6))),
   SPEED(
       row("speed", SDK_1_3).with(number("x", "cm/s", 10, 100)).from("FHNW report; decided"),
-      a -> new Command.SetSpeed(a.metres(0))),
+      a -> new Command.SetSpeed(a.meters(0))),
   RC(
       row("rc", SDK_1_3)
           .with(stick("a"), stick("b"), stick("c"), stick("d"))
@@ -221,10 +221,10 @@ public enum CommandSyntax {
   BOARD_MATRIX(board("EXT mled g", "matrix").with(word("pattern")), acknowledge("matrix ok")),
   BOARD_MATRIX_MOVE(
       board("EXT mled", "matrix")
-          .with(choice("direction", "l", "r", "u", "d"), colour(), hertz(), text("text")),
+          .with(choice("direction", "l", "r", "u", "d"), color(), hertz(), text("text")),
       acknowledge("matrix ok")),
   BOARD_MATRIX_CHARACTER(
-      board("EXT mled s", "matrix").with(colour(), word("character")), acknowledge("matrix ok")),
+      board("EXT mled s", "matrix").with(color(), word("character")), acknowledge("matrix ok")),
   BOARD_MATRIX_BOOT(board("EXT mled sg", "matrix").with(word("pattern")), acknowledge("matrix ok")),
   BOARD_MATRIX_CLEAR(board("EXT mled sc", "matrix"), acknowledge("matrix ok")),
   BOARD_MATRIX_LIGHT(

@@ -84,7 +84,7 @@ sealed interface Parameter {
     return number("t", "Hz", 0.1, 2.5);
   }
 
-  static Parameter colour() {
+  static Parameter color() {
     return choice("colour", "r", "b", "p");
   }
 

@@ -10,9 +10,9 @@ package tellosimulator.command;
  */
 public record Sticks(double right, double forward, double up, double clockwise) {
 
-  public static final Sticks CENTRED = new Sticks(0, 0, 0, 0);
+  public static final Sticks CENTERED = new Sticks(0, 0, 0, 0);
 
-  public boolean centred() {
-    return equals(CENTRED) || (right == 0 && forward == 0 && up == 0 && clockwise == 0);
+  public boolean centered() {
+    return equals(CENTERED) || (right == 0 && forward == 0 && up == 0 && clockwise == 0);
   }
 }

@@ -9,7 +9,7 @@ import tellosimulator.controller.FlightEvent.Crashed;
 import tellosimulator.controller.FlightEvent.Dropped;
 import tellosimulator.controller.FlightEvent.Fell;
 import tellosimulator.controller.FlightEvent.Landed;
-import tellosimulator.controller.FlightEvent.LandingCancelled;
+import tellosimulator.controller.FlightEvent.LandingCanceled;
 import tellosimulator.controller.FlightEvent.LandsByItself;
 import tellosimulator.controller.FlightEvent.TookOff;
 import tellosimulator.math.Vec3;
@@ -107,7 +107,7 @@ final class Flight {
 
   /** Why time must pass for it; sticks that are out of the centre steer without end. */
   Demand demand() {
-    boolean steered = flying() && (!rc.sticks().centred() || autopilot.drifts());
+    boolean steered = flying() && (!rc.sticks().centered() || autopilot.drifts());
     boolean settled = (steered || rc.atRest()) && autopilot.maneuver().atRest();
     boolean falls = !flying() && !model.resting();
     if (answers() || (flying() && !settled) || falls || forcedStop.pending()) {
@@ -137,7 +137,7 @@ final class Flight {
   /** A command arrived: a safety landing ends, the drone hovers. */
   void cancelSafetyLanding() {
     if (landingForSilence) {
-      observer.happened(new LandingCancelled());
+      observer.happened(new LandingCanceled());
       hover();
     }
   }
@@ -185,7 +185,7 @@ final class Flight {
 
   /** Centres the sticks, brakes, and answers the second time when it stands still. */
   void stop(Responder responder) {
-    rc.set(Sticks.CENTRED, now);
+    rc.set(Sticks.CENTERED, now);
     hover();
     forcedStop.expect(responder, now);
   }
@@ -214,7 +214,7 @@ final class Flight {
   void reset() {
     boolean powered = model.phase() != FlightPhase.OFF;
     motorsOff(powered ? FlightPhase.GROUNDED : FlightPhase.OFF);
-    rc.centre();
+    rc.center();
     contacts.forget();
     lastContact = now;
   }
@@ -273,7 +273,7 @@ final class Flight {
         case RUNNING -> {}
       }
     }
-    forcedStop.report(now, model.motion(), task == Task.NOBODY && rc.sticks().centred());
+    forcedStop.report(now, model.motion(), task == Task.NOBODY && rc.sticks().centered());
   }
 
   /** Lands if the battery or a silent operator asks for it. */

@@ -45,7 +45,7 @@ public sealed interface FlightEvent {
   }
 
   /** A command ended a safety landing. */
-  record LandingCancelled() implements FlightEvent {
+  record LandingCanceled() implements FlightEvent {
     @Override
     public Phrase phrase() {
       return Phrase.of("stays in the air, because a command arrived during the safety landing");

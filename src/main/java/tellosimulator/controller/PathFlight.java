@@ -25,7 +25,7 @@ final class PathFlight implements Maneuver {
    */
   PathFlight(Path path, double speed, double heading) {
     this.path = path;
-    double peak = DroneSpec.PEAK_SPEED_OVER_ONE_METRE * Math.sqrt(path.length());
+    double peak = DroneSpec.PEAK_SPEED_OVER_ONE_METER * Math.sqrt(path.length());
     this.profile =
         SpeedProfile.over(
             path.length(), Math.min(speed, peak), DroneSpec.ACCELERATION, DroneSpec.BRAKING);

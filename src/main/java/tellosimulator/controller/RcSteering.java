@@ -27,7 +27,7 @@ final class RcSteering {
 
   RcSteering(Behaviour behaviour) {
     this.behaviour = behaviour;
-    centre();
+    center();
   }
 
   /** New values; they stay until the next ones. */
@@ -44,17 +44,17 @@ final class RcSteering {
   }
 
   /** Forgets all values, as reset and power-off do. */
-  void centre() {
+  void center() {
     changes.clear();
-    changes.add(new Change(SimTime.ZERO, Sticks.CENTRED));
+    changes.add(new Change(SimTime.ZERO, Sticks.CENTERED));
     still();
   }
 
   /** The drone stands: the values are kept, and act from lift-off on as if set then. */
   void hold(SimTime now) {
     Sticks kept = sticks();
-    centre();
-    if (!kept.centred()) {
+    center();
+    if (!kept.centered()) {
       changes.add(new Change(now, kept));
     }
   }
@@ -68,7 +68,7 @@ final class RcSteering {
 
   /** Whether no stick moves the drone, now or soon. */
   boolean atRest() {
-    return changes.size() == 1 && sticks().centred() && velocity.equals(Vec3.ZERO) && yawRate == 0;
+    return changes.size() == 1 && sticks().centered() && velocity.equals(Vec3.ZERO) && yawRate == 0;
   }
 
   /** Lets the motion follow the sticks for a step. */

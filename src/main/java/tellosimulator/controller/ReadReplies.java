@@ -34,7 +34,7 @@ public final class ReadReplies {
    */
   public ReadReplies(Instruments instruments, Profile profile, int drone) {
     this.instruments = instruments;
-    line(Reading.SPEED, f -> format("%.1f", Frames.centimetres(f.speed())));
+    line(Reading.SPEED, f -> format("%.1f", Frames.centimeters(f.speed())));
     line(Reading.BATTERY, f -> Integer.toString(f.sensors().health().batteryPercent()));
     line(Reading.TIME, f -> f.sensors().health().motorSeconds() + "s");
     line(Reading.WIFI, f -> WIFI);

@@ -81,9 +81,9 @@ final class McapExport {
 
   private void add(int drone, Sample sample) throws IOException {
     Map<String, Object> message = new LinkedHashMap<>();
-    message.put("x_cm", Frames.centimetres(sample.position().x()));
-    message.put("y_cm", Frames.centimetres(sample.position().y()));
-    message.put("z_cm", Frames.centimetres(sample.position().z()));
+    message.put("x_cm", Frames.centimeters(sample.position().x()));
+    message.put("y_cm", Frames.centimeters(sample.position().y()));
+    message.put("z_cm", Frames.centimeters(sample.position().z()));
     message.put("roll_deg", sample.angles().roll());
     message.put("pitch_deg", sample.angles().pitch());
     message.put("heading_deg", sample.angles().heading());

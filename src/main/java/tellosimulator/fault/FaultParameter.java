@@ -24,11 +24,11 @@ public enum FaultParameter {
   /** Time from one to the next. */
   EVERY(Unit.MILLISECONDS, "time from one to the next"),
   /** How fast a drone drifts. */
-  SPEED(Unit.CENTIMETRES_A_SECOND, "how fast it drifts"),
+  SPEED(Unit.CENTIMETERS_A_SECOND, "how fast it drifts"),
   /** How high a drone gets. */
-  HEIGHT(Unit.CENTIMETRES, "how high it gets"),
+  HEIGHT(Unit.CENTIMETERS, "how high it gets"),
   /** What a reading is wrong by. */
-  STEP(Unit.CENTIMETRES, "what the reading jumps by"),
+  STEP(Unit.CENTIMETERS, "what the reading jumps by"),
   /** How fast a reading turns. */
   TURN(Unit.DEGREES_A_SECOND, "how fast the reading turns"),
   /** What is left. */
@@ -45,8 +45,8 @@ public enum FaultParameter {
     MILLISECONDS("ms", 0.001),
     SECONDS("s", 1),
     KILOBITS("kbit/s", 1000),
-    CENTIMETRES("cm", 0.01),
-    CENTIMETRES_A_SECOND("cm/s", 0.01),
+    CENTIMETERS("cm", 0.01),
+    CENTIMETERS_A_SECOND("cm/s", 0.01),
     DEGREES_A_SECOND("deg/s", 1),
     CELSIUS("C", 1);
 

@@ -26,7 +26,7 @@ import tellosimulator.world.Surface;
 record Observation(Course course, DroneState before, DroneState now, boolean flown) {
 
   /** From the feet to the drone's centre. */
-  private static final Vec3 CENTRE = Vec3.UP.times(DroneSpec.COLLIDER.height() / 2);
+  private static final Vec3 CENTER = Vec3.UP.times(DroneSpec.COLLIDER.height() / 2);
 
   /** Highest feet over a card on which a drone stands [m]. Decided: a sheet and rounding. */
   private static final double ON_CARD = 0.01;
@@ -87,8 +87,8 @@ record Observation(Course course, DroneState before, DroneState now, boolean flo
   }
 
   private static Vec3 inFrame(Gate gate, DroneState drone) {
-    Vec3 centre = drone.motion().position().plus(CENTRE);
-    return gate.pose().attitude().toBody(centre.minus(gate.pose().position()));
+    Vec3 center = drone.motion().position().plus(CENTER);
+    return gate.pose().attitude().toBody(center.minus(gate.pose().position()));
   }
 
   private boolean standsOn(Pose card) {

@@ -120,7 +120,7 @@ final class FlightMonitor implements SimListener {
   }
 
   private static Touch touch(Collidable touched, double now, double speed, boolean crash) {
-    return new Touch(touched.phrase().english(), now, Frames.centimetres(speed), crash);
+    return new Touch(touched.phrase().english(), now, Frames.centimeters(speed), crash);
   }
 
   private static void write(List<JournalEntry> journal, SimEvent.FromPeer said) {

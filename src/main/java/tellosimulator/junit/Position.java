@@ -12,9 +12,9 @@ public record Position(double x, double y, double z) {
 
   static Position of(Vec3 place) {
     return new Position(
-        Frames.centimetres(place.x()),
-        Frames.centimetres(place.y()),
-        Frames.centimetres(place.z()));
+        Frames.centimeters(place.x()),
+        Frames.centimeters(place.y()),
+        Frames.centimeters(place.z()));
   }
 
   /** Straight to another place [cm]. */

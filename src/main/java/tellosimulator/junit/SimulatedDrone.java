@@ -87,7 +87,7 @@ public final class SimulatedDrone {
    * @throws IllegalArgumentException if the place is not in the room
    */
   public void placeAt(double x, double y, double heading) {
-    Vec3 place = new Vec3(Frames.metres(x), Frames.metres(y), 0);
+    Vec3 place = new Vec3(Frames.meters(x), Frames.meters(y), 0);
     if (!simulator.snapshot().room().contains(place, DroneSpec.COLLIDER)) {
       throw new IllegalArgumentException(
           String.format(

@@ -151,7 +151,7 @@ public final class TelloSimulation {
    * @throws IllegalArgumentException if it is faster than 2000 cm/s
    */
   public void wind(double speed, double towards) {
-    Vec3 forward = new Vec3(Frames.metres(speed), 0, 0);
+    Vec3 forward = new Vec3(Frames.meters(speed), 0, 0);
     Vec3 mean = Attitude.ofHeading(Frames.headingOfYaw(towards)).toRoom(forward);
     simulator.carryOut(new Control.SetWind(new Wind(mean, 0)));
   }

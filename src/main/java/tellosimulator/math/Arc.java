@@ -5,13 +5,13 @@ import java.util.Optional;
 /**
  * The part of a circle that starts at the origin, passes a point and ends at another one.
  *
- * @param centre centre of the circle
+ * @param center centre of the circle
  * @param radius its radius
  * @param outward unit vector from the centre to the origin
  * @param along unit vector of the direction in which it leaves the origin
  * @param angle what it sweeps [rad], below a full turn
  */
-public record Arc(Vec3 centre, double radius, Vec3 outward, Vec3 along, double angle) {
+public record Arc(Vec3 center, double radius, Vec3 outward, Vec3 along, double angle) {
 
   /** Cross products below this share of the lengths count as points on one line. */
   private static final double COLLINEAR = 1e-9;
@@ -29,16 +29,16 @@ public record Arc(Vec3 centre, double radius, Vec3 outward, Vec3 along, double a
     }
     double viaSquared = via.dot(via);
     double endSquared = end.dot(end);
-    Vec3 centre =
+    Vec3 center =
         end.times(viaSquared)
             .minus(via.times(endSquared))
             .cross(normal)
             .times(1 / (2 * twiceArea * twiceArea));
-    double radius = centre.norm();
-    Vec3 outward = centre.times(-1 / radius);
+    double radius = center.norm();
+    Vec3 outward = center.times(-1 / radius);
     Vec3 along = normal.times(1 / twiceArea).cross(outward);
-    Arc start = new Arc(centre, radius, outward, along, 0);
-    return Optional.of(new Arc(centre, radius, outward, along, start.angleOf(end)));
+    Arc start = new Arc(center, radius, outward, along, 0);
+    return Optional.of(new Arc(center, radius, outward, along, start.angleOf(end)));
   }
 
   public double length() {
@@ -47,7 +47,7 @@ public record Arc(Vec3 centre, double radius, Vec3 outward, Vec3 along, double a
 
   /** The point after sweeping {@code swept} [rad]. */
   public Vec3 point(double swept) {
-    return centre
+    return center
         .plusScaled(outward, radius * StrictMath.cos(swept))
         .plusScaled(along, radius * StrictMath.sin(swept));
   }
@@ -63,7 +63,7 @@ public record Arc(Vec3 centre, double radius, Vec3 outward, Vec3 along, double a
   }
 
   private double angleOf(Vec3 point) {
-    Vec3 spoke = point.minus(centre);
+    Vec3 spoke = point.minus(center);
     double swept = StrictMath.atan2(spoke.dot(along), spoke.dot(outward));
     return swept < 0 ? swept + 2 * Math.PI : swept;
   }

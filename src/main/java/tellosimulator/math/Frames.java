@@ -12,12 +12,12 @@ public final class Frames {
 
   private Frames() {}
 
-  public static double metres(double centimetres) {
-    return centimetres / 100;
+  public static double meters(double centimeters) {
+    return centimeters / 100;
   }
 
-  public static double centimetres(double metres) {
-    return metres * 100;
+  public static double centimeters(double meters) {
+    return meters * 100;
   }
 
   /** Radians counter-clockwise from degrees clockwise. */

@@ -69,7 +69,7 @@ public final class DroneSpec {
    * Peak speed of a move over 1 m [m/s]; it grows with the root of the distance. Measured: 0.3 over
    * 0.5 m and up to 0.7 over 1 m; 3.6 s for {@code forward 100} ask for the lower half.
    */
-  public static final double PEAK_SPEED_OVER_ONE_METRE = 0.47;
+  public static final double PEAK_SPEED_OVER_ONE_METER = 0.47;
 
   /** Speed of a landing from above {@link #SLOW_LANDING_HEIGHT} [m/s]. Measured: 0.6. */
   public static final double LANDING_SPEED = 0.6;

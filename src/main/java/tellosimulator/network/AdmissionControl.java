@@ -102,7 +102,7 @@ final class AdmissionControl {
   synchronized boolean admits(
       InetAddress sender, InetAddress via, byte[] bytes, int length, LocalNetworks networks) {
     OperatorRule rule = simulation.operators();
-    if (!rule.names(sender) && !networks.neighbours(via, sender)) {
+    if (!rule.names(sender) && !networks.neighbors(via, sender)) {
       foreign++;
       lastForeign = sender;
       return false;

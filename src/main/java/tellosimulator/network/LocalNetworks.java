@@ -78,7 +78,7 @@ public record LocalNetworks(List<Member> members) {
    *
    * @param own the address of this machine that it sent to
    */
-  public boolean neighbours(InetAddress own, InetAddress sender) {
+  public boolean neighbors(InetAddress own, InetAddress sender) {
     if (own.isLoopbackAddress()) {
       return true;
     }

@@ -175,7 +175,7 @@ final class Relay implements Agent {
   // --- from operators to the drone ---
 
   private void command(UdpPort port, InetSocketAddress sender, byte[] bytes, long nanos) {
-    if (!networks.neighbours(port.address().getAddress(), sender.getAddress())) {
+    if (!networks.neighbors(port.address().getAddress(), sender.getAddress())) {
       tellForeign(sender);
       return;
     }

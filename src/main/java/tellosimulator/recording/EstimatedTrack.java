@@ -41,7 +41,7 @@ final class EstimatedTrack {
         before.isEmpty() ? Vec3.ZERO : moved(before.get(before.size() - 1), state, velocity);
     return new Sample(
         state.time(),
-        new Vec3(place.x(), place.y(), Math.max(0, Frames.metres(state.heightCm()))),
+        new Vec3(place.x(), place.y(), Math.max(0, Frames.meters(state.heightCm()))),
         velocity,
         new Sample.Angles(
             said.getOrDefault("roll", 0.0), said.getOrDefault("pitch", 0.0), state.yawDeg()),

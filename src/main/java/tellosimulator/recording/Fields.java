@@ -82,8 +82,8 @@ record Fields(Map<?, ?> members) {
     }
     return Optional.of(
         new Vec3(
-            Frames.metres(numberOr("x", 0)),
-            Frames.metres(numberOr("y", 0)),
-            Frames.metres(numberOr("z", 0))));
+            Frames.meters(numberOr("x", 0)),
+            Frames.meters(numberOr("y", 0)),
+            Frames.meters(numberOr("z", 0))));
   }
 }

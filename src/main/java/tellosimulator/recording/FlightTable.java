@@ -44,13 +44,13 @@ final class FlightTable {
         new Sample(
             required("t_s"),
             new Vec3(
-                Frames.metres(required("x_cm")),
-                Frames.metres(required("y_cm")),
-                Frames.metres(required("z_cm"))),
+                Frames.meters(required("x_cm")),
+                Frames.meters(required("y_cm")),
+                Frames.meters(required("z_cm"))),
             new Vec3(
-                Frames.metres(number("vx_cm_s")),
-                Frames.metres(number("vy_cm_s")),
-                Frames.metres(number("vz_cm_s"))),
+                Frames.meters(number("vx_cm_s")),
+                Frames.meters(number("vy_cm_s")),
+                Frames.meters(number("vz_cm_s"))),
             new Sample.Angles(number("roll_deg"), number("pitch_deg"), number("heading_deg")),
             cell("phase").orElse(""),
             number("battery_pct"),

@@ -123,9 +123,9 @@ final class Lines {
   }
 
   private static void place(TextRow row, Vec3 place) {
-    row.raw(",\"x\":").decimal(Frames.centimetres(place.x()), 2);
-    row.raw(",\"y\":").decimal(Frames.centimetres(place.y()), 2);
-    row.raw(",\"z\":").decimal(Frames.centimetres(place.z()), 2);
+    row.raw(",\"x\":").decimal(Frames.centimeters(place.x()), 2);
+    row.raw(",\"y\":").decimal(Frames.centimeters(place.y()), 2);
+    row.raw(",\"z\":").decimal(Frames.centimeters(place.z()), 2);
   }
 
   private static String kind(SimEvent event) {
@@ -216,10 +216,10 @@ final class Lines {
     row.raw(',').cell(pilot.command()).end();
   }
 
-  private static void vector(TextRow row, Vec3 metres, int decimals) {
-    row.raw(',').decimal(Frames.centimetres(metres.x()), decimals);
-    row.raw(',').decimal(Frames.centimetres(metres.y()), decimals);
-    row.raw(',').decimal(Frames.centimetres(metres.z()), decimals);
+  private static void vector(TextRow row, Vec3 meters, int decimals) {
+    row.raw(',').decimal(Frames.centimeters(meters.x()), decimals);
+    row.raw(',').decimal(Frames.centimeters(meters.y()), decimals);
+    row.raw(',').decimal(Frames.centimeters(meters.z()), decimals);
   }
 
   private static String word(FlightPhase phase) {

@@ -25,8 +25,8 @@ final class PilotState {
   private static final String NO_SENSORS = ",,,,";
 
   private final List<String> open = new ArrayList<>();
-  private Sticks sticks = Sticks.CENTRED;
-  private Sticks sticksBefore = Sticks.CENTRED;
+  private Sticks sticks = Sticks.CENTERED;
+  private Sticks sticksBefore = Sticks.CENTERED;
   private String sensors = NO_SENSORS;
 
   /** Something happened to the drone. */
@@ -36,7 +36,7 @@ final class PilotState {
     } else if (event instanceof SimEvent.ReplySent sent) {
       open.remove(sent.text());
       if (sent.text().strip().equals(CommandSyntax.STOP.verb())) {
-        sticks = Sticks.CENTRED;
+        sticks = Sticks.CENTERED;
       }
     } else if (event instanceof SimEvent.CommandFailed failed) {
       open.remove(failed.text());
@@ -85,8 +85,8 @@ final class PilotState {
   /** The drone has no power, or stands at its start. */
   void forgetCommands() {
     open.clear();
-    sticks = Sticks.CENTRED;
-    sticksBefore = Sticks.CENTRED;
+    sticks = Sticks.CENTERED;
+    sticksBefore = Sticks.CENTERED;
   }
 
   /** It sent a state line. */

@@ -101,9 +101,9 @@ public record RecordedRun(
     try {
       return Optional.of(
           new Room(
-              Frames.metres(fields.numberOr("width", 0)),
-              Frames.metres(fields.numberOr("depth", 0)),
-              Frames.metres(fields.numberOr("height", 0))));
+              Frames.meters(fields.numberOr("width", 0)),
+              Frames.meters(fields.numberOr("depth", 0)),
+              Frames.meters(fields.numberOr("height", 0))));
     } catch (IllegalArgumentException e) {
       return Optional.empty();
     }

@@ -75,17 +75,17 @@ final class RunText {
 
   private static Map<String, Object> room(Room room) {
     Map<String, Object> sizes = new LinkedHashMap<>();
-    sizes.put("width", centimetres(room.width()));
-    sizes.put("depth", centimetres(room.depth()));
-    sizes.put("height", centimetres(room.height()));
+    sizes.put("width", centimeters(room.width()));
+    sizes.put("depth", centimeters(room.depth()));
+    sizes.put("height", centimeters(room.height()));
     return sizes;
   }
 
   private static Map<String, Object> drone(DroneSnapshot drone) {
     Map<String, Object> start = new LinkedHashMap<>();
     Vec3 place = drone.start().position();
-    start.put("x", centimetres(place.x()));
-    start.put("y", centimetres(place.y()));
+    start.put("x", centimeters(place.x()));
+    start.put("y", centimeters(place.y()));
     start.put("heading", rounded(Frames.yawOfHeading(drone.start().attitude().heading())));
     Map<String, Object> members = new LinkedHashMap<>();
     members.put("number", drone.state().drone());
@@ -120,8 +120,8 @@ final class RunText {
     return Json.text(members);
   }
 
-  private static double centimetres(double metres) {
-    return rounded(Frames.centimetres(metres));
+  private static double centimeters(double meters) {
+    return rounded(Frames.centimeters(meters));
   }
 
   /** To three decimals, without a negative zero. */

@@ -66,7 +66,7 @@ final class FloorItems {
     return item;
   }
 
-  private static long cm(double metres) {
-    return Math.round(Frames.centimetres(metres));
+  private static long cm(double meters) {
+    return Math.round(Frames.centimeters(meters));
   }
 }

@@ -87,9 +87,9 @@ final class ReportData {
     Arena arena = snapshots.arena();
     Room room = arena.room();
     Map<String, Object> members = new LinkedHashMap<>();
-    members.put("width", rounded(Frames.centimetres(room.width())));
-    members.put("depth", rounded(Frames.centimetres(room.depth())));
-    members.put("grid", rounded(Frames.centimetres(arena.decor().grid())));
+    members.put("width", rounded(Frames.centimeters(room.width())));
+    members.put("depth", rounded(Frames.centimeters(room.depth())));
+    members.put("grid", rounded(Frames.centimeters(arena.decor().grid())));
     return members;
   }
 
@@ -144,8 +144,8 @@ final class ReportData {
         said.map(Pose::position).orElse(samples.isEmpty() ? Vec3.ZERO : samples.get(0).position());
     double heading = said.map(pose -> pose.attitude().heading()).orElse(0.0);
     Map<String, Object> start = new LinkedHashMap<>();
-    start.put("x", rounded(Frames.centimetres(place.x())));
-    start.put("y", rounded(Frames.centimetres(place.y())));
+    start.put("x", rounded(Frames.centimeters(place.x())));
+    start.put("y", rounded(Frames.centimeters(place.y())));
     start.put("heading", rounded(Frames.yawOfHeading(heading)));
     return start;
   }
@@ -153,10 +153,10 @@ final class ReportData {
   private static Map<String, Object> columns(List<Sample> samples) {
     Map<String, Object> columns = new LinkedHashMap<>();
     columns.put("t", Column.of(samples, 2, Sample::time));
-    columns.put("x", Column.of(samples, 1, each -> Frames.centimetres(each.position().x())));
-    columns.put("y", Column.of(samples, 1, each -> Frames.centimetres(each.position().y())));
-    columns.put("z", Column.of(samples, 1, each -> Frames.centimetres(each.position().z())));
-    columns.put("speed", Column.of(samples, 0, each -> Frames.centimetres(each.velocity().norm())));
+    columns.put("x", Column.of(samples, 1, each -> Frames.centimeters(each.position().x())));
+    columns.put("y", Column.of(samples, 1, each -> Frames.centimeters(each.position().y())));
+    columns.put("z", Column.of(samples, 1, each -> Frames.centimeters(each.position().z())));
+    columns.put("speed", Column.of(samples, 0, each -> Frames.centimeters(each.velocity().norm())));
     columns.put("battery", Column.of(samples, 1, Sample::batteryPercent));
     columns.put("roll", Column.of(samples, 1, each -> each.angles().roll()));
     columns.put("pitch", Column.of(samples, 1, each -> each.angles().pitch()));
@@ -197,8 +197,8 @@ final class ReportData {
     mark.put("drone", track.drone());
     mark.put("kind", entry.kind());
     mark.put("text", entry.words().text() + (why.isEmpty() ? "" : ": " + why));
-    mark.put("x", rounded(Frames.centimetres(place.x())));
-    mark.put("y", rounded(Frames.centimetres(place.y())));
+    mark.put("x", rounded(Frames.centimeters(place.x())));
+    mark.put("y", rounded(Frames.centimeters(place.y())));
     return mark;
   }
 

@@ -34,8 +34,8 @@ final class DroneCodec extends RecordCodec<DroneCodec.StationedDrone> {
           .usual(
               WordCodec.of(Behaviour.values()).or(Product.DEFAULT.behaviour()),
               drone -> drone.setup().product().behaviour());
-  private final Field<StationedDrone, Integer> colour =
-      key("colour", "").optionalInt(Scalars.COLOUR, drone -> drone.setup().rgb());
+  private final Field<StationedDrone, Integer> color =
+      key("colour", "").optionalInt(Scalars.COLOR, drone -> drone.setup().rgb());
   private final Field<StationedDrone, Double> battery =
       key("battery", "Its charge in percent.")
           .usual(
@@ -73,7 +73,7 @@ final class DroneCodec extends RecordCodec<DroneCodec.StationedDrone> {
             new Product(in.get(profile), in.get(behaviour)),
             new Outlets(in.get(statePort), in.get(videoPort)),
             in.get(battery),
-            in.findInt(colour));
+            in.findInt(color));
     return new StationedDrone(setup, new Station(in.find(address), in.findInt(commandPort)));
   }
 }

@@ -38,7 +38,7 @@ record NumberCodec(Unit unit, Phrase expected, double least, double most) implem
     /** Itself. */
     ONE,
     /** A length or a speed, which becomes one of metres. */
-    CENTIMETRE,
+    CENTIMETER,
     /** Degrees counter-clockwise, which become radians within ±π. */
     DEGREE
   }
@@ -55,13 +55,13 @@ record NumberCodec(Unit unit, Phrase expected, double least, double most) implem
   /** A length in centimetres, as metres. */
   static NumberCodec length(double leastCm, double mostCm) {
     Phrase expected = Phrase.of("a length in cm from %s to %s", plain(leastCm), plain(mostCm));
-    return new NumberCodec(Unit.CENTIMETRE, expected, leastCm, mostCm);
+    return new NumberCodec(Unit.CENTIMETER, expected, leastCm, mostCm);
   }
 
   /** A speed in centimetres a second, as metres a second. */
   static NumberCodec speed(double mostCm) {
     Phrase expected = Phrase.of("a speed in cm/s from 0 to %s", plain(mostCm));
-    return new NumberCodec(Unit.CENTIMETRE, expected, 0, mostCm);
+    return new NumberCodec(Unit.CENTIMETER, expected, 0, mostCm);
   }
 
   @Override
@@ -77,7 +77,7 @@ record NumberCodec(Unit unit, Phrase expected, double least, double most) implem
   public Node write(Double value, Path folder) {
     return switch (unit) {
       case ONE -> Yaml.number(value);
-      case CENTIMETRE -> Yaml.number(value * 100);
+      case CENTIMETER -> Yaml.number(value * 100);
       case DEGREE -> Yaml.number(degrees(value));
     };
   }
@@ -97,8 +97,8 @@ record NumberCodec(Unit unit, Phrase expected, double least, double most) implem
   }
 
   private double inSi(double value) {
-    if (unit == Unit.CENTIMETRE) {
-      return Frames.metres(value);
+    if (unit == Unit.CENTIMETER) {
+      return Frames.meters(value);
     }
     return unit == Unit.DEGREE ? StrictMath.toRadians(within180(value)) : value;
   }

@@ -100,9 +100,9 @@ final class ObstacleCodecs {
               "How it is turned, in degrees counter-clockwise seen from above; 0 looks along x.")
           .usual(NumberCodec.ANGLE.or(0.0), entry -> entry.obstacle().heading());
 
-  private static final Field<NotedObstacle, Integer> COLOUR =
+  private static final Field<NotedObstacle, Integer> COLOR =
       shared("colour", "")
-          .usual(Scalars.COLOUR.or(Cover.DEFAULT.rgb()), entry -> entry.obstacle().cover().rgb());
+          .usual(Scalars.COLOR.or(Cover.DEFAULT.rgb()), entry -> entry.obstacle().cover().rgb());
 
   private static final Field<NotedObstacle, Pattern> PATTERN =
       shared("pattern", "What is painted on it in two shades of its colour.")
@@ -129,7 +129,7 @@ final class ObstacleCodecs {
 
   private static NotedObstacle finished(Entries in, String kind, Stand stand, Shape shape) {
     Optional<String> name = in.find(NAME);
-    Cover cover = new Cover(in.get(COLOUR), in.get(PATTERN), in.get(PICTURES));
+    Cover cover = new Cover(in.get(COLOR), in.get(PATTERN), in.get(PICTURES));
     Vec3 foot = stand.at().withZ(in.get(BASE));
     return new NotedObstacle(
         new Notation(kind, name.isPresent(), Optional.empty()),
@@ -171,7 +171,7 @@ final class ObstacleCodecs {
             .need(
                 new NumberCodec.Vector(3, LENGTH),
                 entry -> Footprint.size(entry.obstacle().shape()));
-    codec.addAll(HEADING, COLOUR, PATTERN, PICTURES);
+    codec.addAll(HEADING, COLOR, PATTERN, PICTURES);
     return codec.made(
         in -> {
           Vec3 edges = in.get(size);
@@ -187,7 +187,7 @@ final class ObstacleCodecs {
         codec.key("radius", "In cm.").need(LENGTH, entry -> entry.obstacle().shape().reach());
     Field<NotedObstacle, Double> height =
         codec.key("height", "In cm.").need(LENGTH, entry -> entry.obstacle().shape().height());
-    codec.addAll(HEADING, COLOUR, PATTERN, PICTURES);
+    codec.addAll(HEADING, COLOR, PATTERN, PICTURES);
     return codec.made(
         in -> standing(in, "cylinder", new Shape.Cylinder(in.get(radius), in.get(height))));
   }
@@ -216,7 +216,7 @@ final class ObstacleCodecs {
         codec
             .key("thickness", "In cm.")
             .usual(LENGTH.or(WALL_THICKNESS), wall -> Footprint.size(wall.obstacle().shape()).x());
-    codec.addAll(COLOUR, PATTERN, PICTURES);
+    codec.addAll(COLOR, PATTERN, PICTURES);
     codec.checked(
         in -> {
           double length = length(in.get(from), in.get(to));
@@ -244,8 +244,8 @@ final class ObstacleCodecs {
     return exact(to.minus(from).norm());
   }
 
-  private static double exact(double metres) {
-    return Frames.metres(NumberCodec.rounded(metres * 100));
+  private static double exact(double meters) {
+    return Frames.meters(NumberCodec.rounded(meters * 100));
   }
 
   /** Where a wall stands, from its ends. */
@@ -282,7 +282,7 @@ final class ObstacleCodecs {
         codec
             .key("height", "Of a frame's opening in cm.")
             .optional(LENGTH, gate -> frame(gate).map(Shape.Frame::opening));
-    Field<NotedObstacle, Double> centre =
+    Field<NotedObstacle, Double> center =
         codec
             .key("centre", "Height of the opening's middle above the foot in cm.")
             .need(LENGTH, gate -> ((Shape.Gate) gate.obstacle().shape()).middle());
@@ -296,7 +296,7 @@ final class ObstacleCodecs {
                         .map(Shape.Ring::tube)
                         .or(() -> frame(gate).map(Shape.Frame::beam))
                         .orElseThrow());
-    codec.addAll(HEADING, COLOUR, PATTERN, PICTURES);
+    codec.addAll(HEADING, COLOR, PATTERN, PICTURES);
     codec.add(Case.of("shape", RING).needs("diameter").excludes("width", "height"));
     codec.add(Case.of("shape", FRAME).needs("width", "height").excludes("diameter"));
     // height of the middle of an opening whose gate stands on the floor [m]
@@ -305,9 +305,9 @@ final class ObstacleCodecs {
     codec.checked(
         in -> {
           double leastCm = lowest.applyAsDouble(in) * 100;
-          if (NumberCodec.rounded(in.get(centre) * 100) < NumberCodec.rounded(leastCm)) {
+          if (NumberCodec.rounded(in.get(center) * 100) < NumberCodec.rounded(leastCm)) {
             in.mistake(
-                centre,
+                center,
                 Phrase.of(
                     "the centre of this opening must be at least %s cm high",
                     NumberCodec.plain(leastCm)));
@@ -315,7 +315,7 @@ final class ObstacleCodecs {
         });
     return codec.made(
         in -> {
-          double middle = Math.max(in.get(centre), lowest.applyAsDouble(in));
+          double middle = Math.max(in.get(center), lowest.applyAsDouble(in));
           Shape.Gate gate =
               in.get(isRing)
                   ? new Shape.Ring(in.get(diameter) / 2, in.get(thickness), middle)

@@ -37,7 +37,7 @@ final class Scalars {
       Pattern.compile("((25[0-5]|2[0-4][0-9]|1?[0-9]?[0-9])(\\.(?!$)|$)){4}");
 
   /** Colours that have names. Decided: as loud as painted wood. */
-  private static final WordCodec<Integer> COLOUR_NAMES =
+  private static final WordCodec<Integer> COLOR_NAMES =
       new WordCodec<>(
           Map.of(
               "red", 0xc0392b,
@@ -65,17 +65,17 @@ final class Scalars {
   static final Codec<Boolean> YES_OR_NO = new YesOrNo();
 
   /** A colour as #rrggbb, or by its name. */
-  static final Codec<Integer> COLOUR =
+  static final Codec<Integer> COLOR =
       new Scalar<>(
           Phrase.of(
               "a colour such as \"#d9772b\", or one of %s",
-              String.join(", ", COLOUR_NAMES.words().keySet())),
-          scalar -> colour(scalar.getValue()),
+              String.join(", ", COLOR_NAMES.words().keySet())),
+          scalar -> color(scalar.getValue()),
           rgb ->
-              COLOUR_NAMES.words().containsValue(rgb)
-                  ? COLOUR_NAMES.write(rgb, Path.of(""))
+              COLOR_NAMES.words().containsValue(rgb)
+                  ? COLOR_NAMES.write(rgb, Path.of(""))
                   : Yaml.text(String.format(Locale.ROOT, "#%06x", rgb)),
-          Scalars::colourSchema);
+          Scalars::colorSchema);
 
   /** An IPv4 address of this machine. */
   static final Codec<InetAddress> ADDRESS =
@@ -174,16 +174,16 @@ final class Scalars {
         .filter(line -> line.chars().noneMatch(Character::isISOControl));
   }
 
-  private static Optional<Integer> colour(String word) {
+  private static Optional<Integer> color(String word) {
     return HEX.matcher(word).matches()
         ? Optional.of(Integer.parseInt(word.substring(1), 16))
-        : Optional.ofNullable(COLOUR_NAMES.words().get(word));
+        : Optional.ofNullable(COLOR_NAMES.words().get(word));
   }
 
-  private static Map<String, Object> colourSchema(Map<String, Object> definitions) {
+  private static Map<String, Object> colorSchema(Map<String, Object> definitions) {
     List<Object> forms =
         List.of(
-            COLOUR_NAMES.schema(definitions),
+            COLOR_NAMES.schema(definitions),
             Codec.object("type", "string", "pattern", "^" + HEX.pattern() + "$"));
     String description = "A colour: \"#rrggbb\" in quotation marks, or a name.";
     definitions.put("colour", Codec.object("description", description, "anyOf", forms));

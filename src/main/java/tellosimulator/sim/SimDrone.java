@@ -43,7 +43,7 @@ import tellosimulator.world.Room;
 final class SimDrone {
 
   private final DroneSetup setup;
-  private final Neighbourhood neighbourhood;
+  private final Neighborhood neighborhood;
   private final ReplyPort replies;
   private final Profile profile;
   private final Behaviour behaviour;
@@ -71,7 +71,7 @@ final class SimDrone {
    * @param states the way out for state lines
    * @param events takes what happens
    */
-  record Neighbourhood(
+  record Neighborhood(
       long seed,
       Rules rules,
       Surroundings surroundings,
@@ -81,42 +81,42 @@ final class SimDrone {
   /**
    * @param number from 1
    */
-  SimDrone(int number, DroneSetup setup, ReplyPort replies, Neighbourhood neighbourhood) {
-    this(new DroneModel(number, setup.start()), setup, replies, neighbourhood);
+  SimDrone(int number, DroneSetup setup, ReplyPort replies, Neighborhood neighborhood) {
+    this(new DroneModel(number, setup.start()), setup, replies, neighborhood);
     model.setBattery(new Battery(setup.batteryPercent() / 100));
   }
 
   private SimDrone(
-      DroneModel model, DroneSetup setup, ReplyPort replies, Neighbourhood neighbourhood) {
+      DroneModel model, DroneSetup setup, ReplyPort replies, Neighborhood neighborhood) {
     int number = model.drone();
     this.model = model;
     this.setup = setup;
-    this.neighbourhood = neighbourhood;
+    this.neighborhood = neighborhood;
     this.before = model.motion().position();
     this.replies = replies;
     this.profile = setup.product().profile();
     this.behaviour = setup.product().behaviour();
-    this.events = new DroneEvents(number, () -> now, neighbourhood.events());
-    SeededNoise noise = new SeededNoise(neighbourhood.seed(), number);
+    this.events = new DroneEvents(number, () -> now, neighborhood.events());
+    SeededNoise noise = new SeededNoise(neighborhood.seed(), number);
     this.stateLines = new StateLines(behaviour, noise);
     this.instruments =
         new Instruments(
             behaviour,
             noise,
-            neighbourhood.surroundings().echoes(number),
+            neighborhood.surroundings().echoes(number),
             readings -> SensorFaults.applied(readings, faults()));
     this.state = model.snapshot(now);
     Outlets outlets = setup.outlets();
     this.session =
         new OperatorSession(
-            neighbourhood.rules().operators(),
+            neighborhood.rules().operators(),
             outlets.statePort(),
             outlets.videoPort(),
             replies::linked);
     this.link =
         new DroneLink(
             new DroneLink.Ends(
-                number, replies, neighbourhood.states(), this::handle, events, () -> now),
+                number, replies, neighborhood.states(), this::handle, events, () -> now),
             noise);
     this.controller =
         new DroneController(
@@ -124,7 +124,7 @@ final class SimDrone {
                 model,
                 profile,
                 behaviour,
-                neighbourhood.rules().crashSpeed(),
+                neighborhood.rules().crashSpeed(),
                 setup.landsWhenSilent(),
                 session,
                 noise,
@@ -216,7 +216,7 @@ final class SimDrone {
       controller.reset();
       handler.forgetCopies();
       session.release();
-      settle(neighbourhood.surroundings());
+      settle(neighborhood.surroundings());
     } else if (control instanceof Control.Release) {
       Phrase free = Phrase.of("is free: who sends `command` next operates it");
       note(
@@ -244,7 +244,7 @@ final class SimDrone {
     Profile newProfile = change.product().profile();
     Behaviour newBehaviour = change.product().behaviour();
     DroneSetup newSetup = setup.withProduct(change.product()).withOutlets(change.outlets());
-    SimDrone other = new SimDrone(model, newSetup, replies, neighbourhood);
+    SimDrone other = new SimDrone(model, newSetup, replies, neighborhood);
     other.plan(now);
     if (!change.product().equals(setup.product())) {
       other.note(
@@ -389,7 +389,7 @@ final class SimDrone {
     model.setStart(start);
     if (model.resting() && !controller.flying()) {
       controller.reset();
-      settle(neighbourhood.surroundings());
+      settle(neighborhood.surroundings());
     }
   }
 

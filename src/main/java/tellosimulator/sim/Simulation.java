@@ -10,7 +10,7 @@ import tellosimulator.command.OperatorRule;
 import tellosimulator.command.Peer;
 import tellosimulator.command.ReplyPort;
 import tellosimulator.math.Vec3;
-import tellosimulator.sim.SimDrone.Neighbourhood;
+import tellosimulator.sim.SimDrone.Neighborhood;
 import tellosimulator.sim.SimSnapshot.Clock;
 import tellosimulator.sim.SimSnapshot.DroneSnapshot;
 import tellosimulator.time.Demand;
@@ -86,11 +86,11 @@ public final class Simulation {
     now = SimTime.ZERO;
     demand = new TimeDemand(drones);
     hint = new SilenceHint();
-    Neighbourhood neighbourhood =
-        new Neighbourhood(config.seed(), config.rules(), surroundings, states, this::happened);
+    Neighborhood neighborhood =
+        new Neighborhood(config.seed(), config.rules(), surroundings, states, this::happened);
     for (DroneSetup setup : config.drones()) {
       int number = drones.size() + 1;
-      drones.add(new SimDrone(number, setup, replies.apply(number), neighbourhood));
+      drones.add(new SimDrone(number, setup, replies.apply(number), neighborhood));
     }
     faults = new FaultInjection(config.rules().faults(), drones, () -> now, events::add);
     faults.begin();

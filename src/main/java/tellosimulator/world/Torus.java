@@ -72,8 +72,8 @@ record Torus(Vec3 middle, double radius, double tube, Vec3 ahead) implements Sol
    * reaches.
    */
   private Penetration deep(Vec3 position, Collider collider) {
-    Vec3 centre = middleOf(position, collider);
-    Vec3 away = centre.minus(nearest(centre));
+    Vec3 center = middleOf(position, collider);
+    Vec3 away = center.minus(nearest(center));
     double distance = away.norm();
     Vec3 normal = distance == 0 ? ahead : away.times(1 / distance);
     double reach =

@@ -26,7 +26,7 @@ class FlightPosesTest {
   }
 
   @Test
-  void forwardIsFlownAt50CentimetresPerSecond() {
+  void forwardIsFlownAt50CentimetersPerSecond() {
     List<Moment> forward = flight.part(FlightPart.FORWARD);
 
     assertThat(forward).hasSize(4 * 30);

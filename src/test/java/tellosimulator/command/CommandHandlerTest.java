@@ -323,14 +323,14 @@ class CommandHandlerTest {
           000000000000050, 0.5
           499.99999999999, 4.9999999999999
           """)
-  void plainNumbersOfUpTo15CharactersAreTaken(String number, double metres) {
+  void plainNumbersOfUpTo15CharactersAreTaken(String number, double meters) {
     HandlerFixture drone = HandlerFixture.flying(EDU, REPORT);
 
     drone.handle("forward " + number);
 
     assertThat(number).hasSizeLessThanOrEqualTo(15);
     assertThat(drone.carriedOut())
-        .containsExactly("move Move[direction=FORWARD, distance=" + metres + "]");
+        .containsExactly("move Move[direction=FORWARD, distance=" + meters + "]");
   }
 
   // --- length ---

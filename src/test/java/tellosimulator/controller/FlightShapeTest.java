@@ -30,7 +30,7 @@ class FlightShapeTest {
 
   /** Measured on a real drone over {@code forward 50}: -8 degrees, 3 dm/s, then +4 degrees. */
   @Test
-  void forward50PitchesDownThenUpAndPeaksAtThreeDecimetresASecond() {
+  void forward50PitchesDownThenUpAndPeaksAtThreeDecimetersASecond() {
     List<Motion> way = record("forward 50");
 
     double lowest = least(way, motion -> motion.attitude().elevation());
@@ -67,7 +67,7 @@ class FlightShapeTest {
   @Test
   void curveStaysOnItsCircleAndPassesBothPoints() {
     Vec3 start = drone.state().motion().position();
-    Vec3 centre = start.plus(new Vec3(-0.25, -0.50, 0));
+    Vec3 center = start.plus(new Vec3(-0.25, -0.50, 0));
     double radius = Math.sqrt(0.25 * 0.25 + 0.50 * 0.50);
 
     List<Motion> way = record("curve 25 -25 0 25 -75 0 20");
@@ -75,7 +75,7 @@ class FlightShapeTest {
     assertThat(way)
         .allSatisfy(
             motion ->
-                assertThat(motion.position().distanceTo(centre)).isCloseTo(radius, within(0.01)));
+                assertThat(motion.position().distanceTo(center)).isCloseTo(radius, within(0.01)));
     assertThat(nearest(way, start.plus(new Vec3(0.25, -0.25, 0)))).isLessThan(0.01);
     assertThat(way.get(way.size() - 1).position().distanceTo(start.plus(new Vec3(0.25, -0.75, 0))))
         .isLessThan(0.01);

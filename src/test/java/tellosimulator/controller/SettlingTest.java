@@ -28,7 +28,7 @@ class SettlingTest {
 
   @ParameterizedTest
   @CsvSource({"0.005, true", "0.011, false", "0.1, false"})
-  void inStillAirACentimetreCountsHoweverLongItTakes(double off, boolean settled) {
+  void inStillAirACentimeterCountsHoweverLongItTakes(double off, boolean settled) {
     observe(off, false, 7);
 
     assertThat(settling.settled()).isEqualTo(settled);

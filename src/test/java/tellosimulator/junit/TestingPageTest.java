@@ -93,7 +93,7 @@ class TestingPageTest {
   class FirstFlightTest {
 
     @Test
-    void fliesOneMetreForward(SimulatedDrone drone) throws IOException {
+    void fliesOneMeterForward(SimulatedDrone drone) throws IOException {
       try (Tello tello = new Tello(drone.address(), Duration.ofSeconds(2))) {
         tello.send("command");
         tello.send("takeoff");

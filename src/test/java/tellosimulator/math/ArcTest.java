@@ -29,11 +29,11 @@ class ArcTest {
           29.28932188134524 -70.71067811865476 0, 100 -100 0, 100 0 0, 100, 90
           """)
   void passesThroughBothPoints(
-      String via, String end, String centre, double radius, double degrees) {
+      String via, String end, String center, double radius, double degrees) {
     Arc arc = Arc.through(point(via), point(end)).orElseThrow();
 
     assertThat(arc.radius()).isCloseTo(radius, within(1e-9));
-    assertThat(arc.centre().distanceTo(point(centre))).isLessThan(1e-9);
+    assertThat(arc.center().distanceTo(point(center))).isLessThan(1e-9);
     assertThat(Math.toDegrees(arc.angle())).isCloseTo(degrees, within(1e-9));
     assertThat(arc.length()).isCloseTo(radius * Math.toRadians(degrees), within(1e-9));
     assertThat(arc.point(0).norm()).isLessThan(1e-9);
@@ -42,7 +42,7 @@ class ArcTest {
   }
 
   @Test
-  void theSecondCurveOfARealDroneHasARadiusOf69Centimetres() {
+  void theSecondCurveOfARealDroneHasARadiusOf69Centimeters() {
     Arc arc = Arc.through(new Vec3(-55, -20, 0), new Vec3(-75, -75, 0)).orElseThrow();
 
     assertThat(arc.radius()).isCloseTo(69, within(0.5));
@@ -64,7 +64,7 @@ class ArcTest {
   }
 
   @Test
-  void motionIsTangentialAndTheCentreInwards() {
+  void motionIsTangentialAndTheCenterInwards() {
     Arc arc = Arc.through(new Vec3(0.5, 0.5, 0.2), new Vec3(1, -0.3, 0.4)).orElseThrow();
 
     for (int i = 0; i <= 10; i++) {
@@ -74,8 +74,8 @@ class ArcTest {
       assertThat(arc.inward(swept).norm()).isCloseTo(1, within(TINY));
       assertThat(arc.direction(swept).dot(arc.inward(swept))).isCloseTo(0, within(TINY));
       assertThat(arc.direction(swept).distanceTo(chord)).isLessThan(1e-8);
-      Vec3 centre = arc.point(swept).plusScaled(arc.inward(swept), arc.radius());
-      assertThat(centre.distanceTo(arc.centre())).isLessThan(TINY);
+      Vec3 center = arc.point(swept).plusScaled(arc.inward(swept), arc.radius());
+      assertThat(center.distanceTo(arc.center())).isLessThan(TINY);
     }
   }
 

@@ -19,10 +19,10 @@ class FramesTest {
 
   @ParameterizedTest
   @ValueSource(doubles = {0, 20, -500, 35.234234})
-  void centimetresComeBack(double centimetres) {
-    assertThat(Frames.metres(centimetres)).isEqualTo(centimetres / 100);
-    assertThat(Frames.centimetres(Frames.metres(centimetres)))
-        .isCloseTo(centimetres, within(1e-12));
+  void centimetersComeBack(double centimeters) {
+    assertThat(Frames.meters(centimeters)).isEqualTo(centimeters / 100);
+    assertThat(Frames.centimeters(Frames.meters(centimeters)))
+        .isCloseTo(centimeters, within(1e-12));
   }
 
   @Test

@@ -40,8 +40,8 @@ class LocalNetworksTest {
           172.16.0.1,   192.168.77.1,   true
           192.168.1.99, 192.168.1.3,    false
           """)
-  void neighboursAreInTheSamePrivateNetwork(String own, String sender, boolean neighbours) {
-    assertThat(MACHINE.neighbours(at(own), at(sender))).isEqualTo(neighbours);
+  void neighborsAreInTheSamePrivateNetwork(String own, String sender, boolean neighbors) {
+    assertThat(MACHINE.neighbors(at(own), at(sender))).isEqualTo(neighbors);
   }
 
   @Test

@@ -116,9 +116,9 @@ class StateLineTest {
           -150.1,  -150.10
           7,       7.00
           """)
-  void theBarometerHasTwoDecimals(double metres, String text) {
+  void theBarometerHasTwoDecimals(double meters, String text) {
     SensorReadings sensors =
-        readings(new Range(100, 0), metres, Vec3.ZERO, new Health(1, 1, 1), Vec3.ZERO);
+        readings(new Range(100, 0), meters, Vec3.ZERO, new Health(1, 1, 1), Vec3.ZERO);
 
     assertThat(StateLine.format(report(Profile.EDU, PadReading.OFF, sensors)))
         .contains(";baro:" + text + ";");

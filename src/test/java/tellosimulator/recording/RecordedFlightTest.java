@@ -40,7 +40,7 @@ class RecordedFlightTest {
   }
 
   @Test
-  void samplesHaveMetresAndTheCommandInProgress() throws Exception {
+  void samplesHaveMetersAndTheCommandInProgress() throws Exception {
     Track track = RecordedFlight.read(RecordingFixture.in(folder)).tracks().get(0);
 
     Sample sample = track.at(9.02); // that of 9.0 s: 1 s at 50 cm/s from -100 cm on

@@ -69,7 +69,7 @@ class ScenarioDocumentTest {
   }
 
   @Test
-  void numbersColoursAndWhatIsLeftOutStay() throws Exception {
+  void numbersColorsAndWhatIsLeftOutStay() throws Exception {
     String text =
         """
         room: {height: 2.5e2, depth: 600.00}
@@ -85,7 +85,7 @@ class ScenarioDocumentTest {
   }
 
   @Test
-  void aNewObstacleIsWrittenLikeItsNeighbours() throws Exception {
+  void aNewObstacleIsWrittenLikeItsNeighbors() throws Exception {
     Obstacle box =
         new Obstacle("box-1", new Shape.Box(0.5, 0.5, 0.5), new Vec3(1, 1, 0), 0, Cover.DEFAULT);
 

@@ -55,7 +55,7 @@ class SceneBuilderTest {
   }
 
   @Test
-  void aDroneHasTheColourThatWasChosenForIt() {
+  void aDroneHasTheColorThatWasChosenForIt() {
     SimSnapshot one = drones(1);
     DroneSnapshot was = one.drones().get(0);
     DroneSnapshot green =

@@ -69,8 +69,8 @@ class DeterminismTest {
   /** A JDK 17 or newer of another feature version, in the folder in which this one lies. */
   private static Optional<Path> otherJdk() throws IOException {
     Path home = Path.of(System.getProperty("java.home")).toRealPath();
-    try (Stream<Path> neighbours = Files.list(home.getParent())) {
-      return neighbours
+    try (Stream<Path> neighbors = Files.list(home.getParent())) {
+      return neighbors
           .filter(Files::isDirectory)
           .filter(candidate -> Files.isExecutable(candidate.resolve("bin").resolve("java")))
           .filter(candidate -> isUsable(candidate) && feature(candidate) != feature(home))

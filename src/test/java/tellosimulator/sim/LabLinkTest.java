@@ -20,7 +20,7 @@ import tellosimulator.testing.SteppedDrone.Sent;
 class LabLinkTest {
 
   /** Gets state lines however long it is silent. */
-  private static final InetSocketAddress NEIGHBOUR = SteppedDrone.address("127.0.0.1", 9000);
+  private static final InetSocketAddress NEIGHBOR = SteppedDrone.address("127.0.0.1", 9000);
 
   private static final int QUERIES = 10_000;
 
@@ -34,7 +34,7 @@ class LabLinkTest {
     for (int i = 0; i < QUERIES; i++) {
       int before = drone.replies().size();
       double asked = drone.seconds();
-      drone.send(NEIGHBOUR, "battery?");
+      drone.send(NEIGHBOR, "battery?");
       if (drone.advanceUntil(() -> drone.replies().size() > before, 0.3)) {
         times.add((drone.seconds() - asked) * 1000);
       }
@@ -81,7 +81,7 @@ class LabLinkTest {
 
   private void connect() {
     while (drone.replies().isEmpty()) {
-      drone.send(NEIGHBOUR, "command");
+      drone.send(NEIGHBOR, "command");
       drone.advance(0.3);
     }
   }

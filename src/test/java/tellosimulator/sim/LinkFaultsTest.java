@@ -22,12 +22,12 @@ import tellosimulator.time.TimeFactor;
 class LinkFaultsTest {
 
   /** Gets state lines however long it is silent. */
-  private static final InetSocketAddress NEIGHBOUR = SteppedDrone.address("127.0.0.1", 9000);
+  private static final InetSocketAddress NEIGHBOR = SteppedDrone.address("127.0.0.1", 9000);
 
   @Test
   void lossOfStateLosesThatShareOfTheLines() {
     SteppedDrone drone = with("loss state 20%");
-    drone.send(NEIGHBOUR, "command");
+    drone.send(NEIGHBOR, "command");
     drone.advance(500);
 
     assertThat(drone.stateLines().size()).isBetween(3900, 4100); // of 5000, ± 3.5 sigma
@@ -36,7 +36,7 @@ class LinkFaultsTest {
   @Test
   void burstsLoseAsManyButInARow() {
     SteppedDrone drone = with("loss state 20% burst 5");
-    drone.send(NEIGHBOUR, "command");
+    drone.send(NEIGHBOR, "command");
     drone.advance(500);
 
     List<Integer> gaps = gaps(drone.stateLines());
@@ -302,8 +302,8 @@ class LinkFaultsTest {
             report -> {},
             List.of());
     simulation.control(new Control.Power(1, true));
-    simulation.submit(1, new Peer(NEIGHBOUR, SteppedDrone.DRONE), "battery?");
-    simulation.submit(1, new Peer(NEIGHBOUR, SteppedDrone.DRONE), "command");
+    simulation.submit(1, new Peer(NEIGHBOR, SteppedDrone.DRONE), "battery?");
+    simulation.submit(1, new Peer(NEIGHBOR, SteppedDrone.DRONE), "command");
     simulation.drain();
     assertThat(simulation.demand()).isEqualTo(Demand.DEBT);
     assertThat(simulation.pending()).as("the second one waits for its turn").isTrue();

@@ -27,7 +27,7 @@ class SwarmTest {
   }
 
   @Test
-  void neighboursAre60CentimetresApartTheFirstOneAtTheLeft() {
+  void neighborsAre60CentimetersApartTheFirstOneAtTheLeft() {
     List<Pose> starts = Swarm.row(3, Vec3.ZERO, Room.DEFAULT);
 
     assertThat(starts).extracting(start -> start.position().y()).containsExactly(0.6, 0.0, -0.6);

@@ -121,17 +121,17 @@ class TakingTest {
   }
 
   @Test
-  void centredSticksComeToRest() {
+  void centeredSticksComeToRest() {
     fly(1, "command", "takeoff");
     submit(1, "rc 30 30 30 30");
     runWhile(Demand.DEBT);
     submit(1, "rc 0 0 0 0");
     simulation.drain();
-    double centred = seconds();
+    double centered = seconds();
     runWhile(Demand.DEBT);
 
     assertThat(simulation.demand()).isEqualTo(Demand.NONE);
-    assertThat(seconds() - centred).isLessThan(8);
+    assertThat(seconds() - centered).isLessThan(8);
   }
 
   /** In gusts no drone stands still, and so `stop` gets no second answer. */

@@ -116,13 +116,13 @@ class DecodedFlightTest {
   }
 
   /** Peak signal-to-noise ratio [dB]; ffmpeg's grey has the full range, of 16 to 235. */
-  private static double likeness(byte[] grey, byte[] brightness) {
+  private static double likeness(byte[] gray, byte[] brightness) {
     double squares = 0;
-    for (int i = 0; i < grey.length; i++) {
+    for (int i = 0; i < gray.length; i++) {
       double expected = ((brightness[i] & 0xff) - 16) * 255.0 / 219;
-      double error = (grey[i] & 0xff) - Math.max(0, Math.min(255, expected));
+      double error = (gray[i] & 0xff) - Math.max(0, Math.min(255, expected));
       squares += error * error;
     }
-    return 10 * Math.log10(255.0 * 255 * grey.length / squares);
+    return 10 * Math.log10(255.0 * 255 * gray.length / squares);
   }
 }

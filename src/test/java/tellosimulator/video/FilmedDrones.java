@@ -41,7 +41,7 @@ final class FilmedDrones implements AutoCloseable {
   /** Of the camera that looks down. */
   static final int BELOW = 20;
 
-  private static final FrameSource ONE_COLOUR =
+  private static final FrameSource ONE_COLOR =
       (snapshot, shot, picture) -> {
         int level = shot.downward() ? BELOW : FIRST + STEP * (shot.drone() - 1);
         Arrays.fill(picture.y(), (byte) level);
@@ -67,7 +67,7 @@ final class FilmedDrones implements AutoCloseable {
     AddressPlan plan =
         AddressPlan.portPerDrone(videoPorts.length, List.of(InetAddress.getLoopbackAddress()), 0);
     simulation = new OnlineSimulation(config, plan, OptionalInt.empty(), List.of());
-    streams = VideoStreams.of(simulation, () -> ONE_COLOUR, H264Encoder::new);
+    streams = VideoStreams.of(simulation, () -> ONE_COLOR, H264Encoder::new);
     try {
       simulation.switchAllOn();
     } catch (PortTakenException e) {

@@ -75,7 +75,7 @@ class RoomTest {
   }
 
   @Test
-  void theDefaultIsFiveByFiveByThreeMetres() {
+  void theDefaultIsFiveByFiveByThreeMeters() {
     assertThat(Room.DEFAULT).isEqualTo(new Room(5, 5, 3));
   }
 

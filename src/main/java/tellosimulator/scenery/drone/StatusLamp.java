@@ -40,8 +40,8 @@ final class StatusLamp {
     List<Section> sections = new ArrayList<>();
     for (int i = 0; i < SIDES / 2; i++) {
       double angle = Math.PI * (2 * i + 1) / SIDES;
-      Vec3 centre = PLACE.minus(new Vec3(RADIUS * StrictMath.cos(angle), 0, 0));
-      sections.add(new Section(centre, RADIUS * StrictMath.sin(angle)));
+      Vec3 center = PLACE.minus(new Vec3(RADIUS * StrictMath.cos(angle), 0, 0));
+      sections.add(new Section(center, RADIUS * StrictMath.sin(angle)));
     }
     SmoothMeshBuilder mesh = new SmoothMeshBuilder();
     Loft.tube(mesh, sections, SIDES);

@@ -30,8 +30,8 @@ record TextureMapping(Texture texture, double period, Scale across, Scale down) 
       return new Scale(0.5 / texels, (1 - 1.0 / texels) / length);
     }
 
-    double at(double metres) {
-      return start + step * metres;
+    double at(double meters) {
+      return start + step * meters;
     }
   }
 

@@ -64,7 +64,7 @@ final class PlainTextures {
     if (above < SKIRTING_HEIGHT) {
       return SKIRTING;
     }
-    double fromMetre = Math.abs(above - Math.rint(above));
-    return fromMetre < line / 2 ? WALL_LINE : WALL_LOW.towards(WALL_HIGH, Math.min(1, above / 2.5));
+    double fromMeter = Math.abs(above - Math.rint(above));
+    return fromMeter < line / 2 ? WALL_LINE : WALL_LOW.towards(WALL_HIGH, Math.min(1, above / 2.5));
   }
 }

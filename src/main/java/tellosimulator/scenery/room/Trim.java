@@ -40,8 +40,8 @@ final class Trim {
     for (Surface wall : WALLS) {
       Face face = Face.of(room, wall);
       boards.quad(face.band(0, PlainTextures.SKIRTING_HEIGHT), TextureRegion.WHOLE);
-      for (int metre = 1; metre < room.height(); metre++) {
-        lines.quad(face.band(metre - LINE / 2, LINE), TextureRegion.WHOLE);
+      for (int meter = 1; meter < room.height(); meter++) {
+        lines.quad(face.band(meter - LINE / 2, LINE), TextureRegion.WHOLE);
       }
     }
     Part board = new Part(boards.build(), Textures.BOARD, Shading.DECAL);

@@ -29,8 +29,8 @@ public final class ImageCache {
       return ImageFile.read(file);
     } catch (IOException e) {
       LOG.warn("A picture stays blank: {}.", e.getMessage());
-      int grey = Rgb.of(0x9a9a9a).argb();
-      return new ImageTexture(ProceduralTexture.of(BLANK_SIZE, () -> (x, y) -> grey), 1);
+      int gray = Rgb.of(0x9a9a9a).argb();
+      return new ImageTexture(ProceduralTexture.of(BLANK_SIZE, () -> (x, y) -> gray), 1);
     }
   }
 }

@@ -105,22 +105,22 @@ public final class ImageFile {
     image.getRGB(0, 0, width, height, pixels, 0, width);
     if (image.getColorModel().getNumColorComponents() == 1
         && !(image.getColorModel() instanceof IndexColorModel)) {
-      takeGrey(image, pixels);
+      takeGray(image, pixels);
     }
     return new Texture(width, height, pixels);
   }
 
   /** As it is in the file: {@code getRGB} takes grey for linear and would make it lighter. */
-  private static void takeGrey(BufferedImage image, int[] pixels) {
+  private static void takeGray(BufferedImage image, int[] pixels) {
     Raster raster = image.getRaster();
     int[] row = new int[image.getWidth()];
     int most = (1 << image.getColorModel().getComponentSize(0)) - 1;
     for (int y = 0; y < image.getHeight(); y++) {
       raster.getSamples(0, y, row.length, 1, 0, row);
       for (int x = 0; x < row.length; x++) {
-        int grey = row[x] * 255 / most;
+        int gray = row[x] * 255 / most;
         int pixel = y * row.length + x;
-        pixels[pixel] = (pixels[pixel] & 0xff000000) | grey * 0x010101;
+        pixels[pixel] = (pixels[pixel] & 0xff000000) | gray * 0x010101;
       }
     }
   }

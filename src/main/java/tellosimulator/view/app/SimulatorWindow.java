@@ -296,9 +296,9 @@ public final class SimulatorWindow implements AutoCloseable {
         "grid-cm",
         gridCm,
         SettingCodec.decimal(
-            Frames.centimetres(Decor.SMALLEST_GRID), Frames.centimetres(Decor.LARGEST_GRID)));
+            Frames.centimeters(Decor.SMALLEST_GRID), Frames.centimeters(Decor.LARGEST_GRID)));
     if (gridCm.get() != gridCm(decor.get())) {
-      Decor remembered = decor.get().withGrid(Frames.metres(gridCm.get()));
+      Decor remembered = decor.get().withGrid(Frames.meters(gridCm.get()));
       context.actions().carryOut(new Control.Decorate(remembered));
     }
     decor.addListener((property, before, now) -> gridCm.set(gridCm(now)));
@@ -306,7 +306,7 @@ public final class SimulatorWindow implements AutoCloseable {
 
   /** The grid as people see it, without the last bits of the conversion. */
   private static double gridCm(Decor decor) {
-    return Math.rint(Frames.centimetres(decor.grid()) * 1000) / 1000;
+    return Math.rint(Frames.centimeters(decor.grid()) * 1000) / 1000;
   }
 
   /** Opens it, or takes the place of another one in the same stage. */

@@ -23,16 +23,16 @@ final class RoomPanel extends VBox {
 
   /** What a slider reaches [cm]. Decided: from the smallest room to a gym. */
   private static final NumberRange SLIDER =
-      new NumberRange(Frames.centimetres(Room.SHORTEST), 2000, 10);
+      new NumberRange(Frames.centimeters(Room.SHORTEST), 2000, 10);
 
   private static final NumberRange FIELD =
       new NumberRange(
-          Frames.centimetres(Room.SHORTEST), Frames.centimetres(Room.LONGEST), SLIDER.step());
+          Frames.centimeters(Room.SHORTEST), Frames.centimeters(Room.LONGEST), SLIDER.step());
 
   /** Distance between the grid's lines [cm]. */
   private static final NumberRange GRID =
       new NumberRange(
-          Frames.centimetres(Decor.SMALLEST_GRID), Frames.centimetres(Decor.LARGEST_GRID), 5);
+          Frames.centimeters(Decor.SMALLEST_GRID), Frames.centimeters(Decor.LARGEST_GRID), 5);
 
   /** By how much an arrow key moves the start [cm]. */
   private static final double START_STEP = 10;
@@ -126,34 +126,34 @@ final class RoomPanel extends VBox {
   }
 
   private void showRoom() {
-    width.show(Frames.centimetres(room().width()));
-    depth.show(Frames.centimetres(room().depth()));
-    height.show(Frames.centimetres(room().height()));
+    width.show(Frames.centimeters(room().width()));
+    depth.show(Frames.centimeters(room().depth()));
+    height.show(Frames.centimeters(room().height()));
     startX.setRange(startRange(room().depth()));
     startY.setRange(startRange(room().width()));
   }
 
   private void showGrid() {
-    grid.show(Frames.centimetres(simulation.decorProperty().get().grid()));
+    grid.show(Frames.centimeters(simulation.decorProperty().get().grid()));
   }
 
   private void showStart() {
     Vec3 start = simulation.selected().startProperty().get().position();
-    startX.show(Frames.centimetres(start.x()));
-    startY.show(Frames.centimetres(start.y()));
+    startX.show(Frames.centimeters(start.x()));
+    startY.show(Frames.centimeters(start.y()));
   }
 
   private Room wantedRoom() {
     return new Room(
-        Frames.metres(width.value()), Frames.metres(depth.value()), Frames.metres(height.value()));
+        Frames.meters(width.value()), Frames.meters(depth.value()), Frames.meters(height.value()));
   }
 
   private Decor wantedDecor() {
-    return simulation.decorProperty().get().withGrid(Frames.metres(grid.value()));
+    return simulation.decorProperty().get().withGrid(Frames.meters(grid.value()));
   }
 
   private Vec3 wantedStart() {
-    return new Vec3(Frames.metres(startX.value()), Frames.metres(startY.value()), 0);
+    return new Vec3(Frames.meters(startX.value()), Frames.meters(startY.value()), 0);
   }
 
   private double startHeading() {
@@ -166,7 +166,7 @@ final class RoomPanel extends VBox {
 
   /** Where a drone can stand between two walls; rounded inwards to what a field shows. */
   private static NumberRange startRange(double edge) {
-    double reach = Frames.centimetres(edge / 2 - DroneSpec.COLLIDER.radius());
+    double reach = Frames.centimeters(edge / 2 - DroneSpec.COLLIDER.radius());
     double shown = Math.floor(reach * 10 + 1e-6) / 10;
     return new NumberRange(-shown, shown, START_STEP);
   }

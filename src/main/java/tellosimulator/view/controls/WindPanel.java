@@ -28,7 +28,7 @@ final class WindPanel extends VBox {
   private static final NumberRange GUSTS = new NumberRange(0, 200, 5);
 
   private static final NumberRange FIELD =
-      new NumberRange(0, Frames.centimetres(Wind.FASTEST), SPEED.step());
+      new NumberRange(0, Frames.centimeters(Wind.FASTEST), SPEED.step());
 
   /** Slower is calm to the eye [m/s]; there is no direction left in it. */
   private static final double CALM = 1e-6;
@@ -79,8 +79,8 @@ final class WindPanel extends VBox {
       double degrees = Math.toDegrees(Math.atan2(wind.mean().y(), wind.mean().x()));
       towards.show(tidy(degrees));
     }
-    speed.show(tidy(Frames.centimetres(mean)));
-    gusts.show(tidy(Frames.centimetres(wind.gusts())));
+    speed.show(tidy(Frames.centimeters(mean)));
+    gusts.show(tidy(Frames.centimeters(wind.gusts())));
   }
 
   /** Without the last bits of the conversion. */
@@ -90,9 +90,9 @@ final class WindPanel extends VBox {
 
   private Wind wanted() {
     double angle = Math.toRadians(towards.value());
-    double mean = Frames.metres(speed.value());
+    double mean = Frames.meters(speed.value());
     return new Wind(
         new Vec3(Math.cos(angle) * mean, Math.sin(angle) * mean, wind().mean().z()),
-        Frames.metres(gusts.value()));
+        Frames.meters(gusts.value()));
   }
 }

@@ -74,15 +74,15 @@ public final class FxDroneModel {
     operator.set(newest.link().operator());
     on.set(newest.state().phase() != FlightPhase.OFF);
     filming.set(on.get() && newest.link().sdkMode() && newest.state().video().on());
-    speedCm.set(Frames.centimetres(newest.state().motion().velocity().norm()));
+    speedCm.set(Frames.centimeters(newest.state().motion().velocity().norm()));
     batteryPercent.set(newest.state().energy().battery().percent());
   }
 
   private void show(Pose newPose) {
     Vec3 position = newPose.position();
-    xCm.set(Frames.centimetres(position.x()));
-    yCm.set(Frames.centimetres(position.y()));
-    zCm.set(Frames.centimetres(position.z()));
+    xCm.set(Frames.centimeters(position.x()));
+    yCm.set(Frames.centimeters(position.y()));
+    zCm.set(Frames.centimeters(position.z()));
     Attitude attitude = newPose.attitude();
     pitchDeg.set(Math.toDegrees(attitude.elevation()));
     rollDeg.set(Math.toDegrees(attitude.bank()));

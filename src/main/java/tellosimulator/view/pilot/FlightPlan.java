@@ -94,11 +94,11 @@ final class FlightPlan {
   }
 
   private void advance(Vec3 wayCm) {
-    position = position.plus(wayCm.times(Frames.metres(1)).turned(heading));
+    position = position.plus(wayCm.times(Frames.meters(1)).turned(heading));
   }
 
-  private static int cm(double metres) {
-    return (int) Math.round(Frames.centimetres(metres));
+  private static int cm(double meters) {
+    return (int) Math.round(Frames.centimeters(meters));
   }
 
   private static String text(String format, Object... values) {

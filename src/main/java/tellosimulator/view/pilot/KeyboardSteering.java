@@ -40,7 +40,7 @@ public final class KeyboardSteering {
   /** After which {@code rc} is repeated [s, simulated]. Documented: safety landing after 15 s. */
   private static final double REPETITION = 2;
 
-  private static final String CENTRED = rc(Push.NONE, 0);
+  private static final String CENTERED = rc(Push.NONE, 0);
 
   private final ViewContext context;
   private final RemoteControl remote;
@@ -50,7 +50,7 @@ public final class KeyboardSteering {
   private final ObservableSet<SteeringKey> readOnlyPressed =
       FXCollections.unmodifiableObservableSet(pressed);
   private Optional<Scene> scene = Optional.empty();
-  private String sent = CENTRED;
+  private String sent = CENTERED;
   private long sentNanos;
   private double sentSeconds;
 
@@ -140,10 +140,10 @@ public final class KeyboardSteering {
   /** The keys fly a drone only while it is selected; it must not fly on with pushed sticks. */
   private void letGo(FxDroneModel before) {
     active.set(false);
-    if (!sent.equals(CENTRED) && before.onProperty().get()) {
-      remote.tell(before, CENTRED);
+    if (!sent.equals(CENTERED) && before.onProperty().get()) {
+      remote.tell(before, CENTERED);
     }
-    sent = CENTRED;
+    sent = CENTERED;
   }
 
   private void beat(long nanos) {

@@ -59,7 +59,7 @@ final class PlanItemText {
     return messages.now("size-frame", cm(frame.width()), cm(frame.opening()), cm(frame.middle()));
   }
 
-  private static long cm(double metres) {
-    return Math.round(Frames.centimetres(metres));
+  private static long cm(double meters) {
+    return Math.round(Frames.centimeters(meters));
   }
 }

@@ -263,7 +263,7 @@ final class PlanPainter {
     pen.restore();
   }
 
-  private double size(double metres) {
-    return Math.max(SMALLEST, metres * scale.pixels());
+  private double size(double meters) {
+    return Math.max(SMALLEST, meters * scale.pixels());
   }
 }

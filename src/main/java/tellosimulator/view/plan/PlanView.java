@@ -88,7 +88,7 @@ final class PlanView extends Region {
     List<PlanItem> items = plan.items();
     for (int i = items.size() - 1; i >= 0; i--) {
       PlanItem item = items.get(i);
-      if (plan.outline(item).covers(place, plan.placement(item), scale.metres(CATCH))) {
+      if (plan.outline(item).covers(place, plan.placement(item), scale.meters(CATCH))) {
         return Optional.of(item);
       }
     }

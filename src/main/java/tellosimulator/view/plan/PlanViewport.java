@@ -45,7 +45,7 @@ record PlanViewport(Vec3 middle, double pixels, double width, double height) {
   }
 
   /** What a distance on the screen is on the floor [m]. */
-  double metres(double distance) {
+  double meters(double distance) {
     return distance / pixels;
   }
 

@@ -51,6 +51,6 @@ final class FlightReadout extends VBox {
         messages.now("state", messages.now("phase." + phase), drone.batteryPercentProperty()));
     OptionalDouble apart = replay.distance();
     distance.setText(
-        apart.isPresent() ? messages.now("distance", Frames.centimetres(apart.getAsDouble())) : "");
+        apart.isPresent() ? messages.now("distance", Frames.centimeters(apart.getAsDouble())) : "");
   }
 }

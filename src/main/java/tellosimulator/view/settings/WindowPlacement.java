@@ -32,14 +32,14 @@ public final class WindowPlacement {
   private final DoubleProperty y = new SimpleDoubleProperty(Double.NaN);
   private final DoubleProperty width = new SimpleDoubleProperty(WIDTH);
   private final DoubleProperty height = new SimpleDoubleProperty(HEIGHT);
-  private final BooleanProperty maximised = new SimpleBooleanProperty();
+  private final BooleanProperty maximized = new SimpleBooleanProperty();
 
   private WindowPlacement(Settings settings) {
     settings.bind("window.x", x, SettingCodec.decimal(-LARGEST, LARGEST));
     settings.bind("window.y", y, SettingCodec.decimal(-LARGEST, LARGEST));
     settings.bind("window.width", width, SettingCodec.decimal(SMALLEST, LARGEST));
     settings.bind("window.height", height, SettingCodec.decimal(SMALLEST, LARGEST));
-    settings.bind("window.maximised", maximised, SettingCodec.flag());
+    settings.bind("window.maximised", maximized, SettingCodec.flag());
   }
 
   /** Puts a window, before it is shown, where it was last time, and remembers where it goes. */
@@ -61,7 +61,7 @@ public final class WindowPlacement {
     } else {
       stage.centerOnScreen();
     }
-    stage.setMaximized(maximised.get());
+    stage.setMaximized(maximized.get());
   }
 
   /**
@@ -84,7 +84,7 @@ public final class WindowPlacement {
     stage.yProperty().addListener((observed, before, now) -> note(stage, y, now));
     stage.widthProperty().addListener((observed, before, now) -> note(stage, width, now));
     stage.heightProperty().addListener((observed, before, now) -> note(stage, height, now));
-    stage.maximizedProperty().addListener((observed, before, now) -> maximised.set(now));
+    stage.maximizedProperty().addListener((observed, before, now) -> maximized.set(now));
   }
 
   private static void note(Stage stage, DoubleProperty property, Number value) {

@@ -99,10 +99,10 @@ public final class SimulatorCamera {
    * @param pictureHeight height of the picture in pixels; the scene follows the pointer
    */
   public void shift(double rightPixels, double downPixels, double pictureHeight) {
-    double metresPerPixel =
+    double metersPerPixel =
         2 * orbit.distance() * Math.tan(FIELD_OF_VIEW / 2) / Math.max(1, pictureHeight);
     orbit =
-        orbit.shifted(-rightPixels * metresPerPixel, downPixels * metresPerPixel, farthestShift());
+        orbit.shifted(-rightPixels * metersPerPixel, downPixels * metersPerPixel, farthestShift());
   }
 
   /** Comes nearer by some pixels of scrolling; negative goes away. */

@@ -69,6 +69,6 @@ final class WindArrow extends VBox {
   }
 
   private static long cm(Vec3 velocity) {
-    return Math.round(Frames.centimetres(velocity.norm()));
+    return Math.round(Frames.centimeters(velocity.norm()));
   }
 }

@@ -12,7 +12,7 @@ import tellosimulator.scenery.mesh.Rgb;
 class LiveryTest {
 
   @Test
-  void neighboursDiffer() {
+  void neighborsDiffer() {
     Set<Rgb> colors = new HashSet<>();
     for (int number = 1; number <= 7; number++) {
       colors.add(ofNumber(number).color());
@@ -31,7 +31,7 @@ class LiveryTest {
   }
 
   @Test
-  void aChosenColourIsThatOfAll() {
+  void aChosenColorIsThatOfAll() {
     Livery chosen = Livery.of(1, OptionalInt.of(0x123456));
 
     assertThat(chosen).isEqualTo(new Livery(Rgb.of(0x123456), Rgb.of(0x123456)));

@@ -55,7 +55,7 @@ class StatusLightTest {
   }
 
   @Test
-  void oneSeesItsColourOrBetweenTwoBlinksNone() {
+  void oneSeesItsColorOrBetweenTwoBlinksNone() {
     drone.control(new Control.Power(1, true));
 
     assertThat(seen(false)).containsExactlyInAnyOrder(StatusLight.WAITING, StatusLight.DARK);

@@ -72,7 +72,7 @@ class FurnitureTest {
 
   @ParameterizedTest
   @EnumSource
-  void aPatternIsNearTheColourAndHasDetailButForPlainPaint(Pattern pattern) {
+  void aPatternIsNearTheColorAndHasDetailButForPlainPaint(Pattern pattern) {
     Texture texture = parts(BOX, paint(pattern)).get(0).material().texture();
 
     int own = 0;

@@ -62,7 +62,7 @@ class InteriorTest {
     Vec3 right = place(wall).right;
     Vec3 up = place(wall).up;
     // twice as wide as high: 0.8 by 0.4 m
-    RayTracer eye = eye(PLAIN.withPosters(List.of(new Poster(wall, 0.5, 1.2, 0.8, fourColours()))));
+    RayTracer eye = eye(PLAIN.withPosters(List.of(new Poster(wall, 0.5, 1.2, 0.8, fourColors()))));
 
     assertThat(seen(eye, middle.plusScaled(right, -0.38).plusScaled(up, 0.18))).isEqualTo(RED);
     assertThat(seen(eye, middle.plusScaled(right, 0.38).plusScaled(up, 0.18))).isEqualTo(GREEN);
@@ -76,7 +76,7 @@ class InteriorTest {
   @Test
   void aPosterEndsWhereItsWallEnds() throws IOException {
     // its left third is beyond the corner: the wall is 4 m wide, so that is at -2 m
-    Poster poster = new Poster(Surface.FRONT_WALL, -1.9, 1.2, 0.6, fourColours());
+    Poster poster = new Poster(Surface.FRONT_WALL, -1.9, 1.2, 0.6, fourColors());
     RayTracer eye = eye(PLAIN.withPosters(List.of(poster)));
 
     assertThat(seen(eye, new Vec3(3, 1.99, 1.3))).isEqualTo(RED);
@@ -87,7 +87,7 @@ class InteriorTest {
 
   @Test
   void theLaterPosterIsInFront() throws IOException {
-    String picture = fourColours();
+    String picture = fourColors();
     Poster first = new Poster(Surface.FRONT_WALL, 0, 1, 1, picture);
     Poster second = new Poster(Surface.FRONT_WALL, 0.5, 1.2, 1, picture);
     RayTracer eye = eye(PLAIN.withPosters(List.of(first, second)));
@@ -97,7 +97,7 @@ class InteriorTest {
   }
 
   @Test
-  void aPosterWithoutAFileIsAGreyBoard() {
+  void aPosterWithoutAFileIsAGrayBoard() {
     Poster poster = new Poster(Surface.FRONT_WALL, 0, 1, 0.5, "no-such.png");
 
     Rgb color = seen(eye(PLAIN.withPosters(List.of(poster))), new Vec3(3, 0, 1));
@@ -120,16 +120,16 @@ class InteriorTest {
   }
 
   @Test
-  void texturedWallsHaveALineAtEachMetreAndASkirtingBoard() {
+  void texturedWallsHaveALineAtEachMeterAndASkirtingBoard() {
     RayTracer eye = eye(Decor.DEFAULT);
 
     for (Surface wall :
         List.of(Surface.FRONT_WALL, Surface.BACK_WALL, Surface.LEFT_WALL, Surface.RIGHT_WALL)) {
       Face face = Face.of(ROOM, wall);
-      for (int metre : new int[] {1, 2}) {
-        assertThat(brightness(eye, face, metre))
-            .as("%s at %d m", wall, metre)
-            .isLessThan(brightness(eye, face, metre + 0.03) - 20);
+      for (int meter : new int[] {1, 2}) {
+        assertThat(brightness(eye, face, meter))
+            .as("%s at %d m", wall, meter)
+            .isLessThan(brightness(eye, face, meter + 0.03) - 20);
       }
       assertThat(brightness(eye, face, 0.03)).isGreaterThan(200);
     }
@@ -220,7 +220,7 @@ class InteriorTest {
   }
 
   /** An image of 4 by 2 pixels: red, green, and below them blue, yellow. */
-  private String fourColours() throws IOException {
+  private String fourColors() throws IOException {
     BufferedImage image = new BufferedImage(4, 2, BufferedImage.TYPE_INT_RGB);
     for (int x = 0; x < 4; x++) {
       image.setRGB(x, 0, (x < 2 ? RED : GREEN).argb());

@@ -33,7 +33,7 @@ class AlphaMaskTest {
   }
 
   @Test
-  void theInkHasOneColourAlsoWhereThereIsNone() {
+  void theInkHasOneColorAlsoWhereThereIsNone() {
     Texture drawn = texture(sheet.stroke(List.of(new Point(10, 20), new Point(50, 20)), 5));
 
     for (int argb : drawn.argbArray()) {

@@ -93,12 +93,12 @@ class ImageFileTest {
 
   @ParameterizedTest
   @ValueSource(ints = {BufferedImage.TYPE_BYTE_GRAY, BufferedImage.TYPE_USHORT_GRAY})
-  void greyIsAsGreyAsInTheFile(int type) throws IOException {
+  void grayIsAsGrayAsInTheFile(int type) throws IOException {
     BufferedImage image = new BufferedImage(256, 256, type);
     boolean wide = type == BufferedImage.TYPE_USHORT_GRAY;
-    int[] grey = new int[256 * 256];
-    Arrays.fill(grey, wide ? 100 * 257 : 100);
-    image.getRaster().setSamples(0, 0, 256, 256, 0, grey);
+    int[] gray = new int[256 * 256];
+    Arrays.fill(gray, wide ? 100 * 257 : 100);
+    image.getRaster().setSamples(0, 0, 256, 256, 0, gray);
 
     Texture texture = ImageFile.read(saved(image, "png")).texture();
 

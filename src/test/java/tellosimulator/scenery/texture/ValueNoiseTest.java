@@ -63,7 +63,7 @@ class ValueNoiseTest {
   }
 
   @Test
-  void mixingGoesFromOneColourToTheOther() {
+  void mixingGoesFromOneColorToTheOther() {
     assertThat(ProceduralTexture.mix(0xff102030, 0xfff0e0d0, 0)).isEqualTo(0xff102030);
     assertThat(ProceduralTexture.mix(0xff102030, 0xfff0e0d0, 3)).isEqualTo(0xfff0e0d0);
     assertThat(ProceduralTexture.mix(0xff102030, 0xfff0e0d0, 0.5)).isEqualTo(0xff808080);

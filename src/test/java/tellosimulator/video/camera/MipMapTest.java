@@ -42,7 +42,7 @@ class MipMapTest {
   }
 
   @Test
-  void coloursArePremultipliedWhereAlphaCounts() {
+  void colorsArePremultipliedWhereAlphaCounts() {
     Texture texture = new Texture(2, 1, new int[] {0x00ffffff, 0x80ff0000});
 
     MipMap translucent = new MipMap(texture, ColorSpace.RGB, true);

@@ -109,7 +109,7 @@ class RasterizationTest {
   }
 
   @Test
-  void texturesDoNotFlickerWhenTheCameraMovesAMillimetre() {
+  void texturesDoNotFlickerWhenTheCameraMovesAMillimeter() {
     Scene room = Scene.of(TestScenes.room());
     CameraIntrinsics intrinsics = new CameraIntrinsics(480, 360, Math.toRadians(55));
     Attitude attitude = Attitude.ofHeading(0.4);

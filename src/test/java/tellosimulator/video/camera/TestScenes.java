@@ -89,8 +89,8 @@ final class TestScenes {
     SplittableRandom random = new SplittableRandom(seed);
     int[] argb = new int[size * size];
     for (int i = 0; i < argb.length; i++) {
-      int grey = 40 + random.nextInt(200);
-      argb[i] = BLACK | grey << 16 | (grey * 7 / 8) << 8 | grey * 3 / 4;
+      int gray = 40 + random.nextInt(200);
+      argb[i] = BLACK | gray << 16 | (gray * 7 / 8) << 8 | gray * 3 / 4;
     }
     return new Texture(size, size, argb);
   }

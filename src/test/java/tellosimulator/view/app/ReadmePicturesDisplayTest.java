@@ -168,7 +168,7 @@ class ReadmePicturesDisplayTest {
     BufferedImage picture = coarse(window.picture());
     assertThat(picture.getWidth()).isEqualTo(WIDTH);
     assertThat(picture.getHeight()).isEqualTo(HEIGHT);
-    assertThat(colours(picture)).as("colours in the middle").isGreaterThan(50);
+    assertThat(colors(picture)).as("colours in the middle").isGreaterThan(50);
     byte[] file = png(picture);
     assertThat(file.length).as("size of %s", name).isLessThan(LARGEST);
     if (UPDATE) {
@@ -192,7 +192,7 @@ class ReadmePicturesDisplayTest {
     return onFxThread(() -> window.scene().camera().pose().position());
   }
 
-  private static int colours(BufferedImage picture) {
+  private static int colors(BufferedImage picture) {
     int[] middle = picture.getRGB(WIDTH / 4, HEIGHT / 4, WIDTH / 2, HEIGHT / 3, null, 0, WIDTH / 2);
     return (int) Arrays.stream(middle).distinct().count();
   }

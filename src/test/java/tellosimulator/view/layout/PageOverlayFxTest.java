@@ -137,7 +137,7 @@ class PageOverlayFxTest {
   }
 
   @Test
-  void theAboutPageShowsVersionsAndEachLicence(FxRobot robot) {
+  void theAboutPageShowsVersionsAndEachLicense(FxRobot robot) {
     robot.interact(overlay::showAbout);
     assertThat(label(robot, "#about-title").getText()).isEqualTo("Tello Simulator development");
     assertThat(label(robot, "#about-versions").getText())

@@ -90,7 +90,7 @@ class LogPaneFxTest {
   }
 
   @Test
-  void aLineShowsTimeDroneAndWordsInTheColourOfItsLevel() {
+  void aLineShowsTimeDroneAndWordsInTheColorOfItsLevel() {
     happens(
         new SimEvent.DroneFlight(
             new SimTime(1_500_000_000),

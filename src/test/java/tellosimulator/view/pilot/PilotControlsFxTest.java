@@ -127,7 +127,7 @@ class PilotControlsFxTest {
   }
 
   @Test
-  void heldKeysMoveTheSticksAndReleasedOnesCentreThem(FxRobot robot) throws TimeoutException {
+  void heldKeysMoveTheSticksAndReleasedOnesCenterThem(FxRobot robot) throws TimeoutException {
     flyByKeyboard(robot);
 
     robot.press(KeyCode.W);
@@ -174,7 +174,7 @@ class PilotControlsFxTest {
   }
 
   @Test
-  void losingTheFocusCentresTheSticks(FxRobot robot) throws TimeoutException {
+  void losingTheFocusCentersTheSticks(FxRobot robot) throws TimeoutException {
     flyByKeyboard(robot);
     robot.press(KeyCode.W);
     await(() -> lastCommand().equals("rc 0 60 0 0"));
@@ -186,7 +186,7 @@ class PilotControlsFxTest {
   }
 
   @Test
-  void switchingOffCentresTheSticks(FxRobot robot) throws TimeoutException {
+  void switchingOffCentersTheSticks(FxRobot robot) throws TimeoutException {
     flyByKeyboard(robot);
     robot.press(KeyCode.D);
     await(() -> lastCommand().equals("rc 60 0 0 0"));
@@ -198,7 +198,7 @@ class PilotControlsFxTest {
   }
 
   @Test
-  void choosingAnotherDroneCentresTheSticksOfTheOneThatFlew(FxRobot robot) throws TimeoutException {
+  void choosingAnotherDroneCentersTheSticksOfTheOneThatFlew(FxRobot robot) throws TimeoutException {
     flyByKeyboard(robot);
     robot.press(KeyCode.D);
     await(() -> lastCommand().equals("rc 60 0 0 0"));

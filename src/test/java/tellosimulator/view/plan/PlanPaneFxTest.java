@@ -47,7 +47,7 @@ class PlanPaneFxTest {
   }
 
   @Test
-  void aDraggedStartComesToRestAtFiveCentimetres() {
+  void aDraggedStartComesToRestAtFiveCentimeters() {
     drag(start(1), new Vec3(1.03, -0.87, 0));
 
     waitUntil(() -> start(1).distanceTo(new Vec3(1.05, -0.85, 0)) < 1e-9);

@@ -28,7 +28,7 @@ class WindowPlacementTest {
           5000, 10,   false, false
           NaN,  NaN,  false, false
           """)
-  void aWindowThatOneCannotTakeHoldOfIsCentred(double x, double y, boolean alone, boolean two) {
+  void aWindowThatOneCannotTakeHoldOfIsCentered(double x, double y, boolean alone, boolean two) {
     assertThat(WindowPlacement.visible(x, y, List.of(LAPTOP)).isPresent()).isEqualTo(alone);
     assertThat(WindowPlacement.visible(x, y, List.of(LAPTOP, BESIDE)).isPresent()).isEqualTo(two);
   }

@@ -25,7 +25,7 @@ class YuvConverterTest {
           255, 128, 128, ffffff
             0,   0,   0, 008700
           """)
-  void coloursAreThoseOfTheStandard(int y, int u, int v, String rgb) {
+  void colorsAreThoseOfTheStandard(int y, int u, int v, String rgb) {
     Picture picture = picture(y, u, v);
     int[] whole = new int[16];
     int[] half = new int[4];
@@ -39,7 +39,7 @@ class YuvConverterTest {
   }
 
   @Test
-  void eachPixelHasItsOwnBrightnessAndFourShareAColour() {
+  void eachPixelHasItsOwnBrightnessAndFourShareAColor() {
     Picture picture = picture(100, 128, 128);
     picture.y()[6] = (byte) 200; // third column, second row
     picture.u()[3] = (byte) 200; // lower right
