@@ -1,21 +1,31 @@
 package tellosimulator.recording;
 
+import java.util.ArrayDeque;
 import java.util.ArrayList;
+import java.util.Deque;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.OptionalDouble;
+import java.util.OptionalInt;
+import tellosimulator.command.WireText;
 import tellosimulator.recording.RecordedCommand.Outcome;
 
 /**
- * Finds out which reply belongs to which command. Events say it. Of the wire alone it follows from
- * how the drone works: it carries out one command at a time, and answers reads and refusals at
- * once. For one thread; each recording needs its own.
+ * Finds out which reply belongs to which command. Events say it; of the wire alone it follows by
+ * {@link WirePairing}. For one thread; each recording needs its own.
  */
 final class CommandPairing {
 
-  /** The reply to a command that comes while another one runs. Measured: FHNW report 2020. */
-  static final String BUSY = "error Not joystick";
+  /** A command's drone and text. */
+  private record Sent(int drone, String text) {}
 
   private final List<RecordedCommand> commands = new ArrayList<>();
+
+  /** Indexes of the commands that wait for what becomes of them, by events. */
+  private final Map<Sent, Deque<Integer>> open = new HashMap<>();
+
+  private final Map<Integer, WirePairing> wire = new HashMap<>();
 
   /** Takes the next event. */
   void take(RecordedEvent event) {
@@ -25,7 +35,8 @@ final class CommandPairing {
     int drone = event.drone().getAsInt();
     RecordedEvent.About about = event.about();
     switch (event.kind()) {
-      case "command" -> begin(drone, event.time(), about.command());
+      case "command" ->
+          waiting(drone, about.command()).addLast(begin(drone, event.time(), about.command()));
       case "reply" -> end(drone, event, Outcome.ANSWERED);
       case "refused" -> end(drone, event, Outcome.REFUSED);
       case "failed" -> end(drone, event, Outcome.FAILED);
@@ -37,17 +48,24 @@ final class CommandPairing {
     }
   }
 
-  private void begin(int drone, double time, String text) {
+  private Deque<Integer> waiting(int drone, String text) {
+    return open.computeIfAbsent(new Sent(drone, text), sent -> new ArrayDeque<>());
+  }
+
+  /** Adds a command, and returns its index. */
+  private int begin(int drone, double time, String text) {
     commands.add(
         new RecordedCommand(drone, time, text, Outcome.UNANSWERED, OptionalDouble.empty(), "", ""));
+    return commands.size() - 1;
   }
 
   private void end(int drone, RecordedEvent event, Outcome outcome) {
     RecordedEvent.About about = event.about();
-    int index = oldestOpen(drone, about.command());
-    if (index < 0) { // such as one that never arrived
-      begin(drone, event.time(), about.command());
-      index = commands.size() - 1;
+    Deque<Integer> waiting = waiting(drone, about.command());
+    boolean atOnce = outcome == Outcome.REFUSED || WireText.isUnanswered(about.command());
+    Integer index = atOnce ? waiting.pollLast() : waiting.pollFirst();
+    if (index == null) { // such as one that never arrived
+      index = begin(drone, event.time(), about.command());
     }
     RecordedCommand command = commands.get(index);
     boolean replied = outcome != Outcome.IGNORED && outcome != Outcome.LOST;
@@ -63,66 +81,44 @@ final class CommandPairing {
             about.reason()));
   }
 
-  private int oldestOpen(int drone, String text) {
-    for (int i = 0; i < commands.size(); i++) {
-      if (isOpen(i, drone) && commands.get(i).text().equals(text)) {
-        return i;
-      }
-    }
-    return -1;
-  }
-
-  private boolean isOpen(int index, int drone) {
-    RecordedCommand command = commands.get(index);
-    return command.drone() == drone && command.outcome() == Outcome.UNANSWERED;
-  }
-
   /** Takes the next line of {@code wire.jsonl}, where there are no events. */
   void take(Fields line) {
     int drone = line.whole("drone").orElse(1);
     double time = line.numberOr("t", 0);
     String text = line.text("text");
+    WirePairing pairing = wire.computeIfAbsent(drone, number -> new WirePairing());
     switch (line.text("kind")) {
-      case "command" -> begin(drone, time, text);
-      case "reply" -> answer(drone, time, text.stripTrailing());
+      case "command" -> pairing.sent(begin(drone, time, text), time, text);
+      case "reply" -> answer(pairing, time, text.stripTrailing());
       default -> {
         // state and video answer nothing
       }
     }
   }
 
-  private void answer(int drone, double time, String reply) {
-    int index = answeredBy(drone, reply);
-    if (index < 0) {
-      return;
+  private void answer(WirePairing pairing, double time, String reply) {
+    OptionalInt index = pairing.answered(time, reply);
+    if (index.isPresent()) {
+      RecordedCommand command = commands.get(index.getAsInt());
+      commands.set(
+          index.getAsInt(),
+          new RecordedCommand(
+              command.drone(),
+              command.sent(),
+              command.text(),
+              outcome(reply),
+              OptionalDouble.of(time),
+              reply,
+              ""));
     }
-    RecordedCommand command = commands.get(index);
-    Outcome outcome = isRefusal(reply) ? Outcome.REFUSED : Outcome.ANSWERED;
-    commands.set(
-        index,
-        new RecordedCommand(
-            drone, command.sent(), command.text(), outcome, OptionalDouble.of(time), reply, ""));
   }
 
-  /** The newest one if it is answered at once, or else the oldest one that waits for a reply. */
-  private int answeredBy(int drone, String reply) {
-    int oldest = -1;
-    int newest = -1;
-    for (int i = 0; i < commands.size(); i++) {
-      if (isOpen(i, drone) && !commands.get(i).text().startsWith("rc ")) {
-        oldest = oldest < 0 ? i : oldest;
-        newest = i;
-      }
-    }
-    boolean atOnce =
-        newest >= 0 && (commands.get(newest).text().endsWith("?") || reply.equals(BUSY));
-    return atOnce ? newest : oldest;
-  }
-
-  private static boolean isRefusal(String reply) {
-    return reply.startsWith("error")
-        || reply.startsWith("out of range")
-        || reply.startsWith("unknown command");
+  private static Outcome outcome(String reply) {
+    boolean refused =
+        reply.startsWith("error")
+            || reply.startsWith("out of range")
+            || reply.startsWith("unknown command");
+    return refused ? Outcome.REFUSED : Outcome.ANSWERED;
   }
 
   /** All commands, in the order in which they came. */

@@ -40,9 +40,6 @@ public final class DroneRecorder implements AutoCloseable {
   /** What lets a drone take off. Documented: SDK 3.0 User Guide. */
   private static final Set<String> TAKEOFFS = Set.of("takeoff", "throwfly");
 
-  /** Said of another command that {@code land} ends. Measured: see docs/protocol.md. */
-  private static final String AUTO_LAND = "error Auto land";
-
   private static final GoalResult NO_GOALS =
       new GoalResult(new Progress(Challenge.NONE, List.of(), 0, Optional.empty()), 0);
 
@@ -129,13 +126,12 @@ public final class DroneRecorder implements AutoCloseable {
   }
 
   private void takeOff(long nanos) {
-    takingOff = true;
-    landing = false;
     if (flying && down.isPresent()) {
       finish(nanos);
     }
-    if (!flying) {
+    if (!flying) { // or the drone is in the air, and refuses it
       flying = true;
+      takingOff = true;
       queue.add(new Entry.Begin(WallTime.now(), time(nanos), Optional.empty()));
     }
   }
@@ -144,11 +140,11 @@ public final class DroneRecorder implements AutoCloseable {
     boolean refused = text.startsWith("error");
     if (landing && text.equals("ok")) {
       isDown(nanos);
-    } else if (takingOff && refused && !text.equals(CommandPairing.BUSY)) {
+    } else if (takingOff && refused && !text.equals(WirePairing.BUSY)) {
       isDown(nanos);
     }
-    takingOff &= !text.equals("ok") && (!refused || text.equals(CommandPairing.BUSY));
-    landing &= !text.equals("ok") && (!refused || text.equals(AUTO_LAND));
+    takingOff &= !text.equals("ok") && (!refused || text.equals(WirePairing.BUSY));
+    landing &= !text.equals("ok") && (!refused || text.equals(WirePairing.AUTO_LAND));
   }
 
   private void isDown(long nanos) {

@@ -68,6 +68,103 @@ class CommandPairingTest {
         .containsExactly("1 error", "2 ok");
   }
 
+  @Test
+  void aLostReplyDoesNotShiftThoseThatFollow() throws Exception {
+    List<RecordedCommand> commands =
+        commands(
+            """
+            {"t":1,"drone":1,"kind":"command","text":"forward 100"}
+            {"t":8,"drone":1,"kind":"command","text":"cw 90"}
+            {"t":10,"drone":1,"kind":"reply","text":"ok"}
+            {"t":11,"drone":1,"kind":"command","text":"battery?"}
+            {"t":14,"drone":1,"kind":"command","text":"time?"}
+            {"t":14.1,"drone":1,"kind":"reply","text":"24s\\r\\n"}
+            {"t":15,"drone":1,"kind":"command","text":"up 50"}
+            {"t":17,"drone":1,"kind":"reply","text":"ok"}
+            """);
+
+    assertThat(commands)
+        .extracting(each -> each.text() + " " + each.outcome() + " " + each.reply())
+        .containsExactly(
+            "forward 100 UNANSWERED ",
+            "cw 90 ANSWERED ok",
+            "battery? UNANSWERED ",
+            "time? ANSWERED 24s",
+            "up 50 ANSWERED ok");
+  }
+
+  @Test
+  void anEmergencyIsNeverAnswered() throws Exception {
+    List<RecordedCommand> commands =
+        commands(
+            """
+            {"t":1,"drone":1,"kind":"command","text":"emergency"}
+            {"t":2,"drone":1,"kind":"command","text":"takeoff"}
+            {"t":2.1,"drone":1,"kind":"reply","text":"error Motor stop"}
+            """);
+
+    assertThat(commands)
+        .extracting(RecordedCommand::outcome)
+        .containsExactly(Outcome.UNANSWERED, Outcome.REFUSED);
+  }
+
+  @Test
+  void stopIsAnsweredAtOnceAndOnceMoreWhenTheDroneStands() throws Exception {
+    List<RecordedCommand> commands =
+        commands(
+            """
+            {"t":1,"drone":1,"kind":"command","text":"forward 300"}
+            {"t":2,"drone":1,"kind":"command","text":"stop"}
+            {"t":2.05,"drone":1,"kind":"reply","text":"ok"}
+            {"t":2.8,"drone":1,"kind":"reply","text":"forced stop"}
+            {"t":4,"drone":1,"kind":"command","text":"land"}
+            {"t":6,"drone":1,"kind":"reply","text":"ok"}
+            """);
+
+    assertThat(commands)
+        .extracting(each -> each.text() + " " + each.outcome() + " " + each.reply())
+        .containsExactly("forward 300 UNANSWERED ", "stop ANSWERED ok", "land ANSWERED ok");
+  }
+
+  @Test
+  void readsInARowAreAnsweredInTheirOrder() throws Exception {
+    List<RecordedCommand> commands =
+        commands(
+            """
+            {"t":1,"drone":1,"kind":"command","text":"streamon"}
+            {"t":1.01,"drone":1,"kind":"command","text":"battery?"}
+            {"t":1.02,"drone":1,"kind":"command","text":"takeoff"}
+            {"t":1.05,"drone":1,"kind":"reply","text":"ok"}
+            {"t":1.06,"drone":1,"kind":"reply","text":"87"}
+            {"t":6,"drone":1,"kind":"reply","text":"ok"}
+            """);
+
+    assertThat(commands)
+        .extracting(each -> each.text() + " " + each.reply())
+        .containsExactly("streamon ok", "battery? 87", "takeoff ok");
+  }
+
+  @Test
+  void aDayOfSticksAndReadsIsPairedAtOnce() throws Exception {
+    CommandPairing pairing = new CommandPairing();
+    int all = 200_000; // quadratic, it would take hours
+    for (int i = 0; i < all; i++) {
+      pairing.take(line(i, "command", i % 20 == 0 ? "battery?" : "rc 0 0 0 0"));
+      if (i % 20 == 0) {
+        pairing.take(line(i, "reply", "87"));
+      }
+    }
+
+    assertThat(pairing.commands())
+        .hasSize(all)
+        .filteredOn(command -> command.outcome() == Outcome.ANSWERED)
+        .hasSize(all / 20);
+  }
+
+  private static Fields line(int time, String kind, String text) {
+    return Fields.of("{\"t\":%d,\"kind\":\"%s\",\"text\":\"%s\"}".formatted(time, kind, text));
+  }
+
   private List<RecordedCommand> commands(String wire) throws UnreadableRecordingException {
     new RecordingFixture(folder).run("{\"format\":1,\"ended\":9}").with("wire.jsonl", wire);
     return RecordedFlight.read(folder).commands();

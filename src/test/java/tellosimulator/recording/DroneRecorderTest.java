@@ -125,6 +125,31 @@ class DroneRecorderTest {
   }
 
   @Test
+  void aTakeoffInTheAirIsRefusedAndEndsNoFlight() throws Exception {
+    command(1, "takeoff");
+    reply(6, "ok");
+    command(7, "takeoff");
+    reply(7.1, "error");
+    command(20, "cw 90");
+    reply(22, "ok");
+
+    assertThat(recorded()).containsExactly(List.of("takeoff", "takeoff", "cw 90"));
+  }
+
+  @Test
+  void aTakeoffThatIsRefusedRightAfterALandingEndsItsOwnRecording() throws Exception {
+    command(1, "takeoff");
+    reply(6, "ok");
+    command(7, "land");
+    reply(9, "ok");
+    command(10, "takeoff");
+    reply(10.2, "error No valid imu");
+    command(14, "battery?");
+
+    assertThat(recorded()).containsExactly(List.of("takeoff", "land"), List.of("takeoff"));
+  }
+
+  @Test
   void aFlightOfWhichNothingIsHeardAnyMoreIsOver() throws Exception {
     command(1, "takeoff");
     reply(6, "ok");
