@@ -37,13 +37,26 @@ public record FlownCommand(RecordedCommand command, Optional<Motion> motion) {
     if (answered.isEmpty()) {
       return new FlownCommand(command, Optional.empty());
     }
-    List<ReportedState> during =
-        states.stream()
-            .filter(
-                state -> state.time() >= command.sent() && state.time() <= answered.getAsDouble())
-            .toList();
+    int from = firstAt(states, command.sent());
+    int to = firstAt(states, Math.nextUp(answered.getAsDouble()));
+    List<ReportedState> during = states.subList(from, Math.max(from, to));
     return new FlownCommand(
         command, during.size() < 2 ? Optional.empty() : Optional.of(motion(during)));
+  }
+
+  /** Index of the first one that is not before a moment. */
+  private static int firstAt(List<ReportedState> states, double time) {
+    int low = 0;
+    int high = states.size();
+    while (low < high) {
+      int middle = (low + high) >>> 1;
+      if (states.get(middle).time() < time) {
+        low = middle + 1;
+      } else {
+        high = middle;
+      }
+    }
+    return low;
   }
 
   private static Motion motion(List<ReportedState> states) {
