@@ -116,8 +116,8 @@ public final class FlightRecorder implements SimListener, WireTap, AutoCloseable
    * Waits for a first takeoff, once it is attached to a simulation.
    *
    * @param folder in which there will be a folder for each flight
-   * @param told takes a sentence for people when a flight cannot be recorded any more; on the
-   *     recorder's thread, and the log has it too
+   * @param told takes a sentence for people when a flight, or a drone's film, cannot be recorded
+   *     any more; on the recorder's thread or a drone's video thread
    */
   public static FlightRecorder start(
       RecordingFolder folder, Subject subject, Consumer<Phrase> told) {
@@ -272,6 +272,7 @@ public final class FlightRecorder implements SimListener, WireTap, AutoCloseable
   private boolean takes() {
     begun = true;
     if (!recording) {
+      end(last()); // before the gap, which would otherwise be within the flight
       miss();
     }
     return recording;

@@ -419,4 +419,20 @@ class FlightRecorderTest {
         .extracting(event -> event.get("command"))
         .containsExactly("takeoff");
   }
+
+  @Test
+  void aFlightEndsBeforeAnInputThatIsNotRecorded() throws IOException {
+    begin(SimConfig.DEFAULT);
+    drones.fly("command", "takeoff");
+    recorder.setRecording(false);
+    recorder.received(1, new Peer(CLIENT, DRONE), "forward 50"); // while the simulation is paused
+    recorder.setRecording(true);
+    drones.fly("land");
+    drones.advance(4);
+    recorder.close();
+
+    RecordingFiles flight = RecordingFiles.only(parent);
+    assertThat(flight.run()).containsKey("ended");
+    assertThat(flight.events("landed")).isEmpty();
+  }
 }
