@@ -35,6 +35,14 @@ class ProxiedSimulatorTest {
 
   private static final InetAddress LOOPBACK = InetAddress.getLoopbackAddress();
 
+  /** On a busy machine a flight in real time halts now and then; its distances stay. */
+  private static final Tolerance ANY_DURATION =
+      new Tolerance(
+          Tolerance.DEFAULT.share(),
+          Double.POSITIVE_INFINITY,
+          Tolerance.DEFAULT.centimeters(),
+          Tolerance.DEFAULT.degrees());
+
   @TempDir private Path folder;
 
   @Test
@@ -71,8 +79,7 @@ class ProxiedSimulatorTest {
       }
     }
 
-    FlightComparison comparison =
-        FlightComparison.of(flight(own), flight(passed), Tolerance.DEFAULT);
+    FlightComparison comparison = FlightComparison.of(flight(own), flight(passed), ANY_DURATION);
     assertThat(comparison.pairs()).hasSize(7).allMatch(pair -> pair.differing().isEmpty());
     assertThat(comparison.pairs().get(3).second().orElseThrow().motion().orElseThrow().forward())
         .isBetween(30.0, 70.0);
