@@ -16,7 +16,11 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import tellosimulator.json.Json;
 import tellosimulator.recording.RecordingFiles;
+import tellosimulator.recording.RecordingFolder;
+import tellosimulator.replay.Repetition;
+import tellosimulator.replay.Replay;
 import tellosimulator.scenario.ScenarioFile;
+import tellosimulator.words.Phrase;
 
 /** The program with {@code --record}. */
 class RecordOptionTest {
@@ -78,7 +82,7 @@ class RecordOptionTest {
 
     RecordingFiles files = RecordingFiles.only(folder);
     assertThat(files.run()).containsKey("started").doesNotContainKey("ended");
-    for (String name : List.of("wire.jsonl", "events.jsonl")) {
+    for (String name : List.of("wire.jsonl", "events.jsonl", "inputs.jsonl")) {
       assertThat(whole(files.text(name)))
           .isNotEmpty()
           .allSatisfy(line -> assertThat(Json.value(line)).isInstanceOf(Map.class));
@@ -87,6 +91,14 @@ class RecordOptionTest {
         .hasSizeGreaterThanOrEqualTo(60)
         .allSatisfy(line -> assertThat(line.split(",", -1)).hasSize(23));
     assertThat(files.has("scenario.yaml")).isTrue();
+    Repetition repetition =
+        Replay.of(files.folder()).repeat(RecordingFolder.at(folder.resolve("again")));
+    assertThat(repetition.differences()).isEmpty();
+    assertThat(repetition.remarks())
+        .extracting(Phrase::english)
+        .singleElement()
+        .asString()
+        .contains("cut off");
   }
 
   private long recordedRows() throws IOException {

@@ -18,6 +18,9 @@ public final class RecordedInputs implements AutoCloseable {
   private final Start start;
   private int damaged;
 
+  /** Whether the line before was damaged, or else the file was cut off in it. */
+  private boolean lastDamaged;
+
   private RecordedInputs(BufferedReader reader, Start start) {
     this.reader = reader;
     this.start = start;
@@ -31,11 +34,11 @@ public final class RecordedInputs implements AutoCloseable {
    * @throws IOException if they cannot be read
    */
   public static Optional<RecordedInputs> open(Path folder) throws IOException {
-    Path file = folder.resolve(FlightFiles.INPUTS);
-    if (!Files.isRegularFile(file)) {
+    if (!areKept(folder)) {
       return Optional.empty();
     }
-    BufferedReader reader = Files.newBufferedReader(file, StandardCharsets.ISO_8859_1);
+    BufferedReader reader =
+        Files.newBufferedReader(folder.resolve(FlightFiles.INPUTS), StandardCharsets.ISO_8859_1);
     try {
       String first = reader.readLine();
       if (first != null) {
@@ -51,6 +54,11 @@ public final class RecordedInputs implements AutoCloseable {
     return Optional.empty();
   }
 
+  /** Whether a recording has them, even if they cannot be read. */
+  public static boolean areKept(Path folder) {
+    return Files.isRegularFile(folder.resolve(FlightFiles.INPUTS));
+  }
+
   /** What the simulation began from. */
   public Start start() {
     return start;
@@ -63,16 +71,18 @@ public final class RecordedInputs implements AutoCloseable {
    */
   public Optional<RecordedInput> next() throws IOException {
     for (String line = reader.readLine(); line != null; line = reader.readLine()) {
+      damaged += lastDamaged ? 1 : 0;
+      lastDamaged = false;
       try {
         return Optional.of(InputLines.input(line));
       } catch (IllegalArgumentException e) {
-        damaged++;
+        lastDamaged = true;
       }
     }
     return Optional.empty();
   }
 
-  /** How many lines were left out until now; the last one may have been cut off. */
+  /** How many lines were left out until now, but for a last one that was cut off. */
   public int damaged() {
     return damaged;
   }

@@ -38,7 +38,7 @@ public record RecordedRun(
   /** Most drones. Decided: as many as the command line takes. */
   private static final int MOST_DRONES = 250;
 
-  /** The format that this version knows. */
+  /** The format that this version writes, and the newest that it knows. */
   static final int FORMAT = 1;
 
   /**

@@ -90,8 +90,8 @@ final class RecordingReader {
     if (run.ended().isEmpty()) {
       remarks.add(
           Phrase.of(
-              "the recording was cut off, because the program ended before the flight; what was"
-                  + " written until then is shown"));
+              "the recording was cut off before the flight was over; what was written until then"
+                  + " is shown"));
     }
   }
 

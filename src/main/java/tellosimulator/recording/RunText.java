@@ -19,15 +19,12 @@ import tellosimulator.world.Room;
 /** What {@code run.json} says, at the beginning and at the end. For the writer's thread. */
 final class RunText {
 
-  /** Version of the format. */
-  private static final int FORMAT = 1;
-
   private static final double PRECISION = 1000;
 
   private final Map<String, Object> members = new LinkedHashMap<>();
 
   private RunText() {
-    members.put("format", FORMAT);
+    members.put("format", RecordedRun.FORMAT);
     members.put("program", RecordedRun.version());
   }
 

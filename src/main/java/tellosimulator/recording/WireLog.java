@@ -2,6 +2,7 @@ package tellosimulator.recording;
 
 import java.io.BufferedReader;
 import java.io.IOException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.function.Consumer;
@@ -23,7 +24,7 @@ public final class WireLog {
     if (!Files.isRegularFile(wire)) {
       return;
     }
-    try (BufferedReader reader = Files.newBufferedReader(wire)) {
+    try (BufferedReader reader = Files.newBufferedReader(wire, StandardCharsets.ISO_8859_1)) {
       for (String line = reader.readLine(); line != null; line = reader.readLine()) {
         try {
           consumer.accept(RecordedDatagram.of(Fields.of(line)));

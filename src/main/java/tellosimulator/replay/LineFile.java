@@ -73,13 +73,19 @@ final class LineFile implements AutoCloseable {
         : OptionalDouble.empty();
   }
 
-  /** The last moment that a file tells of [s]; 0 if it tells of none. */
+  /** The last moment that a file tells of, near its end [s]; 0 if it tells of none. */
   static double lastTime(Path file) throws IOException {
+    if (!Files.isRegularFile(file)) {
+      return 0;
+    }
+    String tail;
+    try (InputStream in = Files.newInputStream(file)) {
+      in.skipNBytes(Math.max(0, Files.size(file) - BUFFER));
+      tail = new String(in.readAllBytes(), StandardCharsets.ISO_8859_1);
+    }
     double last = 0;
-    try (LineFile lines = new LineFile(file)) {
-      for (Optional<String> next = lines.next(); next.isPresent(); next = lines.next()) {
-        last = Math.max(last, time(next.get()).orElse(0));
-      }
+    for (String line : tail.split("\n", -1)) {
+      last = time(line).orElse(last);
     }
     return last;
   }

@@ -6,6 +6,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import tellosimulator.goal.GoalNews;
 import tellosimulator.goal.GoalWatch;
@@ -87,7 +88,7 @@ final class RepeatedFlight {
           next.isPresent() && !end.isBefore(next.get().time());
           next = inputs.next()) {
         advance(next.get().time());
-        simulation.repeat(next.get().input());
+        repeat(next.get());
       }
       advance(end);
     }
@@ -100,6 +101,15 @@ final class RepeatedFlight {
       delete(before);
     }
     return made.get(made.size() - 1);
+  }
+
+  private void repeat(RecordedInput input) throws IOException {
+    try {
+      simulation.repeat(input.input());
+    } catch (IllegalArgumentException e) {
+      String where = String.format(Locale.ROOT, "at %.3f s", input.time().seconds());
+      throw new IOException("its inputs are damaged " + where + ": " + e.getMessage(), e);
+    }
   }
 
   private void advance(SimTime until) throws IOException {

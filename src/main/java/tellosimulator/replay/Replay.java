@@ -25,12 +25,19 @@ import tellosimulator.words.Phrase;
  */
 public final class Replay {
 
-  /** Files that tell how far a recording goes that was cut off. */
+  /**
+   * How long a recording may go on after its last line [s]. Decided: twice the silence after which
+   * the recording of a real drone ends.
+   */
+  private static final double LONGEST_REST = 120;
+
+  /** Files that tell how far a recording goes. */
   private static final List<String> LAST_LINES =
       List.of("wire.jsonl", "events.jsonl", "flight.csv");
 
   private final Path folder;
   private final RecordedRun run;
+  private final List<Phrase> outlineRemarks;
   private final Start start;
   private final Scenario scenario;
 
@@ -41,6 +48,7 @@ public final class Replay {
       Path folder, RecordedFlight outline, Start start, Optional<List<RecordedInput>> commands) {
     this.folder = folder;
     this.run = outline.run();
+    this.outlineRemarks = outline.remarks();
     this.start = start;
     this.scenario =
         outline
@@ -84,26 +92,54 @@ public final class Replay {
    *     took off
    */
   public Path fly(RecordingFolder into) throws IOException {
+    return flown(into).folder;
+  }
+
+  /**
+   * What was flown.
+   *
+   * @param damaged inputs that could not be read
+   */
+  private record Flown(Path folder, int damaged) {}
+
+  private Flown flown(RecordingFolder into) throws IOException {
     RepeatedFlight flight = new RepeatedFlight(start, run.setting().scenario(), scenario, into);
     SimTime end = end();
     if (commands.isPresent()) {
       Iterator<RecordedInput> iterator = commands.get().iterator();
-      return flight.fly(
-          () -> iterator.hasNext() ? Optional.of(iterator.next()) : Optional.empty(), end);
+      Path made =
+          flight.fly(
+              () -> iterator.hasNext() ? Optional.of(iterator.next()) : Optional.empty(), end);
+      return new Flown(made, 0);
     }
     try (RecordedInputs inputs = RecordedInputs.open(folder).orElseThrow()) {
-      return flight.fly(inputs::next, end);
+      Path made = flight.fly(inputs::next, end);
+      return new Flown(made, inputs.damaged());
     }
   }
 
   /** The end of the step after which nothing was recorded any more. */
   private SimTime end() throws IOException {
-    OptionalDouble ended = run.ended();
-    double last = ended.orElse(0);
-    for (String file : ended.isPresent() ? List.<String>of() : LAST_LINES) {
+    OptionalDouble ended = ended();
+    double end = ended.isPresent() ? ended.getAsDouble() : lastLine();
+    return new SimTime(Math.round(end / SimTime.STEP) * SimTime.STEP_NANOS);
+  }
+
+  /** The end that is told [s]; empty if there is none, or none that can be. */
+  private OptionalDouble ended() throws IOException {
+    double last = lastLine();
+    return run.ended().stream()
+        .filter(ended -> ended >= 0 && ended <= last + LONGEST_REST)
+        .findFirst();
+  }
+
+  /** The last moment of which a line tells [s]. */
+  private double lastLine() throws IOException {
+    double last = 0;
+    for (String file : LAST_LINES) {
       last = Math.max(last, LineFile.lastTime(folder.resolve(file)));
     }
-    return new SimTime(Math.round(last / SimTime.STEP) * SimTime.STEP_NANOS);
+    return last;
   }
 
   /**
@@ -113,23 +149,33 @@ public final class Replay {
    * @throws IOException as {@link #fly}
    */
   public Repetition repeat(RecordingFolder into) throws IOException {
-    Path again = fly(into);
+    Flown again = flown(into);
     return new Repetition(
-        again, Difference.between(folder, again, run.ended().isEmpty()), remarks());
+        again.folder,
+        Difference.between(folder, again.folder, ended().isEmpty()),
+        remarks(again.damaged));
   }
 
-  private List<Phrase> remarks() {
-    List<Phrase> remarks = new ArrayList<>();
+  private List<Phrase> remarks(int damaged) throws IOException {
+    List<Phrase> remarks = new ArrayList<>(outlineRemarks);
     if (!RecordedRun.version().equals(run.program())) {
       remarks.add(
           Phrase.of(
               "it was recorded by version %s, and flown again by version %s",
               run.program(), RecordedRun.version()));
     }
-    if (run.ended().isEmpty()) {
-      remarks.add(Phrase.of("it was cut off, and flown and compared as far as it goes"));
+    if (run.ended().isPresent() && ended().isEmpty()) {
+      remarks.add(Phrase.of("its end is damaged, so that it was flown as far as its lines go"));
     }
-    if (!exact()) {
+    if (damaged > 0) {
+      remarks.add(Phrase.of("%d lines of %s are damaged and left out", damaged, "inputs.jsonl"));
+    }
+    if (!exact() && RecordedInputs.areKept(folder)) {
+      remarks.add(
+          Phrase.of(
+              "this version cannot read what it begins from, so that only its commands were flown"
+                  + " again"));
+    } else if (!exact()) {
       remarks.add(
           Phrase.of(
               "it does not tell all that happened since the simulation began, so that only its"

@@ -126,8 +126,8 @@ class RecordedFlightTest {
     assertThat(flight.remarks())
         .extracting(Phrase::english)
         .containsExactly(
-            "the recording was cut off, because the program ended before the flight; what was"
-                + " written until then is shown",
+            "the recording was cut off before the flight was over; what was written until then"
+                + " is shown",
             "goals.json cannot be read and is left out");
     assertThat(flight.tracks().get(0).samples()).last().extracting(Sample::time).isEqualTo(8.95);
     assertThat(flight.events()).last().extracting(RecordedEvent::kind).isEqualTo("reply");

@@ -1,6 +1,7 @@
 package tellosimulator.replay;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.io.IOException;
 import java.nio.file.Files;
@@ -17,6 +18,7 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 import tellosimulator.fault.LinkPreset;
 import tellosimulator.goal.Challenge;
 import tellosimulator.goal.Goal;
@@ -29,6 +31,7 @@ import tellosimulator.scenario.Scenario;
 import tellosimulator.sim.SimConfig;
 import tellosimulator.sim.Swarm;
 import tellosimulator.time.TimeFactor;
+import tellosimulator.words.Phrase;
 import tellosimulator.world.Cover;
 import tellosimulator.world.Obstacle;
 import tellosimulator.world.Room;
@@ -216,6 +219,59 @@ class ReplayTest {
     assertThat(repetition.remarks()).singleElement().asString().contains("only its commands");
     assertThat(Files.readString(repetition.recording().resolve("wire.jsonl")))
         .contains("forward 50", "flip l");
+  }
+
+  @Test
+  void inputsThatAreDamagedAreToldAndThoseThatWereCutOffAreNot() throws Exception {
+    Path flight = flown(MOVES).get(0);
+    change(flight, "inputs.jsonl", "\\{([^\n]*)flip l", "{x$1flip l");
+
+    assertThat(repeated(flight).remarks())
+        .extracting(Phrase::english)
+        .containsExactly("1 lines of inputs.jsonl are damaged and left out");
+
+    change(flight, "inputs.jsonl", "\\{x[^\n]*\n", "");
+    change(flight, "inputs.jsonl", "\n[^\n]*land[^\n]*\n$", "\n{\"step\":12");
+    assertThat(repeated(flight).remarks()).isEmpty();
+  }
+
+  @Test
+  void anInputThatCannotBeIsASentence() throws Exception {
+    Path flight = flown(MOVES).get(0);
+    change(flight, "inputs.jsonl", "\"drone\":1(,[^\n]*flip l)", "\"drone\":7$1");
+
+    assertThatThrownBy(() -> repeated(flight))
+        .isInstanceOf(IOException.class)
+        .hasMessageMatching("its inputs are damaged at [0-9.]+ s: .*drone 7.*");
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"-5", "1e300", "987654321"})
+  void anEndThatCannotBeIsNotWaitedFor(String ended) throws Exception {
+    Path flight = flown(MOVES).get(0);
+    change(flight, "run.json", "\"ended\": [0-9.]+", "\"ended\": " + ended);
+
+    Repetition repetition = repeated(flight);
+
+    assertThat(repetition.differences()).isEmpty();
+    assertThat(repetition.remarks())
+        .extracting(Phrase::english)
+        .containsExactly("its end is damaged, so that it was flown as far as its lines go");
+  }
+
+  @Test
+  void aBeginningOfAnotherVersionIsToldAndTheCommandsAreFlown() throws Exception {
+    Path flight = flown(MOVES).get(0);
+    change(flight, "inputs.jsonl", "^\\{\"config\"", "{\"later\"");
+
+    Replay replay = Replay.of(flight);
+
+    assertThat(replay.exact()).isFalse();
+    assertThat(repeated(flight).remarks())
+        .extracting(Phrase::english)
+        .singleElement()
+        .asString()
+        .startsWith("this version cannot read what it begins from");
   }
 
   private List<Path> flown(String program) throws IOException {
