@@ -32,8 +32,18 @@ public final class DroneProxy implements AutoCloseable {
    * @throws PortTakenException if an address or port cannot be had; then the recorder is closed
    */
   public static DroneProxy start(ProxyPlan plan, DroneRecorder recorder) throws PortTakenException {
+    return start(plan, recorder, Relay.Polling.DEFAULT);
+  }
+
+  /**
+   * The same.
+   *
+   * @param polling how it notices that this machine has joined another network
+   */
+  static DroneProxy start(ProxyPlan plan, DroneRecorder recorder, Relay.Polling polling)
+      throws PortTakenException {
     try {
-      return new DroneProxy(Relay.open(plan, recorder), recorder);
+      return new DroneProxy(Relay.open(plan, recorder, polling), recorder);
     } catch (PortTakenException | RuntimeException e) {
       recorder.close();
       throw e;

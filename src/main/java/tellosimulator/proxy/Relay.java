@@ -1,7 +1,6 @@
 package tellosimulator.proxy;
 
 import java.io.IOException;
-import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.nio.ByteBuffer;
 import java.nio.channels.ClosedChannelException;
@@ -12,6 +11,8 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
+import java.util.concurrent.TimeUnit;
+import java.util.function.Supplier;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 import tellosimulator.command.Peer;
@@ -40,9 +41,6 @@ final class Relay implements Agent {
   /** Datagrams that are read from a socket before the next one has its turn. Decided. */
   private static final int MOST_OF_PORT = 64;
 
-  /** How often it looks whether the way to the drone is another one [ns]. Decided. */
-  private static final long LOOK = 1_000_000_000L;
-
   private static final byte[] COMMAND = "command".getBytes(StandardCharsets.US_ASCII);
 
   private final Verdict failed = Verdict.goOn("A datagram could not be passed on");
@@ -54,7 +52,8 @@ final class Relay implements Agent {
   private final DronePorts towardsDrone;
   private final DroneWatch watch;
   private final List<UdpPort> listening = new ArrayList<>();
-  private LocalNetworks networks = LocalNetworks.look();
+  private final Polling polling;
+  private LocalNetworks networks;
   private long looked = WallTime.nanoTime();
 
   /** Who sent {@code command} last: state and video go there. */
@@ -62,9 +61,28 @@ final class Relay implements Agent {
 
   private Optional<IOException> failure = Optional.empty();
   private boolean foreignTold;
-  private String obstacle = "";
+
+  /** What could not be had at the last look, in sentences. */
+  private List<String> obstacles = List.of();
+
   private volatile boolean closed;
   private volatile List<InetSocketAddress> addresses = List.of();
+
+  /**
+   * How it notices that this machine has joined another network.
+   *
+   * @param networks finds this machine's addresses
+   * @param periodMs between two looks [ms]
+   */
+  record Polling(Supplier<LocalNetworks> networks, long periodMs) {
+
+    /** Once a second. Decided. */
+    static final Polling DEFAULT = new Polling(LocalNetworks::look, 1000);
+
+    private long periodNanos() {
+      return TimeUnit.MILLISECONDS.toNanos(periodMs);
+    }
+  }
 
   /** A socket, and what becomes of the datagrams that come to it. */
   private record Source(UdpPort port, Taker taker) {}
@@ -75,10 +93,12 @@ final class Relay implements Agent {
     void take(InetSocketAddress sender, byte[] bytes, long nanos);
   }
 
-  private Relay(ProxyPlan plan, DroneRecorder recorder, Selector selector) {
+  private Relay(ProxyPlan plan, DroneRecorder recorder, Polling polling, Selector selector) {
     this.plan = plan;
     this.recorder = recorder;
+    this.polling = polling;
     this.selector = selector;
+    networks = polling.networks().get();
     operators = new OperatorPorts();
     towardsDrone = new DronePorts(plan.drone(), plan.towardsDrone());
     watch = new DroneWatch(plan.drone());
@@ -89,17 +109,19 @@ final class Relay implements Agent {
    *
    * @throws PortTakenException if one cannot be had; then none is open
    */
-  static Relay open(ProxyPlan plan, DroneRecorder recorder) throws PortTakenException {
+  static Relay open(ProxyPlan plan, DroneRecorder recorder, Polling polling)
+      throws PortTakenException {
     Relay relay;
     try {
-      relay = new Relay(plan, recorder, Selector.open());
+      relay = new Relay(plan, recorder, polling, Selector.open());
     } catch (IOException e) {
       throw new IllegalStateException("the system lets nobody wait for datagrams", e);
     }
     try {
-      relay.listen();
-      relay.towardsDrone.follow();
-      relay.receiveFromDrone();
+      for (InetSocketAddress wanted : relay.missing()) {
+        relay.listen(wanted);
+      }
+      relay.follow();
       return relay;
     } catch (PortTakenException | RuntimeException e) {
       relay.onClose();
@@ -129,9 +151,9 @@ final class Relay implements Agent {
 
   @Override
   public Outcome doWork() throws IOException {
-    selector.select(this::read, LOOK / 1_000_000);
+    selector.select(this::read, polling.periodMs());
     long now = WallTime.nanoTime();
-    if (now - looked >= LOOK) {
+    if (now - looked >= polling.periodNanos()) {
       looked = now;
       recorder.tick(now);
       watch.tick(now);
@@ -270,36 +292,55 @@ final class Relay implements Agent {
                 receive(port, (sender, bytes, nanos) -> push(Kind.VIDEO, sender, bytes, nanos)));
   }
 
-  /** This machine may have joined another network, such as the drone's. */
-  private void look() {
+  /**
+   * This machine may have joined another network, such as the drone's. What cannot be had is tried
+   * again at each look, and told once until it is had.
+   */
+  void look() {
+    networks = polling.networks().get();
+    List<String> found = new ArrayList<>();
     try {
-      if (towardsDrone.follow()) {
-        receiveFromDrone();
-        networks = LocalNetworks.look();
-        listen();
-      }
+      follow();
     } catch (PortTakenException e) {
-      if (!e.getMessage().equals(obstacle)) { // it is tried again each second
-        LOG.warn("{}", e.getMessage());
+      found.add(e.getMessage());
+    }
+    for (InetSocketAddress wanted : missing()) {
+      try {
+        listen(wanted);
+      } catch (PortTakenException e) {
+        found.add(e.getMessage());
       }
-      obstacle = e.getMessage();
+    }
+    found.stream()
+        .filter(sentence -> !obstacles.contains(sentence))
+        .forEach(sentence -> LOG.warn("{}", sentence));
+    obstacles = found;
+  }
+
+  private void follow() throws PortTakenException {
+    if (towardsDrone.follow()) {
+      receiveFromDrone();
     }
   }
 
-  /** Takes commands at all addresses that are wanted and not open yet. */
-  private void listen() throws PortTakenException {
-    try {
-      for (InetSocketAddress wanted : plan.addresses(networks)) {
-        InetAddress host = wanted.getAddress();
-        if (listening.stream().noneMatch(port -> port.address().getAddress().equals(host))) {
-          UdpPort port = UdpPort.bind(wanted);
-          listening.add(port);
-          receive(port, (sender, bytes, nanos) -> command(port, sender, bytes, nanos));
-        }
-      }
-    } finally {
-      addresses = listening.stream().map(UdpPort::address).toList();
-    }
+  /** Where commands are wanted and not taken yet. */
+  private List<InetSocketAddress> missing() {
+    return plan.addresses(networks).stream()
+        .filter(
+            wanted ->
+                listening.stream()
+                    .noneMatch(port -> port.address().getAddress().equals(wanted.getAddress())))
+        .toList();
+  }
+
+  /** Takes commands there; where the system chose a port for the first address, at the same one. */
+  private void listen(InetSocketAddress wanted) throws PortTakenException {
+    boolean chosen = wanted.getPort() == 0 && !listening.isEmpty();
+    int number = chosen ? listening.get(0).address().getPort() : wanted.getPort();
+    UdpPort port = UdpPort.bind(new InetSocketAddress(wanted.getAddress(), number));
+    listening.add(port);
+    receive(port, (sender, bytes, nanos) -> command(port, sender, bytes, nanos));
+    addresses = listening.stream().map(UdpPort::address).toList();
   }
 
   @Override
