@@ -142,8 +142,8 @@ final class Relay implements Agent {
   /** Ends it after what it does now. For any thread. */
   void end() {
     closed = true;
-    synchronized (selector) { // one that is closed must not be woken
-      if (selector.isOpen()) {
+    synchronized (this) { // not on the selector, which locks itself while it waits
+      if (selector.isOpen()) { // one that is closed must not be woken
         selector.wakeup();
       }
     }
@@ -354,7 +354,7 @@ final class Relay implements Agent {
     operators.close();
     towardsDrone.close();
     try {
-      synchronized (selector) {
+      synchronized (this) {
         selector.close();
       }
     } catch (IOException e) {

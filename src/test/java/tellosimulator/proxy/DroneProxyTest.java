@@ -18,6 +18,7 @@ import org.junit.jupiter.api.condition.EnabledOnOs;
 import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 import tellosimulator.network.AddressPlan;
+import tellosimulator.network.LocalNetworks;
 import tellosimulator.network.PortTakenException;
 import tellosimulator.recording.DroneRecorder;
 import tellosimulator.recording.RecordedCommand;
@@ -249,6 +250,22 @@ class DroneProxyTest {
         .hasMessage(
             "--drone 127.0.0.1:8879 is where the proxy itself takes commands; name the drone's"
                 + " address");
+  }
+
+  /** It would wait for ever, as there is no next look. */
+  @Test
+  void closeDoesNotWaitForTheNextLook() throws IOException {
+    Relay.Polling never = new Relay.Polling(LocalNetworks::look, TimeUnit.DAYS.toMillis(1));
+    proxy.close();
+    proxy = DroneProxy.start(plan(drone.address(), 0), recorder(), never);
+    exchange(operator, "command", "ok");
+
+    InetSocketAddress before = here();
+    proxy.close();
+
+    try (WireEnd free = new WireEnd(before)) {
+      assertThat(free.address()).isEqualTo(before);
+    }
   }
 
   @Test
