@@ -20,6 +20,8 @@ final class OperatorPorts implements AutoCloseable {
   /** Sockets at a time; beyond that, the one that was silent longest is closed. Decided. */
   private static final int MOST = 64;
 
+  private boolean failureTold;
+
   private final Map<InetSocketAddress, UdpPort> ports =
       new LinkedHashMap<>(MOST, 0.75f, true) {
         @Override
@@ -38,7 +40,10 @@ final class OperatorPorts implements AutoCloseable {
     UdpPort open() throws IOException;
   }
 
-  /** The socket for an operator, which is opened if there is none; empty if there can be none. */
+  /**
+   * The socket for an operator, which is opened if there is none; empty if there can be none, which
+   * is told once until there can be one again.
+   */
   Optional<UdpPort> of(InetSocketAddress operator, Opening opening) {
     UdpPort known = ports.get(operator);
     if (known != null) {
@@ -47,9 +52,13 @@ final class OperatorPorts implements AutoCloseable {
     try {
       UdpPort opened = opening.open();
       ports.put(operator, opened);
+      failureTold = false;
       return Optional.of(opened);
     } catch (IOException e) {
-      LOG.warn("A command was lost, because there is no socket for it: {}", e.getMessage());
+      if (!failureTold) {
+        LOG.warn("Commands are lost, because there is no socket for them: {}", e.getMessage());
+      }
+      failureTold = true;
       return Optional.empty();
     }
   }
