@@ -13,6 +13,7 @@ import java.util.Optional;
 import picocli.CommandLine.IVersionProvider;
 import tellosimulator.cli.ExitCode;
 import tellosimulator.cli.Invocation;
+import tellosimulator.cli.Invocation.Action;
 import tellosimulator.cli.Launch;
 import tellosimulator.cli.Options;
 import tellosimulator.cli.ProgramInput;
@@ -87,11 +88,11 @@ public final class Main {
     Optional<SubcommandName> name = SubcommandName.of(args);
     if (name.isEmpty()) {
       return new Invocation(options.commandLine(new Version()), output)
-          .run(args, () -> start(List.of(args)));
+          .run(args, () -> action(List.of(args)));
     }
     Subcommand subcommand = name.get().subcommand();
     return new Invocation(subcommand.commandLine(new Version()), output)
-        .run(Arrays.copyOfRange(args, 1, args.length), () -> subcommand.run(output));
+        .run(Arrays.copyOfRange(args, 1, args.length), () -> subcommand.action(output));
   }
 
   /** That of the window. */
@@ -101,15 +102,23 @@ public final class Main {
     return language;
   }
 
-  private int start(List<String> words)
-      throws UnreadableRecordingException, PortTakenException, InterruptedException {
+  /** What the options ask for. */
+  private Action action(List<String> words) {
     if (options.listScenarios()) {
-      ScenarioOptions.list(out);
-      return ExitCode.DONE;
+      return this::listScenarios;
     }
     LogSetup.setLevel(options.logLevel());
     options.checkReplay();
-    return options.replay().isPresent() ? replay(options.replay().get()) : simulate(words);
+    if (options.replay().isPresent()) {
+      return () -> replay(options.replay().get());
+    }
+    Launch launch = options.launch();
+    return () -> simulate(launch, words);
+  }
+
+  private int listScenarios() {
+    ScenarioOptions.list(out);
+    return ExitCode.DONE;
   }
 
   /** Shows recorded flights in the window. */
@@ -132,8 +141,8 @@ public final class Main {
     return new ReplayApp(flight, ghost).run(settings, state) ? ExitCode.DONE : ExitCode.FAILED;
   }
 
-  private int simulate(List<String> words) throws PortTakenException, InterruptedException {
-    Launch launch = options.launch();
+  private int simulate(Launch launch, List<String> words)
+      throws PortTakenException, InterruptedException {
     if (!options.headless()) {
       StandardErrorLog.install();
       Settings settings = Settings.load(Settings.file());

@@ -39,7 +39,11 @@ final class DiffSubcommand implements Subcommand {
   }
 
   @Override
-  public int run(ProgramOutput to) throws UnreadableRecordingException {
+  public Invocation.Action action(ProgramOutput to) {
+    return () -> run(to);
+  }
+
+  private int run(ProgramOutput to) throws UnreadableRecordingException {
     Flight one;
     Flight other;
     try {

@@ -44,7 +44,11 @@ final class ExportSubcommand implements Subcommand {
   }
 
   @Override
-  public int run(ProgramOutput to) throws UnreadableRecordingException {
+  public Invocation.Action action(ProgramOutput to) {
+    return () -> run(to);
+  }
+
+  private int run(ProgramOutput to) throws UnreadableRecordingException {
     Path from = folder.get();
     Path file = output.value().orElseGet(() -> from.resolve("flight." + format.get().word()));
     RecordedFlight flight = RecordedFlight.read(from);

@@ -1,6 +1,7 @@
 package tellosimulator.cli;
 
-import java.util.Optional;
+import java.util.Objects;
+import java.util.function.Supplier;
 import picocli.CommandLine;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.ParseResult;
@@ -35,11 +36,14 @@ public final class Invocation {
   }
 
   /**
-   * Reads the words, and carries the action out, unless they ask for help or the version.
+   * Reads the words, and carries out what they ask for, unless that is help or the version.
    *
+   * @param reading looks whether the options fit together, and says what is to be done; its {@link
+   *     IllegalArgumentException} is told as a mistake in the options, and none of the action's
    * @return the {@link ExitCode}, after a sentence where something is wrong
    */
-  public int run(String[] args, Action action) {
+  public int run(String[] args, Supplier<Action> reading) {
+    Action action;
     try {
       ParseResult parsed = commandLine.parseArgs(args);
       if (parsed.isUsageHelpRequested()) {
@@ -50,10 +54,17 @@ public final class Invocation {
         commandLine.printVersionHelp(output.out());
         return ExitCode.DONE;
       }
-      return action.run();
+      action = reading.get();
     } catch (ParameterException | IllegalArgumentException e) {
       output.err().println(mistake(e));
       return ExitCode.WRONG_OPTIONS;
+    }
+    return run(action);
+  }
+
+  private int run(Action action) {
+    try {
+      return action.run();
     } catch (UnreadableRecordingException | PortTakenException e) {
       output.err().println(e.getMessage());
     } catch (InterruptedException e) {
@@ -75,7 +86,7 @@ public final class Invocation {
     }
     return e.getCause() instanceof ScenarioException wrong
         ? wrong.getMessage()
-        : sentence(e.getMessage()) + HINT;
+        : sentence(Objects.requireNonNullElse(e.getMessage(), "")) + HINT;
   }
 
   private static String sentence(String message) {

@@ -111,10 +111,15 @@ final class ProxySubcommand implements Subcommand {
   }
 
   @Override
-  public int run(ProgramOutput to) throws PortTakenException, InterruptedException {
+  public Invocation.Action action(ProgramOutput to) {
     Path recordings = record.value();
     RecordingOptions.check(recordings);
     ProxyPlan plan = plan();
+    return () -> run(plan, recordings, to);
+  }
+
+  private int run(ProxyPlan plan, Path recordings, ProgramOutput to)
+      throws PortTakenException, InterruptedException {
     RecordingFolder folder = RecordingFolder.at(recordings);
     DroneRecorder recorder =
         DroneRecorder.start(folder, plan.drone().getAddress(), choices.words(), reason -> {});

@@ -49,7 +49,11 @@ final class ReplaySubcommand implements Subcommand {
   }
 
   @Override
-  public int run(ProgramOutput to) throws UnreadableRecordingException {
+  public Invocation.Action action(ProgramOutput to) {
+    return () -> run(to);
+  }
+
+  private int run(ProgramOutput to) throws UnreadableRecordingException {
     try {
       if (record.value().isPresent()) {
         return repeat(record.value().get(), to.out());

@@ -36,7 +36,11 @@ final class ReportSubcommand implements Subcommand {
   }
 
   @Override
-  public int run(ProgramOutput to) throws UnreadableRecordingException {
+  public Invocation.Action action(ProgramOutput to) {
+    return () -> run(to);
+  }
+
+  private int run(ProgramOutput to) throws UnreadableRecordingException {
     Path file = output.value().orElseGet(() -> folder.get().resolve(USUAL_NAME));
     RecordedFlight flight = RecordedFlight.read(folder.get());
     try {

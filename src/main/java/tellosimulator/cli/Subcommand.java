@@ -2,8 +2,6 @@ package tellosimulator.cli;
 
 import picocli.CommandLine;
 import picocli.CommandLine.IVersionProvider;
-import tellosimulator.network.PortTakenException;
-import tellosimulator.recording.UnreadableRecordingException;
 
 /** What the program does instead of simulating: options, and what follows. For one thread. */
 public interface Subcommand {
@@ -12,13 +10,9 @@ public interface Subcommand {
   CommandLine commandLine(IVersionProvider version);
 
   /**
-   * Does it, once its options are read.
+   * What is to be done, once its options are read.
    *
-   * @return the {@link ExitCode}
-   * @throws UnreadableRecordingException if a recording that is named cannot be used
-   * @throws PortTakenException if a port or an address cannot be had
-   * @throws InterruptedException if the program is to end
+   * @throws IllegalArgumentException with a sentence, if the options do not fit together
    */
-  int run(ProgramOutput output)
-      throws UnreadableRecordingException, PortTakenException, InterruptedException;
+  Invocation.Action action(ProgramOutput output);
 }
