@@ -36,6 +36,7 @@ import tellosimulator.video.SoftwareCameras;
 import tellosimulator.view.app.ReplayApp;
 import tellosimulator.view.app.SimulatorApp;
 import tellosimulator.view.app.Toolkit;
+import tellosimulator.view.app.ToolkitFailure;
 import tellosimulator.view.layout.WindowState;
 import tellosimulator.view.replay.ReplayFlight;
 import tellosimulator.view.settings.DataFolder;
@@ -121,6 +122,23 @@ public final class Main {
     return ExitCode.DONE;
   }
 
+  /**
+   * What a window needs.
+   *
+   * @param obstacle why there can be none
+   */
+  private record WindowStart(
+      Settings settings, WindowState state, Optional<ToolkitFailure> obstacle) {
+
+    static WindowStart attempt() throws InterruptedException {
+      StandardErrorLog.install();
+      Settings settings = Settings.load(Settings.file());
+      WindowState state = WindowState.remembered(settings);
+      state.applyUiScale();
+      return new WindowStart(settings, state, Toolkit.start());
+    }
+  }
+
   /** Shows recorded flights in the window. */
   private int replay(Path folder) throws UnreadableRecordingException, InterruptedException {
     ReplayFlight flight = ReplayFlight.read(folder);
@@ -128,37 +146,33 @@ public final class Main {
     if (options.ghost().isPresent()) {
       ghost = Optional.of(ReplayFlight.read(options.ghost().get()));
     }
-    StandardErrorLog.install();
-    Settings settings = Settings.load(Settings.file());
-    WindowState state = WindowState.remembered(settings);
-    state.applyUiScale();
-    if (Toolkit.start().isPresent()) {
+    WindowStart window = WindowStart.attempt();
+    if (window.obstacle().isPresent()) {
       err.println(
-          "The replay needs a window, which cannot be opened here; report FOLDER makes a page of"
-              + " the flight, which any browser shows.");
+          window.obstacle().get().cause()
+              + " The replay needs a window; report FOLDER makes a page of the flight, which any"
+              + " browser shows.");
       return ExitCode.FAILED;
     }
-    return new ReplayApp(flight, ghost).run(settings, state) ? ExitCode.DONE : ExitCode.FAILED;
+    return new ReplayApp(flight, ghost).run(window.settings(), window.state())
+        ? ExitCode.DONE
+        : ExitCode.FAILED;
   }
 
   private int simulate(Launch launch, List<String> words)
       throws PortTakenException, InterruptedException {
-    if (!options.headless()) {
-      StandardErrorLog.install();
-      Settings settings = Settings.load(Settings.file());
-      WindowState state = WindowState.remembered(settings);
-      state.applyUiScale();
-      Optional<String> obstacle = Toolkit.start();
-      if (obstacle.isEmpty()) {
-        return simulateInWindow(launch, settings, state, words);
-      }
-      err.println(obstacle.get());
+    if (options.headless()) {
+      return simulateHeadless(launch, words);
     }
-    return simulateHeadless(launch, words);
+    WindowStart window = WindowStart.attempt();
+    if (window.obstacle().isPresent()) {
+      err.println(window.obstacle().get().sentence());
+      return simulateHeadless(launch, words);
+    }
+    return simulateInWindow(launch, window, words);
   }
 
-  private int simulateInWindow(
-      Launch launch, Settings settings, WindowState state, List<String> words)
+  private int simulateInWindow(Launch launch, WindowStart window, List<String> words)
       throws InterruptedException, PortTakenException {
     SimulatorApp.Rules rules =
         new SimulatorApp.Rules(
@@ -169,7 +183,7 @@ public final class Main {
         app.switchAllOn();
         out.println(app.ready());
       }
-      return app.run(settings, state) ? ExitCode.DONE : ExitCode.FAILED;
+      return app.run(window.settings(), window.state()) ? ExitCode.DONE : ExitCode.FAILED;
     }
   }
 

@@ -330,6 +330,20 @@ class MainTest {
     }
   }
 
+  @Test
+  @EnabledOnOs(OS.LINUX)
+  @Timeout(2 * ProgramProcess.PATIENCE_SECONDS)
+  void aReplayWithoutADisplaySaysWhatHelpsInOneSentence(@TempDir Path folder) throws Exception {
+    RecordingFixture.in(folder);
+    try (ProgramProcess program = ProgramProcess.replay(folder, "DISPLAY")) {
+      assertThat(program.exitCode()).isEqualTo(1);
+      assertThat(program.errors().lines())
+          .containsExactly(
+              "There is no display. The replay needs a window; report FOLDER makes a page of the"
+                  + " flight, which any browser shows.");
+    }
+  }
+
   private int run(String line) {
     return Main.run(
         line.split(" ", -1),

@@ -84,6 +84,19 @@ final class ProgramProcess implements AutoCloseable {
     return start(Main.class, "--headless", "");
   }
 
+  /**
+   * Starts it with a window on a recorded flight.
+   *
+   * @param hidden a variable of the environment that it does not get to see
+   */
+  static ProgramProcess replay(Path recording, String hidden) throws IOException {
+    return launch(
+        Main.class,
+        List.of("--replay", recording.toString()),
+        hidden,
+        "-XX:+IgnoreUnrecognizedVMOptions");
+  }
+
   /** Starts it as a proxy for a drone of this machine. */
   static ProgramProcess proxy(int dronePort, Path recordings) throws IOException {
     String options =

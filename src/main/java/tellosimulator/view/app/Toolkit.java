@@ -30,14 +30,14 @@ public final class Toolkit {
   /**
    * Starts JavaFX and waits until it runs.
    *
-   * @return nothing, or a sentence for the user if there cannot be a window
+   * @return nothing, or why there cannot be a window
    */
-  public static Optional<String> start() throws InterruptedException {
+  public static Optional<ToolkitFailure> start() throws InterruptedException {
     if (System.getProperty(FORCE_GPU) == null) {
       System.setProperty(FORCE_GPU, "true");
     }
     if (nativesAreThere() && !NativeCache.ofThisUser().prepare()) {
-      return Optional.of(ToolkitFailure.NO_ROOM.sentence());
+      return Optional.of(ToolkitFailure.NO_ROOM);
     }
     Platform.setImplicitExit(false); // or it would end at once, as it has no window yet
     CountDownLatch running = new CountDownLatch(1);
@@ -45,7 +45,7 @@ public final class Toolkit {
       Platform.startup(running::countDown);
     } catch (RuntimeException | LinkageError e) {
       LOG.debug("JavaFX does not start", e);
-      return Optional.of(ToolkitFailure.because(e, nativesAreThere()).sentence());
+      return Optional.of(ToolkitFailure.because(e, nativesAreThere()));
     }
     running.await();
     if (!Platform.isSupported(ConditionalFeature.SCENE3D)) {

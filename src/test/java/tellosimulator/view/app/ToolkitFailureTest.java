@@ -32,6 +32,9 @@ class ToolkitFailureTest {
     assertThat(because(inside)).isEqualTo(ToolkitFailure.MISSING_LIBRARIES);
     assertThat(ToolkitFailure.MISSING_LIBRARIES.sentence())
         .contains("libgtk-3-0", "libgl1", "gtk3", "mesa-dri-drivers");
+    assertThat(ToolkitFailure.MISSING_LIBRARIES.cause())
+        .startsWith("The window needs system libraries that are missing. On Debian")
+        .contains("libgtk-3-0", "gtk3");
   }
 
   @Test
@@ -51,6 +54,10 @@ class ToolkitFailureTest {
   void eachSaysThatTheSimulatorRunsAllTheSame(ToolkitFailure reason) {
     assertThat(reason.sentence().toLowerCase(Locale.ROOT))
         .contains("so the simulator runs without", "window")
+        .endsWith(".");
+    assertThat(reason.cause())
+        .as("for what cannot run without")
+        .doesNotContain("simulator runs", "--headless")
         .endsWith(".");
   }
 
