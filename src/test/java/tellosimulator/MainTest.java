@@ -89,7 +89,12 @@ class MainTest {
           --exit-when-done --scenario slalom | --exit-when-done needs --headless and a --scenario with goals. Try --help.
           --control 0 | --control needs --headless. Try --help.
           --ghost x | --ghost needs --replay. Try --help.
-          --headless --replay x | --replay shows a flight in a window; without one, report FOLDER makes a page of it, which any browser shows. Try --help.
+          --headless --replay x | --replay shows a flight in a window; without one, replay FOLDER flies it again, and report FOLDER makes a page of it, which any browser shows. Try --help.
+          --replay x --report r.html | --report does not go with --replay. Try --help.
+          --replay x --ghost y --record z | --record does not go with --replay. Try --help.
+          --scenario slalom --replay x | --scenario does not go with --replay. Try --help.
+          --replay x --log-level warn --control 0 | --control does not go with --replay. Try --help.
+          --replay x --bind 127.0.0.1 | --bind does not go with --replay. Try --help.
           --exit-when-done --replay x | --exit-when-done does not go with --replay. Try --help.
           --headless --control 70000 | Invalid value for option '--control': expected a port from 1 to 65535, or 0 for a free one, found 70000. Try --help.
           --headless --control 0 --exit-when-done --scenario slalom | --control does not go with --exit-when-done. Try --help.

@@ -62,6 +62,13 @@ final class Choices {
     return new CommandLine(spec).setExpandAtFiles(false); // @ may begin the name of a file
   }
 
+  /** The options that were read last. */
+  List<String> given() {
+    return spec.commandLine().getParseResult().matchedOptions().stream()
+        .map(OptionSpec::longestName)
+        .toList();
+  }
+
   /** The subcommand and the words that were read last, as they were typed. */
   List<String> words() {
     return Stream.concat(

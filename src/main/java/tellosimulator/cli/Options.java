@@ -30,11 +30,14 @@ import tellosimulator.world.Poster;
 /** What can be chosen on the command line, and what follows from it. */
 public final class Options {
 
+  static final String HEADLESS = "--headless";
+  static final String LOG_LEVEL = "--log-level";
+
   private static final String CONTROL = "--control";
 
   private final Choices choices = Choices.ofSimulator();
 
-  private final Choice<Boolean> headless = choices.flag("--headless", "Run without a window.");
+  private final Choice<Boolean> headless = choices.flag(HEADLESS, "Run without a window.");
 
   private final Choice<Boolean> on =
       choices.flag("--on", "Switch all drones on at once. Without a window they always are.");
@@ -189,7 +192,7 @@ public final class Options {
   private final Choice<String> logLevel =
       choices
           .option(
-              "--log-level",
+              LOG_LEVEL,
               "LEVEL",
               "error, warn (refused commands), info (all commands and replies), debug (also reads"
                   + " and rc), or off. Default: info.")
@@ -247,7 +250,7 @@ public final class Options {
    * @throws IllegalArgumentException with a sentence, if it does not
    */
   public void checkReplay() {
-    replayOptions.check(headless(), exitWhenDone());
+    replayOptions.check();
   }
 
   /** The port of the control channel, 0 for a free one; empty for no such channel. */

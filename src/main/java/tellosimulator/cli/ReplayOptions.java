@@ -2,6 +2,7 @@ package tellosimulator.cli;
 
 import java.nio.file.Path;
 import java.util.Optional;
+import java.util.Set;
 
 /** The options that open the window on recordings. */
 final class ReplayOptions {
@@ -10,10 +11,15 @@ final class ReplayOptions {
 
   private static final String GHOST = "--ghost";
 
+  /** What may stand beside: all others are about a flight, and nothing is flown. */
+  private static final Set<String> COMPANIONS = Set.of(REPLAY, GHOST, Options.LOG_LEVEL);
+
+  private final Choices choices;
   private final Choice<Optional<Path>> folder;
   private final Choice<Optional<Path>> ghost;
 
   ReplayOptions(Choices choices) {
+    this.choices = choices;
     folder =
         choices
             .option(
@@ -46,19 +52,23 @@ final class ReplayOptions {
    *
    * @throws IllegalArgumentException with a sentence, if they do not
    */
-  void check(boolean headless, boolean exitWhenDone) {
-    if (ghost().isPresent() && folder().isEmpty()) {
-      throw new IllegalArgumentException(GHOST + " needs " + REPLAY);
+  void check() {
+    if (folder().isEmpty()) {
+      if (ghost().isPresent()) {
+        throw new IllegalArgumentException(GHOST + " needs " + REPLAY);
+      }
+      return;
     }
-    if (folder().isPresent() && headless) {
+    if (choices.given().contains(Options.HEADLESS)) {
       throw new IllegalArgumentException(
           REPLAY
-              + " shows a flight in a window; without one, report FOLDER makes a page of it, which"
-              + " any browser shows");
+              + " shows a flight in a window; without one, replay FOLDER flies it again, and report"
+              + " FOLDER makes a page of it, which any browser shows");
     }
-    if (folder().isPresent() && exitWhenDone) {
-      throw new IllegalArgumentException(
-          ScenarioOptions.EXIT_WHEN_DONE + " does not go with " + REPLAY);
+    for (String option : choices.given()) {
+      if (!COMPANIONS.contains(option)) {
+        throw new IllegalArgumentException(option + " does not go with " + REPLAY);
+      }
     }
   }
 }
