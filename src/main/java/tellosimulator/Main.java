@@ -88,11 +88,11 @@ public final class Main {
   private int run(String... args) {
     Optional<SubcommandName> name = SubcommandName.of(args);
     if (name.isEmpty()) {
-      return new Invocation(options.commandLine(new Version()), output)
+      return new Invocation(options.commandLine(new Version()), SubcommandName.words(), output)
           .run(args, () -> action(List.of(args)));
     }
     Subcommand subcommand = name.get().subcommand();
-    return new Invocation(subcommand.commandLine(new Version()), output)
+    return new Invocation(subcommand.commandLine(new Version()), List.of(), output)
         .run(Arrays.copyOfRange(args, 1, args.length), () -> subcommand.action(output));
   }
 

@@ -47,6 +47,9 @@ class MainTest {
                 .toList();
     assertThat(options).hasSize(36);
     assertThat(lines(out)).contains(options).contains("--help", "--version");
+    for (SubcommandName subcommand : SubcommandName.values()) {
+      assertThat(lines(out)).containsPattern("\n  " + subcommand.word() + " +[a-z]");
+    }
     assertThat(lines(out).lines()).allMatch(printed -> printed.length() <= 80);
     assertThat(lines(err)).isEmpty();
   }
@@ -69,6 +72,7 @@ class MainTest {
           --drone=3         | There is no option --drone=3, did you mean --drones? Try --help.
           --time_facotr     | There is no option --time_facotr, did you mean --time-factor? Try --help.
           fly               | There is no option fly. Try --help.
+          replya x          | There is no option replya, did you mean replay? Try --help.
           @pom.xml          | There is no option @pom.xml. Try --help.
           --bind 224.0.0.1  | Invalid value for option '--bind': expected an address of this machine such as 127.0.0.2, found 224.0.0.1. Try --help.
           --scenario docs   | docs: expected a file, found a folder

@@ -2,6 +2,7 @@ package tellosimulator.cli;
 
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.function.Supplier;
 import java.util.stream.Stream;
@@ -26,7 +27,7 @@ final class Choices {
     "While it runs, type: help, reset [N], power on|off [N], battery PERCENT [N],",
     "fault TEXT, pause, resume, state or quit. N is a drone's number; without it, all drones.",
     "",
-    "report FOLDER, instead of options, makes an HTML file of a recording: report --help."
+    "A word in the place of the options does something else; it has a --help of its own:"
   };
 
   private static final String PROGRAM = "tello-simulator";
@@ -43,7 +44,12 @@ final class Choices {
     return new Choices(
         PROGRAM,
         "Simulates Tello drones: programs fly them over UDP as they fly real ones.",
-        FOOTER);
+        Stream.concat(Stream.of(FOOTER), Stream.of(SubcommandName.values()).map(Choices::row))
+            .toArray(String[]::new));
+  }
+
+  private static String row(SubcommandName subcommand) {
+    return String.format(Locale.ROOT, "  %-7s %s", subcommand.word(), subcommand.does());
   }
 
   /**

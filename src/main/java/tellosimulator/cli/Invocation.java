@@ -1,5 +1,8 @@
 package tellosimulator.cli;
 
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.List;
 import java.util.Objects;
 import java.util.function.Supplier;
 import picocli.CommandLine;
@@ -27,11 +30,18 @@ public final class Invocation {
   }
 
   private final CommandLine commandLine;
+  private final Collection<String> subcommands;
   private final ProgramOutput output;
 
-  /** Does nothing yet. */
-  public Invocation(CommandLine commandLine, ProgramOutput output) {
+  /**
+   * Does nothing yet.
+   *
+   * @param subcommands words that may come first on the command line; what is read here begins with
+   *     none of them
+   */
+  public Invocation(CommandLine commandLine, Collection<String> subcommands, ProgramOutput output) {
     this.commandLine = commandLine;
+    this.subcommands = List.copyOf(subcommands);
     this.output = output;
   }
 
@@ -56,7 +66,7 @@ public final class Invocation {
       }
       action = reading.get();
     } catch (ParameterException | IllegalArgumentException e) {
-      output.err().println(mistake(e));
+      output.err().println(mistake(e, args));
       return ExitCode.WRONG_OPTIONS;
     }
     return run(action);
@@ -73,15 +83,18 @@ public final class Invocation {
     return ExitCode.FAILED;
   }
 
-  private String mistake(RuntimeException e) {
+  private String mistake(RuntimeException e, String... args) {
     if (e instanceof UnmatchedArgumentException unmatched) {
       String word = unmatched.getUnmatched().get(0);
-      Optional<String> meant =
-          Spelling.meant(
-              word.replaceFirst("=.*", ""), commandLine.getCommandSpec().optionsMap().keySet());
+      List<String> known = new ArrayList<>(commandLine.getCommandSpec().optionsMap().keySet());
+      if (word.equals(args[0])) {
+        known.addAll(subcommands);
+      }
       return "There is no option "
           + word
-          + meant.map(option -> ", did you mean " + option + "?").orElse(".")
+          + Spelling.meant(word.replaceFirst("=.*", ""), known)
+              .map(meant -> ", did you mean " + meant + "?")
+              .orElse(".")
           + HINT;
     }
     return e.getCause() instanceof ScenarioException wrong

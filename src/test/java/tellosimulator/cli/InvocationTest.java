@@ -31,7 +31,7 @@ class InvocationTest {
             new ProgramInput(InputStream.nullInputStream(), task -> {}));
     Choices choices = Choices.ofSimulator();
     choices.flag("--on", "On.");
-    return new Invocation(choices.commandLine(() -> new String[0]), output)
+    return new Invocation(choices.commandLine(() -> new String[0]), SubcommandName.words(), output)
         .run(words.toArray(String[]::new), reading);
   }
 
@@ -76,5 +76,15 @@ class InvocationTest {
     assertThatThrownBy(() -> run(List.of(), () -> broken))
         .isInstanceOf(IllegalArgumentException.class);
     assertThat(told()).isEmpty();
+  }
+
+  @Test
+  void aSubcommandIsMeantOnlyWhereItCanStand() {
+    assertThat(run(List.of("exprot", "x"), () -> NOTHING)).isEqualTo(ExitCode.WRONG_OPTIONS);
+    assertThat(told()).isEqualTo("There is no option exprot, did you mean export? Try --help.");
+
+    err.reset();
+    assertThat(run(List.of("--on", "exprot"), () -> NOTHING)).isEqualTo(ExitCode.WRONG_OPTIONS);
+    assertThat(told()).isEqualTo("There is no option exprot. Try --help.");
   }
 }
