@@ -55,7 +55,8 @@ final class ExportSubcommand implements Subcommand {
     try {
       format.get().export(from, flight, file);
     } catch (IOException e) {
-      to.err().println("The recording was not exported to " + file + ": " + IoReason.of(e) + ".");
+      to.err()
+          .println("The recording was not exported to " + file + ": " + IoReason.of(e, file) + ".");
       return ExitCode.FAILED;
     }
     to.out().println("exported: " + file);

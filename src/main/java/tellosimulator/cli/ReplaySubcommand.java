@@ -2,14 +2,10 @@ package tellosimulator.cli;
 
 import java.io.IOException;
 import java.io.PrintStream;
-import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.Comparator;
-import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.function.Supplier;
-import java.util.stream.Stream;
 import picocli.CommandLine;
 import picocli.CommandLine.IVersionProvider;
 import tellosimulator.comparison.ComparisonTable;
@@ -17,6 +13,7 @@ import tellosimulator.comparison.FlightComparison;
 import tellosimulator.comparison.FlightComparison.Flight;
 import tellosimulator.comparison.Tolerance;
 import tellosimulator.files.IoReason;
+import tellosimulator.files.TemporaryFolder;
 import tellosimulator.recording.RecordingFolder;
 import tellosimulator.recording.UnreadableRecordingException;
 import tellosimulator.replay.Difference;
@@ -54,24 +51,39 @@ final class ReplaySubcommand implements Subcommand {
   }
 
   private int run(ProgramOutput to) throws UnreadableRecordingException {
+    Path from = folder.get();
+    Replay replay;
     try {
-      if (record.value().isPresent()) {
-        return repeat(record.value().get(), to.out());
-      }
-      Path temporary = Files.createTempDirectory("tello-replay");
-      try {
-        return repeat(temporary, to.out());
-      } finally {
-        delete(temporary);
-      }
+      replay = Replay.of(from);
     } catch (IOException e) {
-      to.err().println("The flight was not flown again: " + IoReason.of(e) + ".");
+      to.err().println(from + " cannot be read: " + IoReason.ofReading(e) + ".");
+      return ExitCode.FAILED;
+    }
+    if (record.value().isPresent()) {
+      return repeat(replay, record.value().get(), to);
+    }
+    try (TemporaryFolder temporary = TemporaryFolder.create("tello-replay")) {
+      to.input().atEnd().accept(temporary::close);
+      return repeat(replay, temporary.path(), to);
+    } catch (IOException e) {
+      to.err().println("There is no place for the second recording: " + IoReason.of(e) + ".");
       return ExitCode.FAILED;
     }
   }
 
-  private int repeat(Path into, PrintStream out) throws UnreadableRecordingException, IOException {
-    Repetition repetition = Replay.of(folder.get()).repeat(RecordingFolder.at(into));
+  private int repeat(Replay replay, Path into, ProgramOutput to)
+      throws UnreadableRecordingException {
+    try {
+      return repeat(replay, into, to.out());
+    } catch (IOException e) {
+      to.err().println("The flight was not flown again: " + IoReason.of(e, into) + ".");
+      return ExitCode.FAILED;
+    }
+  }
+
+  private int repeat(Replay replay, Path into, PrintStream out)
+      throws UnreadableRecordingException, IOException {
+    Repetition repetition = replay.repeat(RecordingFolder.at(into));
     repetition.remarks().forEach(remark -> out.println("remark: " + remark.english()));
     if (record.value().isPresent()) {
       out.println("recorded: " + repetition.recording());
@@ -103,15 +115,5 @@ final class ReplaySubcommand implements Subcommand {
     return line.isEmpty()
         ? "nothing"
         : line.length() > LONGEST ? line.substring(0, LONGEST) + "..." : line;
-  }
-
-  private static void delete(Path temporary) throws IOException {
-    List<Path> all;
-    try (Stream<Path> found = Files.walk(temporary)) {
-      all = found.sorted(Comparator.reverseOrder()).toList();
-    }
-    for (Path path : all) {
-      Files.delete(path);
-    }
   }
 }

@@ -5,6 +5,7 @@ import java.nio.file.AccessDeniedException;
 import java.nio.file.FileAlreadyExistsException;
 import java.nio.file.FileSystemException;
 import java.nio.file.NoSuchFileException;
+import java.nio.file.Path;
 import tellosimulator.words.Phrase;
 
 /** Why a file could not be written or read, in words for people. */
@@ -17,7 +18,26 @@ public final class IoReason {
     if (e instanceof AccessDeniedException) {
       return "you may not read it";
     }
+    if (e instanceof NoSuchFileException) {
+      return "there is no such file";
+    }
     return of(e).toString();
+  }
+
+  /**
+   * Why something failed that reads some files and writes others.
+   *
+   * @param written the file that is written, or the folder; others are read
+   */
+  public static String of(IOException e, Path written) {
+    if (!(e instanceof FileSystemException system) || system.getFile() == null) {
+      return of(e).toString();
+    }
+    Path file = Path.of(system.getFile()).toAbsolutePath();
+    Path target = written.toAbsolutePath();
+    return file.startsWith(target) || target.startsWith(file) // folders above are made
+        ? of(e).toString()
+        : system.getFile() + " cannot be read: " + ofReading(e);
   }
 
   /** Why it could not be written: a phrase, or a text that is the same in all languages. */

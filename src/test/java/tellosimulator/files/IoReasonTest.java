@@ -11,6 +11,8 @@ import java.nio.file.FileSystemException;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 
 class IoReasonTest {
 
@@ -32,7 +34,29 @@ class IoReasonTest {
     assertThat(clause(new ClosedChannelException())).isEqualTo("the system does not say why");
     assertThat(IoReason.ofReading(new AccessDeniedException("/a")))
         .isEqualTo("you may not read it");
+    assertThat(IoReason.ofReading(new NoSuchFileException("/a")))
+        .isEqualTo("there is no such file");
     assertThat(IoReason.ofReading(new IOException("is a directory"))).isEqualTo("is a directory");
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      textBlock =
+          """
+          from/wire.jsonl,   from/wire.jsonl cannot be read: you may not read it
+          from/out/run.json, you may not write to from/out/run.json
+          from/out,          you may not write to from/out
+          from,              you may not write to from
+          """)
+  void whatWasReadIsToldApartFromWhatWasWritten(String file, String clause) {
+    assertThat(IoReason.of(new AccessDeniedException(file), Path.of("from", "out")))
+        .isEqualTo(clause);
+  }
+
+  @Test
+  void whatNamesNoFileIsToldAsItIs() {
+    assertThat(IoReason.of(new IOException("no drone took off"), Path.of("out")))
+        .isEqualTo("no drone took off");
   }
 
   private static String clause(IOException e) {
