@@ -67,6 +67,33 @@ class DiffCommandTest {
   }
 
   @Test
+  void whatIsMissingOfARecordingIsToldBeforeTheTable() {
+    Path cut = RecordingFixture.in(folder.resolve("cut"));
+    new RecordingFixture(cut).runWith(",\"ended\":15.0", "");
+
+    assertThat(run("diff", flight("a"), cut.toString())).isZero();
+
+    assertThat(out.toString(StandardCharsets.UTF_8).lines())
+        .hasSize(10)
+        .first()
+        .asString()
+        .startsWith("remark: " + cut + ": the recording was cut off");
+  }
+
+  @Test
+  void flightsWithoutACommandAreNotAlike() {
+    Path empty = RecordingFixture.in(folder.resolve("empty"));
+    new RecordingFixture(empty).with("events.jsonl", "");
+
+    assertThat(run("diff", empty.toString(), empty.toString())).isEqualTo(1);
+
+    assertThat(err.toString(StandardCharsets.UTF_8))
+        .isEqualToIgnoringNewLines(
+            "There is nothing to compare: neither flight has a command besides rc.");
+    assertThat(out.toString(StandardCharsets.UTF_8)).doesNotContain("differ");
+  }
+
+  @Test
   void whatCannotBeComparedIsASentence() {
     String missing = folder.resolve("missing").toString();
 

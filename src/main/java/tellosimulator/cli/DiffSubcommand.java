@@ -44,16 +44,33 @@ final class DiffSubcommand implements Subcommand {
   }
 
   private int run(ProgramOutput to) throws UnreadableRecordingException {
-    Flight one;
-    Flight other;
+    Optional<Flight> one = read(first.get(), to);
+    Optional<Flight> other = one.isPresent() ? read(second.get(), to) : Optional.empty();
+    return other.isPresent() ? compare(one.get(), other.get(), to) : ExitCode.FAILED;
+  }
+
+  /** A recording, after its remarks; empty after a sentence if it cannot be read. */
+  private static Optional<Flight> read(Path folder, ProgramOutput to)
+      throws UnreadableRecordingException {
     try {
-      one = Flight.read(first.get());
-      other = Flight.read(second.get());
+      Flight flight = Flight.read(folder);
+      flight
+          .recording()
+          .remarks()
+          .forEach(remark -> to.out().println("remark: " + folder + ": " + remark.english()));
+      return Optional.of(flight);
     } catch (IOException e) {
-      to.err().println("The flights were not compared: " + IoReason.of(e) + ".");
+      to.err().println(folder + " cannot be read: " + IoReason.ofReading(e) + ".");
+      return Optional.empty();
+    }
+  }
+
+  private int compare(Flight one, Flight other, ProgramOutput to) {
+    FlightComparison comparison = FlightComparison.of(one, other, Tolerance.DEFAULT);
+    if (comparison.pairs().isEmpty()) {
+      to.err().println("There is nothing to compare: neither flight has a command besides rc.");
       return ExitCode.FAILED;
     }
-    FlightComparison comparison = FlightComparison.of(one, other, Tolerance.DEFAULT);
     new ComparisonTable(comparison, Tolerance.DEFAULT).print(to.out());
     if (output.value().isPresent() && !write(output.value().get(), one, other, to)) {
       return ExitCode.FAILED;
