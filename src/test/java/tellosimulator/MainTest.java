@@ -99,6 +99,9 @@ class MainTest {
           --scenario slalom --replay x | --scenario does not go with --replay. Try --help.
           --replay x --log-level warn --control 0 | --control does not go with --replay. Try --help.
           --replay x --bind 127.0.0.1 | --bind does not go with --replay. Try --help.
+          --replay=         | Invalid value for option '--replay': expected the name of a file or a folder, found nothing. Try --help.
+          --headless --record= | Invalid value for option '--record': expected the name of a file or a folder, found nothing. Try --help.
+          --headless --report= | Invalid value for option '--report': expected the name of a file or a folder, found nothing. Try --help.
           --exit-when-done --replay x | --exit-when-done does not go with --replay. Try --help.
           --headless --control 70000 | Invalid value for option '--control': expected a port from 1 to 65535, or 0 for a free one, found 70000. Try --help.
           --headless --control 0 --exit-when-done --scenario slalom | --control does not go with --exit-when-done. Try --help.

@@ -56,7 +56,7 @@ final class OptionTypes {
   static PortList portsOfDrones(String words) {
     List<Integer> ports = new ArrayList<>();
     for (String word : words.split(",", -1)) {
-      ports.add(wholeNumber(word, 1, AddressPlan.HIGHEST_PORT, "a port from 1 to 65535"));
+      ports.add(port(word));
     }
     return new PortList(List.copyOf(ports));
   }
@@ -71,14 +71,6 @@ final class OptionTypes {
         ? OptionalInt.empty()
         : OptionalInt.of(
             wholeNumber(word, 1, AddressPlan.HIGHEST_PORT, "sender or a port from 1 to 65535"));
-  }
-
-  static Path path(String word) {
-    try {
-      return Path.of(word);
-    } catch (InvalidPathException e) {
-      throw mistake("the path of a folder", word);
-    }
   }
 
   static Path fileOrFolder(String word) {

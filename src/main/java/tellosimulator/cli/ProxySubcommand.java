@@ -53,7 +53,7 @@ final class ProxySubcommand implements Subcommand {
               RecordingOptions.RECORD,
               "DIR",
               "The folder in which each flight has a folder of its own. Default: recordings.")
-          .read(OptionTypes::path, "recordings");
+          .read(OptionTypes::fileOrFolder, "recordings");
 
   private final Choice<Optional<InetAddress>> bind =
       choices

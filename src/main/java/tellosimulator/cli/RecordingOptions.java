@@ -24,7 +24,7 @@ final class RecordingOptions {
                 "DIR",
                 "Record each flight into a folder of its own in DIR: what was sent, what happened,"
                     + " where the drones were, and what they filmed.")
-            .readIfGiven(OptionTypes::path);
+            .readIfGiven(OptionTypes::fileOrFolder);
     report =
         choices
             .option(
@@ -32,7 +32,7 @@ final class RecordingOptions {
                 "FILE",
                 "With --headless: at the end, make an HTML file of the flight; of a second one"
                     + " FILE-2, and so on. It opens in any browser, without a network.")
-            .readIfGiven(OptionTypes::path);
+            .readIfGiven(OptionTypes::fileOrFolder);
   }
 
   /** The folder in which flights are recorded; empty if nobody said one. */

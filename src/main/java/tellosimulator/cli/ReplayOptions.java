@@ -26,7 +26,7 @@ final class ReplayOptions {
                 REPLAY,
                 "FOLDER",
                 "Open the window on a recorded flight, to play, pause and scrub; nothing is flown.")
-            .readIfGiven(OptionTypes::path);
+            .readIfGiven(OptionTypes::fileOrFolder);
     ghost =
         choices
             .option(
@@ -34,7 +34,7 @@ final class ReplayOptions {
                 "FOLDER",
                 "With --replay: show a second recorded flight as translucent drones beside the"
                     + " first, from the takeoff on.")
-            .readIfGiven(OptionTypes::path);
+            .readIfGiven(OptionTypes::fileOrFolder);
   }
 
   /** The recording to be looked at; empty if nobody said one. */
