@@ -1,25 +1,20 @@
 package tellosimulator.cli;
 
-import java.net.InetAddress;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalInt;
 import picocli.CommandLine;
 import picocli.CommandLine.IVersionProvider;
-import tellosimulator.command.OperatorRule;
 import tellosimulator.math.Pose;
 import tellosimulator.network.AddressPlan;
-import tellosimulator.network.Reach;
 import tellosimulator.profile.Behaviour;
 import tellosimulator.profile.Profile;
 import tellosimulator.scenario.OpenedScenario;
 import tellosimulator.scenario.Scenario;
 import tellosimulator.sim.DroneSetup;
 import tellosimulator.sim.SimConfig;
-import tellosimulator.sim.SimConfig.Outlets;
 import tellosimulator.sim.SimConfig.Product;
 import tellosimulator.sim.Swarm;
 import tellosimulator.time.TimeFactor;
@@ -44,28 +39,7 @@ public final class Options {
 
   private final ScenarioOptions scenarioOptions = new ScenarioOptions(choices);
 
-  private final Choice<Integer> commandPort =
-      choices
-          .option(
-              "--command-port",
-              "PORT",
-              "Where drones take commands; 0 chooses a free port. Default: 8879.")
-          .read(OptionTypes::portOrFree, "8879");
-
-  private final Choice<Integer> statePort =
-      choices
-          .option(
-              "--state-port", "PORT", "Where your program takes the drone's state. Default: 8890.")
-          .read(OptionTypes::port, "8890");
-
-  private final Choice<OptionTypes.PortList> videoPorts =
-      choices
-          .option(
-              "--video-port",
-              "PORT,...",
-              "Where your program takes the drone's video: one port for all drones, or one for"
-                  + " each. Default: 11111.")
-          .read(OptionTypes::portsOfDrones, "11111");
+  private final NetworkOptions network = new NetworkOptions(choices);
 
   private final Choice<Double> fieldOfViewDeg =
       choices
@@ -81,15 +55,6 @@ public final class Options {
           .option("--camera-tilt", "DEG", "How far the camera looks down, in degrees. Default: 15.")
           .read(OptionTypes::tilt, "15");
 
-  private final Choice<OptionalInt> replyPort =
-      choices
-          .option(
-              "--reply-port",
-              "sender|PORT",
-              "Where replies go on your program's host: to the port that the command came from, or"
-                  + " always to the same one. Default: sender.")
-          .read(OptionTypes::replyPort, "sender");
-
   private final Choice<Optional<Integer>> drones =
       choices
           .option(
@@ -97,38 +62,6 @@ public final class Options {
               "N",
               "How many drones to simulate. Default: 1, or as many as --bind has addresses.")
           .readIfGiven(OptionTypes::droneCount);
-
-  private final Choice<Optional<OptionTypes.AddressList>> bind =
-      choices
-          .option(
-              "--bind",
-              "A,B,...",
-              "One address of this machine for each drone. Default: 127.0.0.1 for drone 1,"
-                  + " 127.0.0.2 for drone 2, and so on.")
-          .readIfGiven(OptionTypes::addresses);
-
-  private final Choice<Boolean> lan =
-      choices.flag(
-          "--lan",
-          "Let other machines of the local network fly: drone 1, or with --port-per-drone each"
-              + " drone, also listens on this machine's addresses there. Otherwise only this"
-              + " machine does.");
-
-  private final Choice<OperatorRule> operators =
-      choices
-          .option(
-              "--operator",
-              "first|ADDRESS|anyone",
-              "Who operates a drone: the host that first sends command, until it lets go; one host"
-                  + " alone; or anyone, as with the real drone. Others may only read. Default:"
-                  + " first.")
-          .read(OptionTypes::operators, "first");
-
-  private final Choice<Boolean> portPerDrone =
-      choices.flag(
-          "--port-per-drone",
-          "Give all drones the same addresses and count the port up: 8879, 8880 and so on, leaving"
-              + " out 8889, 8890 and 11111.");
 
   private final Choice<Profile> profile =
       choices
@@ -221,7 +154,7 @@ public final class Options {
   }
 
   public OptionalInt replyPort() {
-    return replyPort.value();
+    return network.replyPort();
   }
 
   /** The folder in which flights are recorded, as far as it is said. */
@@ -310,7 +243,7 @@ public final class Options {
    */
   Scenario scenario() {
     Scenario base = scenarioOptions.scenario().map(this::alone).orElseGet(this::emptyRoom);
-    checkAddresses(base.config().drones().size());
+    network.checkAddresses(base.config().drones().size());
     return changed(base);
   }
 
@@ -335,7 +268,7 @@ public final class Options {
             .withDecor(decor.withWalls(roomOptions.walls().or(decor.walls())).withPosters(all))
             .withTimeFactor(timeFactor.or(base.config().timeFactor()))
             .withSeed(seed.or(base.config().seed()))
-            .withOperators(operators.value())
+            .withOperators(network.operators())
             .withFaults(faultOptions.applied(base.config().rules().faults(), base.config()));
     return base.withConfig(config.withDrones(changed(config.drones())));
   }
@@ -351,78 +284,28 @@ public final class Options {
   }
 
   private Scenario emptyRoom() {
-    int count =
-        drones.value().orElse(eachBoundForOne() ? bind.value().get().addresses().size() : 1);
+    int count = drones.value().orElse(network.addresses().orElse(1));
     List<Pose> starts = Swarm.row(count, roomOptions.start(), roomOptions.room());
     return Scenario.of(SimConfig.DEFAULT.withRoom(roomOptions.room(), starts));
   }
 
   private List<DroneSetup> changed(List<DroneSetup> setups) {
-    List<Integer> ports = videoPorts.value().ports();
-    if (ports.size() != 1 && ports.size() != setups.size()) {
-      throw new IllegalArgumentException(
-          String.format(
-              Locale.ROOT,
-              "--video-port has %d ports for %d drones, but must have one for each, or one for all",
-              ports.size(),
-              setups.size()));
-    }
+    network.checkVideoPorts(setups.size());
     List<DroneSetup> changed = new ArrayList<>();
     for (DroneSetup setup : setups) {
       Product product = setup.product();
-      Outlets outlets = setup.outlets();
-      int port = ports.get(changed.size() % ports.size());
       DroneSetup patient = noSafetyLanding.value() ? setup.withoutSafetyLanding() : setup;
       changed.add(
           patient
               .withProduct(
                   new Product(profile.or(product.profile()), behaviour.or(product.behaviour())))
-              .withOutlets(
-                  new Outlets(
-                      statePort.or(outlets.statePort()),
-                      videoPorts.given() ? port : outlets.videoPort())));
+              .withOutlets(network.outlets(changed.size() + 1, setup.outlets())));
     }
     return changed;
   }
 
   /** Which drone listens where; also where there are more drones than addresses to bind. */
   public AddressPlan addressPlan(Scenario scenario) {
-    return endpoints(scenario).withReach(lan.value() ? Reach.NETWORK : Reach.THIS_MACHINE);
-  }
-
-  private AddressPlan endpoints(Scenario scenario) {
-    int count = scenario.config().drones().size();
-    int port = commandPort.value();
-    Optional<List<InetAddress>> bound = bind.value().map(OptionTypes.AddressList::addresses);
-    boolean oneForEach = bound.isPresent() && bound.get().size() == count;
-    if (oneForEach && !portPerDrone.value()) {
-      return AddressPlan.of(bound.get(), port);
-    }
-    if (bound.isPresent() || portPerDrone.value()) {
-      return AddressPlan.portPerDrone(count, bound.orElse(List.of()), port);
-    }
-    return commandPort.given()
-        ? scenario.withCommandPort(port).addressPlan(port)
-        : scenario.addressPlan(port);
-  }
-
-  /** Whether each address of {@code --bind} is for one drone. */
-  private boolean eachBoundForOne() {
-    return bind.value().isPresent() && !portPerDrone.value();
-  }
-
-  private void checkAddresses(int count) {
-    if (!eachBoundForOne()) {
-      return;
-    }
-    int addresses = bind.value().get().addresses().size();
-    if (count != addresses) {
-      throw new IllegalArgumentException(
-          String.format(
-              Locale.ROOT,
-              "--bind has %d addresses for %d drones, but each drone needs one",
-              addresses,
-              count));
-    }
+    return network.addressPlan(scenario);
   }
 }

@@ -19,6 +19,7 @@ import tellosimulator.concurrent.Agent;
 import tellosimulator.concurrent.Verdict;
 import tellosimulator.concurrent.Worker;
 import tellosimulator.network.AddressPlan;
+import tellosimulator.network.LocalNetworks;
 import tellosimulator.network.PortTakenException;
 import tellosimulator.network.Reach;
 import tellosimulator.proxy.DroneProxy;
@@ -29,9 +30,6 @@ import tellosimulator.sim.SimConfig.Outlets;
 
 /** Stands between programs and a real drone, and records its flights. For one thread. */
 final class ProxySubcommand implements Subcommand {
-
-  private static final String STATE_PORT = "8890";
-  private static final String VIDEO_PORT = "11111";
 
   private final Choices choices =
       Choices.of(
@@ -70,24 +68,15 @@ final class ProxySubcommand implements Subcommand {
               + " machine.");
 
   private final Choice<Integer> commandPort =
-      choices
-          .option(
-              "--command-port",
-              "PORT",
-              "Where commands are taken; 0 chooses a free port. Default: 8879.")
-          .read(OptionTypes::portOrFree, "8879");
+      NetworkOptions.commandPort(choices, "Where commands are taken");
 
-  private final Choice<Integer> statePort =
-      choices
-          .option(
-              "--state-port", "PORT", "Where your program takes the drone's state. Default: 8890.")
-          .read(OptionTypes::port, STATE_PORT);
+  private final Choice<Integer> statePort = NetworkOptions.statePort(choices);
 
   private final Choice<Integer> videoPort =
       choices
           .option(
               "--video-port", "PORT", "Where your program takes the drone's video. Default: 11111.")
-          .read(OptionTypes::port, VIDEO_PORT);
+          .read(OptionTypes::port, NetworkOptions.USUAL_VIDEO_PORT);
 
   private final Choice<Integer> droneStatePort =
       choices
@@ -95,7 +84,7 @@ final class ProxySubcommand implements Subcommand {
               "--drone-state-port",
               "PORT",
               "The port of this machine to which the drone sends its state. Default: 8890.")
-          .read(OptionTypes::portOrFree, STATE_PORT);
+          .read(OptionTypes::portOrFree, NetworkOptions.USUAL_STATE_PORT);
 
   private final Choice<Integer> droneVideoPort =
       choices
@@ -103,7 +92,7 @@ final class ProxySubcommand implements Subcommand {
               "--drone-video-port",
               "PORT",
               "The port of this machine to which the drone sends its video. Default: 11111.")
-          .read(OptionTypes::portOrFree, VIDEO_PORT);
+          .read(OptionTypes::portOrFree, NetworkOptions.USUAL_VIDEO_PORT);
 
   @Override
   public CommandLine commandLine(IVersionProvider version) {
@@ -153,11 +142,25 @@ final class ProxySubcommand implements Subcommand {
                 () ->
                     AddressPlan.ofMachine(1, commandPort.value())
                         .withReach(lan.value() ? Reach.NETWORK : Reach.THIS_MACHINE));
+    checkForLoop(here);
     return new ProxyPlan(
         drone.get(),
         here,
         new Outlets(droneStatePort.value(), droneVideoPort.value()),
         new Outlets(statePort.value(), videoPort.value()));
+  }
+
+  /** Or else the proxy would talk to itself. */
+  private void checkForLoop(AddressPlan here) {
+    InetSocketAddress to = drone.get();
+    if (here.addresses(1, LocalNetworks.look()).contains(to)) {
+      throw new IllegalArgumentException(
+          String.format(
+              Locale.ROOT,
+              "--drone %s:%d is where the proxy itself takes commands; name the drone's address",
+              to.getAddress().getHostAddress(),
+              to.getPort()));
+    }
   }
 
   /** What becomes of all that comes, in a line. */

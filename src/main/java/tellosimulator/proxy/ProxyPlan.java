@@ -2,7 +2,6 @@ package tellosimulator.proxy;
 
 import java.net.InetSocketAddress;
 import java.util.List;
-import java.util.Locale;
 import tellosimulator.network.AddressPlan;
 import tellosimulator.network.LocalNetworks;
 import tellosimulator.sim.SimConfig.Outlets;
@@ -21,20 +20,6 @@ public record ProxyPlan(
 
   /** Where a real drone takes commands. Documented: SDK 1.3 User Guide. */
   public static final int COMMAND_PORT = 8889;
-
-  /**
-   * @throws IllegalArgumentException with a clause, if the proxy would talk to itself
-   */
-  public ProxyPlan {
-    if (here.addresses(1, LocalNetworks.look()).contains(drone)) {
-      throw new IllegalArgumentException(
-          String.format(
-              Locale.ROOT,
-              "--drone %s:%d is where the proxy itself takes commands; name the drone's address",
-              drone.getAddress().getHostAddress(),
-              drone.getPort()));
-    }
-  }
 
   /** Where commands are taken on this machine now. */
   List<InetSocketAddress> addresses(LocalNetworks networks) {

@@ -240,18 +240,6 @@ class DroneProxyTest {
         .hasMessageContaining("--state-port");
   }
 
-  @Test
-  void aProxyForItselfIsRefused() {
-    AddressPlan here = AddressPlan.portPerDrone(1, List.of(LOOPBACK), 8879);
-    InetSocketAddress itself = new InetSocketAddress(LOOPBACK, 8879);
-
-    assertThatThrownBy(() -> new ProxyPlan(itself, here, Outlets.DEFAULT, Outlets.DEFAULT))
-        .isInstanceOf(IllegalArgumentException.class)
-        .hasMessage(
-            "--drone 127.0.0.1:8879 is where the proxy itself takes commands; name the drone's"
-                + " address");
-  }
-
   /** It would wait for ever, as there is no next look. */
   @Test
   void closeDoesNotWaitForTheNextLook() throws IOException {
