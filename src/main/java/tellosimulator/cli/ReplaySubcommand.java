@@ -37,7 +37,10 @@ final class ReplaySubcommand implements Subcommand {
 
   private final Choice<Optional<Path>> record =
       choices
-          .option("--record", "DIR", "Keep the second recording, in a folder of its own in DIR.")
+          .option(
+              RecordingOptions.RECORD,
+              "DIR",
+              "Keep the second recording, in a folder of its own in DIR.")
           .readIfGiven(OptionTypes::fileOrFolder);
 
   @Override

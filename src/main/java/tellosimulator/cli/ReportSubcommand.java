@@ -15,9 +15,6 @@ import tellosimulator.report.ReportTexts;
 /** Makes an HTML file of a recording. For one thread. */
 final class ReportSubcommand implements Subcommand {
 
-  /** Where the report goes if nobody says so, in the folder of the recording. */
-  private static final String USUAL_NAME = "report.html";
-
   private final Choices choices =
       Choices.of(
           SubcommandName.REPORT,
@@ -28,7 +25,7 @@ final class ReportSubcommand implements Subcommand {
   private final Supplier<Path> folder = choices.recording("FOLDER");
 
   private final Choice<Optional<Path>> output =
-      choices.output("The file to write. Default: " + USUAL_NAME + " in the folder.");
+      choices.output("The file to write. Default: " + FlightReport.FILE_NAME + " in the folder.");
 
   @Override
   public CommandLine commandLine(IVersionProvider version) {
@@ -41,7 +38,7 @@ final class ReportSubcommand implements Subcommand {
   }
 
   private int run(ProgramOutput to) throws UnreadableRecordingException {
-    Path file = output.value().orElseGet(() -> folder.get().resolve(USUAL_NAME));
+    Path file = output.value().orElseGet(() -> folder.get().resolve(FlightReport.FILE_NAME));
     RecordedFlight flight = RecordedFlight.read(folder.get());
     try {
       new FlightReport(flight, new ReportTexts(to.translation().get())).write(file);

@@ -18,6 +18,9 @@ import tellosimulator.recording.RecordedFlight;
  */
 public final class FlightReport {
 
+  /** Its file in the folder of a recording, unless somebody says another one. */
+  public static final String FILE_NAME = "report.html";
+
   private static final List<String> SCRIPTS =
       List.of("flight.js", "commands.js", "plan.js", "charts.js", "film.js", "report.js");
 

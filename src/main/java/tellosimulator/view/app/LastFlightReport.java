@@ -23,7 +23,6 @@ import tellosimulator.words.Translation;
  */
 final class LastFlightReport implements ReportOffer {
 
-  private static final String FILE = "report.html";
   private static final Verdict FAILED = Verdict.finish("The report of a flight failed");
 
   private final RecordingFolder recordings;
@@ -96,7 +95,7 @@ final class LastFlightReport implements ReportOffer {
   }
 
   private void writeAndOpen(Path folder, Translation chosen) {
-    Path file = folder.resolve(FILE);
+    Path file = folder.resolve(FlightReport.FILE_NAME);
     try {
       new FlightReport(RecordedFlight.read(folder), new ReportTexts(chosen)).write(file);
     } catch (UnreadableRecordingException e) {
