@@ -125,9 +125,9 @@ final class ProgramProcess implements AutoCloseable {
     process.outputWriter(StandardCharsets.UTF_8).append(text).close();
   }
 
-  /** Asks it to end, as {@code kill} does. */
+  /** Asks it to end, as {@code kill} does; what it still prints can be read. */
   void terminate() {
-    process.destroy();
+    process.toHandle().destroy(); // the process itself would close its streams
   }
 
   /** Ends it without asking, as {@code kill -9} does. */

@@ -42,14 +42,7 @@ class ProxyCommandTest {
       assertThat(program.line())
           .startsWith("passing on: commands to 127.0.0.1:" + drone.getLocalPort())
           .contains("its state to port 8890");
-      try (DatagramSocket operator = new DatagramSocket()) {
-        byte[] takeoff = "takeoff".getBytes(StandardCharsets.US_ASCII);
-        operator.send(
-            new DatagramPacket(takeoff, takeoff.length, InetAddress.getLoopbackAddress(), port));
-        answer(drone, "error No valid imu");
-        operator.setSoTimeout(ProgramProcess.PATIENCE_SECONDS * 1000);
-        operator.receive(new DatagramPacket(new byte[100], 100));
-      }
+      takeOff(port, drone);
       program.type("quit\n");
 
       assertThat(program.line()).startsWith("recorded: " + folder);
@@ -67,6 +60,52 @@ class ProxyCommandTest {
     assertThat(run("export", recording, "--to", "mcap")).isZero();
     assertThat(run("export", recording, "--to", "pcap")).isZero();
     assertThat(err.size()).isZero();
+  }
+
+  @Test
+  @Timeout(2 * ProgramProcess.PATIENCE_SECONDS)
+  void whoTerminatesItIsToldWhereTheFlightsAre() throws Exception {
+    try (DatagramSocket drone = new DatagramSocket(0, InetAddress.getLoopbackAddress());
+        ProgramProcess program = ProgramProcess.proxy(drone.getLocalPort(), folder)) {
+      drone.setSoTimeout(ProgramProcess.PATIENCE_SECONDS * 1000);
+      int port = program.port();
+      assertThat(program.line()).startsWith("passing on: ");
+      takeOff(port, drone);
+
+      program.terminate();
+
+      assertThat(program.line()).startsWith("recorded: " + folder);
+      assertThat(program.exitCode()).isEqualTo(143);
+    }
+  }
+
+  @Test
+  void aStatePortThatIsTakenIsASentence() throws IOException {
+    try (DatagramSocket other = new DatagramSocket(0, InetAddress.getLoopbackAddress())) {
+      String taken = Integer.toString(other.getLocalPort());
+      String line = "proxy --drone 127.0.0.1 --command-port 0 --drone-state-port " + taken;
+
+      assertThat(run((line + " --record " + folder).split(" ", -1))).isEqualTo(1);
+
+      assertThat(err.toString(StandardCharsets.UTF_8).lines())
+          .singleElement()
+          .asString()
+          .startsWith("Port " + taken + " of 127.0.0.1 cannot be had")
+          .contains("the drone sends its state there")
+          .contains("--state-port");
+    }
+  }
+
+  /** A program asks for it, and the drone refuses. */
+  private static void takeOff(int port, DatagramSocket drone) throws IOException {
+    try (DatagramSocket operator = new DatagramSocket()) {
+      byte[] takeoff = "takeoff".getBytes(StandardCharsets.US_ASCII);
+      operator.send(
+          new DatagramPacket(takeoff, takeoff.length, InetAddress.getLoopbackAddress(), port));
+      answer(drone, "error No valid imu");
+      operator.setSoTimeout(ProgramProcess.PATIENCE_SECONDS * 1000);
+      operator.receive(new DatagramPacket(new byte[100], 100));
+    }
   }
 
   private static void answer(DatagramSocket drone, String reply) throws IOException {
