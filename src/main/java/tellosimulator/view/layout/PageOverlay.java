@@ -99,5 +99,13 @@ public final class PageOverlay extends StackPane {
 
   private void setupBindings() {
     visibleProperty().bind(pane.displayProperty());
+    context.pulse().onBeat(nanos -> refreshHelp());
+  }
+
+  /** Where the drone is to be reached changes when it is switched on. */
+  private void refreshHelp() {
+    if (pane.isDisplay() && pane.getContent() instanceof HelpPage help) {
+      help.refresh();
+    }
   }
 }

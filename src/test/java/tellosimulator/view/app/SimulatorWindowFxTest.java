@@ -106,6 +106,17 @@ class SimulatorWindowFxTest {
   }
 
   @Test
+  void theOpenHelpTellsThePortAsSoonAsTheDroneHasOne() {
+    robot.type(KeyCode.F1);
+    assertThat(window.shows("help-page")).isTrue();
+
+    window.switchOn();
+
+    String drone = "127.0.0.1:" + window.simulation().addresses(1).get(0).getPort();
+    waitUntil(() -> window.text("help-step-2").contains(drone));
+  }
+
+  @Test
   void atFirstNoButtonHasTheFocusSoSpacePressesNone() {
     robot.type(KeyCode.SPACE, KeyCode.ENTER);
 
