@@ -8,6 +8,7 @@ import java.util.Objects;
 import java.util.Optional;
 import java.util.SortedMap;
 import java.util.TreeMap;
+import java.util.regex.Pattern;
 import javafx.beans.property.Property;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -15,7 +16,8 @@ import tellosimulator.files.IoReason;
 
 /**
  * Keeps properties in a file. What differs from its default is written soon after it changed; the
- * file is small, so this is done on the JavaFX thread, for which everything here is.
+ * file is small, so this is done on the JavaFX thread, for which everything here is. Keys that
+ * nobody binds stay as they were found: the player does not know all that the simulator remembers.
  */
 public final class Settings {
 
@@ -23,6 +25,11 @@ public final class Settings {
 
   /** How long nothing may have changed before it is written [ns]. Decided. */
   private static final long CALM_NANOS = 1_000_000_000;
+
+  /** What a codec can have written; other lines of a damaged file are not kept. */
+  private static final Pattern KEY = Pattern.compile("[a-z0-9.-]+");
+
+  private static final Pattern TEXT = Pattern.compile("[\\p{Graph}&&[^\\\\]]+");
 
   /** A property that is kept. */
   private record Kept<T>(Property<T> property, T preset, SettingCodec<T> codec) {
@@ -128,13 +135,22 @@ public final class Settings {
       return;
     }
     changed = false;
-    SortedMap<String, String> texts = new TreeMap<>();
+    SortedMap<String, String> texts = unbound();
     kept.forEach((key, value) -> value.text().ifPresent(text -> texts.put(key, text)));
     try {
       file.write(texts);
     } catch (IOException e) {
       complainOnce(e);
     }
+  }
+
+  /** What was found and belongs to nobody who is there now. */
+  private SortedMap<String, String> unbound() {
+    SortedMap<String, String> texts = new TreeMap<>(found);
+    texts.keySet().removeAll(kept.keySet());
+    texts.keySet().removeIf(key -> !KEY.matcher(key).matches());
+    texts.values().removeIf(text -> !TEXT.matcher(text).matches());
+    return texts;
   }
 
   private void complainOnce(IOException e) {

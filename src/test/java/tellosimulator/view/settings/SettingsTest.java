@@ -68,9 +68,7 @@ class SettingsTest {
     theme.set(Theme.SYSTEM);
     settings.save();
 
-    assertThat(Files.readAllLines(file()))
-        .filteredOn(line -> !line.startsWith("#"))
-        .containsExactly("scale=2.0");
+    assertThat(lines()).containsExactly("scale=2.0");
   }
 
   @Test
@@ -232,6 +230,38 @@ class SettingsTest {
   }
 
   @Test
+  void whatNobodyBindsStaysInTheFile() throws IOException {
+    Files.writeString(file(), "grid-cm=25.0\nscale=2.0\nshow.trail=false\ntrail=false\n");
+    Settings settings = load();
+    scale.set(1);
+    settings.save();
+
+    assertThat(lines()).containsExactly("grid-cm=25.0", "show.trail=false", "trail=false");
+  }
+
+  @Test
+  void whatIsUnboundStaysInTheFileUnlessItIsTheDefault() throws IOException {
+    Files.writeString(file(), "scale=2.0\ntrail=false\n");
+    Settings settings = load();
+    trail.set(true);
+    settings.unbind("scale");
+    settings.unbind("trail");
+    settings.save();
+
+    assertThat(lines()).containsExactly("scale=2.0");
+  }
+
+  @Test
+  void whatNoSettingCanBeIsNotKept() throws IOException {
+    Files.writeString(file(), "two\\ lines=1\nback=a\\\\b\nnew=a\\nb=c\n=\nempty=\nleft=1.5\n");
+    Settings settings = load();
+    scale.set(2);
+    settings.save();
+
+    assertThat(lines()).containsExactly("left=1.5", "scale=2.0");
+  }
+
+  @Test
   void aKeyIsBoundOnce() {
     Settings settings = load();
 
@@ -253,6 +283,10 @@ class SettingsTest {
 
   private Path file() {
     return directory.resolve("settings.properties");
+  }
+
+  private List<String> lines() throws IOException {
+    return Files.readAllLines(file()).stream().filter(line -> !line.startsWith("#")).toList();
   }
 
   private List<String> files() throws IOException {
