@@ -62,8 +62,15 @@ public final class Toolkit {
    * @return whether there was a window; if not, the log says why
    */
   static boolean run(Consumer<Stage> show) throws InterruptedException {
+    boolean shown = showUntilClosed(show);
+    Platform.exit();
+    return shown;
+  }
+
+  /** The same, but leaves JavaFX running. */
+  static boolean showUntilClosed(Consumer<Stage> show) throws InterruptedException {
     CountDownLatch closed = new CountDownLatch(1);
-    AtomicBoolean failed = new AtomicBoolean();
+    AtomicBoolean shown = new AtomicBoolean();
     Platform.runLater(
         () -> {
           try {
@@ -71,15 +78,15 @@ public final class Toolkit {
             stage.addEventHandler( // later, as other handlers of this event save what is to be kept
                 WindowEvent.WINDOW_HIDDEN, hidden -> Platform.runLater(closed::countDown));
             show.accept(stage);
-          } catch (RuntimeException e) {
-            failed.set(true);
-            closed.countDown(); // or the program would go on, with nothing to be seen of it
-            throw e;
+            shown.set(true);
+          } finally {
+            if (!shown.get()) {
+              closed.countDown(); // or the program would go on, with nothing to be seen of it
+            }
           }
         });
     closed.await();
-    Platform.exit();
-    return !failed.get();
+    return shown.get();
   }
 
   private static boolean nativesAreThere() {
