@@ -13,22 +13,35 @@ import tellosimulator.view.text.Language;
 import tellosimulator.view.text.Messages;
 
 /**
- * Where a ghost comes from: another recording, read by a thread of its own. For the JavaFX thread.
+ * Where a ghost comes from: another recording, read by a thread of its own. What was asked for last
+ * is shown, however long the reading takes. For the JavaFX thread.
  */
 final class Ghosts {
 
   private static final Verdict FAILED = Verdict.finish("A recording could not be read");
 
+  /** Reads the recording in a folder. For any thread. */
+  @FunctionalInterface
+  interface Reader {
+    ReplayFlight read(Path folder) throws UnreadableRecordingException;
+  }
+
   private final FxReplay replay;
   private final Messages messages;
   private final Runnable changed;
+  private final Reader reader;
+
+  /** Counts what was asked for, so that what is read too late gives way. */
+  private int requests;
 
   /**
    * @param changed is told when there is something new to show
+   * @param reader reads recordings
    */
-  Ghosts(FxReplay replay, Language language, Runnable changed) {
+  Ghosts(FxReplay replay, Language language, Runnable changed, Reader reader) {
     this.replay = replay;
     this.changed = changed;
+    this.reader = reader;
     messages = language.messages(Ghosts.class);
   }
 
@@ -44,22 +57,37 @@ final class Ghosts {
 
   /** Shows a recording as the ghost, as soon as it is read. */
   void read(Path folder) {
+    requests++;
+    int mine = requests;
     tell(messages.now("reading"));
-    Worker.once("replay-reader", FAILED, () -> load(folder));
+    Worker.once("replay-reader", FAILED, () -> load(folder, mine));
   }
 
   /** On the thread that reads. */
-  private void load(Path folder) {
+  private void load(Path folder, int mine) {
     try {
-      ReplayFlight other = ReplayFlight.read(folder);
-      Platform.runLater(() -> show(other));
+      ReplayFlight other = reader.read(folder);
+      answer(mine, () -> show(other));
     } catch (UnreadableRecordingException e) {
-      Platform.runLater(() -> tell(e.getMessage()));
+      answer(mine, () -> tell(e.getMessage()));
+    } catch (RuntimeException | Error e) {
+      answer(mine, () -> tell(messages.now("not-read", folder)));
+      throw e;
     }
+  }
+
+  private void answer(int request, Runnable what) {
+    Platform.runLater(
+        () -> {
+          if (request == requests) {
+            what.run();
+          }
+        });
   }
 
   /** Shows another flight as the ghost. */
   void show(ReplayFlight other) {
+    requests++;
     ReplayFlight painted =
         new ReplayFlight(
             other.name(), other.flight(), other.snapshots().withColor(FxReplay.GHOST_RGB));
@@ -69,6 +97,7 @@ final class Ghosts {
 
   /** Shows no ghost any more. */
   void remove() {
+    requests++;
     replay.ghostProperty().set(Optional.empty());
     tell("");
   }

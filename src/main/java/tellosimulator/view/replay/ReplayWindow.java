@@ -44,7 +44,7 @@ public final class ReplayWindow implements AutoCloseable {
     replay = new FxReplay(flight);
     pulse = new Pulse(() -> {}, () -> !replay.playback().playingProperty().get());
     video = new WindowVideo(replay::snapshot, DroneOptics.DEFAULT, MediaFolder.ofUser());
-    ghosts = new Ghosts(replay, language, pulse::wake);
+    ghosts = new Ghosts(replay, language, pulse::wake, ReplayFlight::read);
     BooleanProperty fullScreen = new SimpleBooleanProperty();
     stage.fullScreenProperty().subscribe(fullScreen::set);
     fullScreen.subscribe(stage::setFullScreen);

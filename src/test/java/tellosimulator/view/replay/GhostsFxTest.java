@@ -1,0 +1,140 @@
+package tellosimulator.view.replay;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static tellosimulator.view.testing.WindowFixture.onFxThread;
+import static tellosimulator.view.testing.WindowFixture.waitUntil;
+
+import java.nio.file.Path;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.LinkedBlockingQueue;
+import java.util.concurrent.TimeUnit;
+import java.util.function.Supplier;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.testfx.api.FxToolkit;
+import org.testfx.util.WaitForAsyncUtils;
+import tellosimulator.concurrent.Verdict;
+import tellosimulator.recording.RecordingFixture;
+import tellosimulator.recording.UnreadableRecordingException;
+import tellosimulator.testing.CapturedLog;
+import tellosimulator.view.text.Language;
+
+/** Recordings whose reading ends when the test says so. */
+class GhostsFxTest {
+
+  private static final Path SLOW = Path.of("slow");
+  private static final Path FAST = Path.of("fast");
+
+  private final Map<Path, BlockingQueue<Supplier<ReplayFlight>>> results =
+      Map.of(SLOW, new LinkedBlockingQueue<>(), FAST, new LinkedBlockingQueue<>());
+  private final Map<Path, Thread> readers = new ConcurrentHashMap<>();
+  @TempDir private Path folder;
+  private ReplayFlight flight;
+  private FxReplay replay;
+  private Ghosts ghosts;
+
+  @BeforeEach
+  void prepare() throws Exception {
+    FxToolkit.registerPrimaryStage();
+    flight = ReplayFlight.read(RecordingFixture.in(folder.resolve("flight")));
+    onFxThread(
+        () -> {
+          replay = new FxReplay(flight);
+          ghosts = new Ghosts(replay, new Language(Locale.ENGLISH), () -> {}, this::read);
+          return ghosts;
+        });
+  }
+
+  private ReplayFlight read(Path wanted) throws UnreadableRecordingException {
+    readers.put(wanted, Thread.currentThread());
+    try {
+      return results.get(wanted).poll(60, TimeUnit.SECONDS).get();
+    } catch (InterruptedException e) {
+      throw new AssertionError(e);
+    }
+  }
+
+  @Test
+  void ofTwoChoicesTheLaterOneIsShownThoughItIsReadSooner() throws InterruptedException {
+    run(() -> ghosts.read(SLOW));
+    run(() -> ghosts.read(FAST));
+    finish(FAST, () -> named("fast"));
+    finish(SLOW, () -> named("slow"));
+
+    assertThat(ghost()).contains("fast");
+    assertThat(news()).isEmpty();
+  }
+
+  @Test
+  void aGhostThatIsTakenAwayDoesNotComeBackWhenItIsRead() throws InterruptedException {
+    run(() -> ghosts.read(SLOW));
+    run(ghosts::remove);
+    finish(SLOW, () -> named("slow"));
+
+    assertThat(ghost()).isEmpty();
+    assertThat(news()).isEmpty();
+  }
+
+  @Test
+  void aFailureThatNobodyExpectedIsToldAndLeavesTheGhost() throws InterruptedException {
+    run(() -> ghosts.show(named("before")));
+    try (CapturedLog log = CapturedLog.of(Verdict.class)) {
+      run(() -> ghosts.read(FAST));
+      assertThat(news()).isEqualTo("The recording is being read.");
+      finish(
+          FAST,
+          () -> {
+            throw new IllegalStateException("broken on purpose");
+          });
+
+      waitUntil(() -> news().startsWith("The recording fast could not be read"));
+      assertThat(log.next()).startsWith("A recording could not be read; please report this");
+    }
+    assertThat(ghost()).contains("before");
+  }
+
+  @Test
+  void aFailureThatComesTooLateSaysNothing() throws InterruptedException {
+    try (CapturedLog log = CapturedLog.of(Verdict.class)) {
+      run(() -> ghosts.read(SLOW));
+      run(ghosts::remove);
+      finish(
+          SLOW,
+          () -> {
+            throw new IllegalStateException("broken on purpose");
+          });
+
+      assertThat(log.next()).startsWith("A recording could not be read; please report this");
+      assertThat(news()).isEmpty();
+    }
+  }
+
+  private ReplayFlight named(String name) {
+    return new ReplayFlight(name, flight.flight(), flight.snapshots());
+  }
+
+  private static void run(Runnable what) {
+    WaitForAsyncUtils.waitForAsyncFx(60_000, what);
+  }
+
+  /** Ends a reading, and waits until the window has taken what came of it. */
+  private void finish(Path wanted, Supplier<ReplayFlight> result) throws InterruptedException {
+    results.get(wanted).add(result);
+    waitUntil(() -> readers.containsKey(wanted));
+    readers.get(wanted).join(60_000);
+    run(() -> {});
+  }
+
+  private Optional<String> ghost() {
+    return onFxThread(() -> replay.ghostProperty().get().map(ReplayFlight::name));
+  }
+
+  private String news() {
+    return onFxThread(() -> replay.newsProperty().get());
+  }
+}
