@@ -88,6 +88,9 @@ final class LastFlightReport implements ReportOffer {
         () -> {
           try {
             writeAndOpen(folder, chosen);
+          } catch (RuntimeException | Error e) {
+            say(LogLevel.ERROR, "report-failed", folder);
+            throw e;
           } finally {
             writing = false;
           }
@@ -110,12 +113,14 @@ final class LastFlightReport implements ReportOffer {
                   .now("report-not-written", file, language.reason(e)));
       return;
     }
-    boolean opened = opener.test(file);
-    logQueue.say(
-        opened ? LogLevel.INFO : LogLevel.WARN,
-        language ->
-            language
-                .messages(LastFlightReport.class)
-                .now(opened ? "report-opened" : "report-written", file));
+    if (opener.test(file)) {
+      say(LogLevel.INFO, "report-opened", file);
+    } else {
+      say(LogLevel.WARN, "report-written", file);
+    }
+  }
+
+  private void say(LogLevel level, String key, Path about) {
+    logQueue.say(level, language -> language.messages(LastFlightReport.class).now(key, about));
   }
 }

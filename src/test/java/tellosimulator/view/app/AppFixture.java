@@ -11,6 +11,7 @@ import java.util.List;
 import java.util.OptionalInt;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.TimeoutException;
+import java.util.function.Predicate;
 import java.util.function.Supplier;
 import java.util.function.UnaryOperator;
 import java.util.stream.Stream;
@@ -43,7 +44,7 @@ final class AppFixture implements BeforeEachCallback, AfterEachCallback {
   private final Supplier<Stage> stageMaker;
   private final FxRobot robot = new FxRobot();
   private final List<Path> openedReports = new CopyOnWriteArrayList<>();
-  private volatile boolean browser = true;
+  private volatile Predicate<Path> browser = file -> true;
   private Path settingsFile;
   private SimulatorApp app;
   private Stage stage;
@@ -96,7 +97,7 @@ final class AppFixture implements BeforeEachCallback, AfterEachCallback {
 
   private boolean openReport(Path file) {
     openedReports.add(file);
-    return browser;
+    return browser.test(file);
   }
 
   /** The reports that were opened, the first one first. */
@@ -106,7 +107,15 @@ final class AppFixture implements BeforeEachCallback, AfterEachCallback {
 
   /** From now on no report can be opened. */
   void removeBrowser() {
-    browser = false;
+    browser = file -> false;
+  }
+
+  /** From now on opening a report fails in a way that nobody expects. */
+  void breakBrowser() {
+    browser =
+        file -> {
+          throw new IllegalStateException("broken on purpose");
+        };
   }
 
   /** What is remembered; it is there once something was changed. */

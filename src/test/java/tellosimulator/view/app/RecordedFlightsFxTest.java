@@ -24,7 +24,9 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.extension.RegisterExtension;
 import org.testfx.util.WaitForAsyncUtils;
+import tellosimulator.concurrent.Verdict;
 import tellosimulator.recording.RecordingFiles;
+import tellosimulator.testing.CapturedLog;
 
 /** The window records flights, until somebody switches that off. */
 @Timeout(value = 180, unit = TimeUnit.SECONDS, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
@@ -81,6 +83,14 @@ class RecordedFlightsFxTest {
         () ->
             window.log().contains("The report of the last flight is open in the browser: " + file)
                 && window.log().contains("No browser could be opened"));
+
+    window.breakBrowser();
+    try (CapturedLog log = CapturedLog.of(Verdict.class)) {
+      window.robot().clickOn(report);
+      await(() -> window.log().contains("failed because of a fault of the simulator"));
+      await(() -> !report.isDisabled());
+      assertThat(log.next()).startsWith("The report of a flight failed; please report this");
+    }
   }
 
   @Test
