@@ -2,6 +2,7 @@ package tellosimulator.view.video;
 
 import java.io.IOException;
 import java.nio.file.Files;
+import java.nio.file.LinkOption;
 import java.nio.file.Path;
 import java.time.LocalDateTime;
 import java.time.format.DateTimeFormatter;
@@ -34,7 +35,8 @@ public record MediaFolder(Path home) {
   }
 
   /**
-   * A file for a picture, which does not exist yet; its folder does.
+   * A file for a picture, which does not exist yet; its folder does. Others may be given the same
+   * until it does.
    *
    * @param drone that took it
    * @throws IOException if there can be no folder
@@ -62,7 +64,7 @@ public record MediaFolder(Path home) {
   private static Path free(Path folder, int drone, LocalDateTime moment, String ending) {
     String name = "tello-" + drone + "_" + MOMENT.format(moment);
     Path file = folder.resolve(name + ending);
-    for (int number = 2; Files.exists(file); number++) {
+    for (int number = 2; Files.exists(file, LinkOption.NOFOLLOW_LINKS); number++) {
       file = folder.resolve(name + "_" + number + ending);
     }
     return file;

@@ -1,6 +1,7 @@
 package tellosimulator.view.video;
 
 import java.io.IOException;
+import java.nio.file.FileAlreadyExistsException;
 import java.nio.file.Path;
 import java.time.LocalDateTime;
 import java.time.ZoneId;
@@ -14,6 +15,8 @@ import javafx.beans.property.ReadOnlyBooleanProperty;
 import javafx.beans.property.ReadOnlyBooleanWrapper;
 import javafx.beans.property.ReadOnlyIntegerProperty;
 import javafx.beans.property.ReadOnlyIntegerWrapper;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
 import tellosimulator.concurrent.Verdict;
 import tellosimulator.concurrent.Worker;
 import tellosimulator.files.IoReason;
@@ -30,6 +33,7 @@ import tellosimulator.words.Phrase;
  */
 public final class VideoCapture implements AutoCloseable {
 
+  private static final Logger LOG = LoggerFactory.getLogger(VideoCapture.class);
   private static final Verdict UNSAVED = Verdict.finish("A picture could not be saved");
   private static final double NANOS_PER_SECOND = 1e9;
 
@@ -83,11 +87,22 @@ public final class VideoCapture implements AutoCloseable {
 
   private void save(Picture picture, LocalDateTime moment) {
     try {
-      Path file = folder.picture(source.drone, moment);
-      PngWriter.write(picture, file);
-      say(true, Phrase.of("a picture was saved: %s", file));
+      say(true, Phrase.of("a picture was saved: %s", written(picture, moment)));
     } catch (IOException e) {
       say(false, Phrase.of("a picture could not be saved: %s", IoReason.of(e)));
+    }
+  }
+
+  /** Writes a picture into a file of its own, though others look for a name at the same time. */
+  private Path written(Picture picture, LocalDateTime moment) throws IOException {
+    while (true) {
+      Path file = folder.picture(source.drone, moment);
+      try {
+        PngWriter.write(picture, file);
+        return file;
+      } catch (FileAlreadyExistsException e) {
+        LOG.debug("{} is another picture's by now", file);
+      }
     }
   }
 

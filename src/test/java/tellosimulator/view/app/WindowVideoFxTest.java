@@ -33,6 +33,7 @@ import tellosimulator.sim.SimConfig;
 import tellosimulator.sim.SimConfig.Outlets;
 import tellosimulator.sim.SimConfig.Product;
 import tellosimulator.view.model.FxSimulation;
+import tellosimulator.view.video.VideoCapture;
 import tellosimulator.world.Room;
 
 /** What the window shows and keeps of the drones' video. */
@@ -108,6 +109,22 @@ class WindowVideoFxTest {
     assertThat(still.getWidth()).isEqualTo(960);
     assertThat(still.getHeight()).isEqualTo(720);
     assertThat(still.getRGB(480, 10)).isNotEqualTo(still.getRGB(480, 715));
+  }
+
+  @Test
+  void twoPicturesAtOnceAreTwoFiles() throws IOException {
+    window.change(
+        () -> {
+          VideoCapture capture = window.context().video().capture(1);
+          capture.saveStill();
+          capture.saveStill();
+        });
+
+    waitUntil(
+        () -> window.log().stream().filter(line -> line.contains("was saved: ")).count() == 2);
+    try (Stream<Path> files = Files.list(folder.resolve("Tello Simulator"))) {
+      assertThat(files).hasSize(2);
+    }
   }
 
   @Test
