@@ -97,6 +97,8 @@ final class ReplayPane extends BorderPane {
         .on(KeyCode.SUBTRACT, () -> playback.faster(-1))
         .on(KeyCode.PLUS, () -> playback.faster(1))
         .on(KeyCode.ADD, () -> playback.faster(1))
+        .on(KeyCode.EQUALS, () -> playback.faster(1)) // has the + of US keyboards
+        .onShift(KeyCode.EQUALS, () -> playback.faster(1))
         .on(KeyCode.DIGIT1, () -> look(world.camera()::front))
         .on(KeyCode.DIGIT2, () -> look(world.camera()::side))
         .on(KeyCode.DIGIT3, () -> look(world.camera()::top))

@@ -9,6 +9,7 @@ import java.nio.file.Path;
 import java.util.Locale;
 import java.util.Optional;
 import javafx.beans.property.SimpleObjectProperty;
+import javafx.scene.control.ChoiceBox;
 import javafx.scene.control.Label;
 import javafx.scene.control.ListView;
 import javafx.scene.control.Slider;
@@ -75,6 +76,21 @@ class ReplayWindowFxTest {
   }
 
   @Test
+  void plusAndMinusChangeTheSpeedOnAllKeyboards() {
+    type(KeyCode.PLUS);
+    waitUntil(() -> speed() == 2);
+    robot.press(KeyCode.SHIFT, KeyCode.EQUALS).release(KeyCode.EQUALS, KeyCode.SHIFT);
+    waitUntil(() -> speed() == 4);
+    type(KeyCode.ADD);
+    waitUntil(() -> speed() == 8);
+    type(KeyCode.MINUS);
+    type(KeyCode.SUBTRACT);
+    waitUntil(() -> speed() == 2);
+    type(KeyCode.EQUALS);
+    waitUntil(() -> speed() == 4);
+  }
+
+  @Test
   void theListFollowsAndAChosenEntryIsGoneTo() {
     ListView<?> list = robot.lookup("#entry-list").queryListView();
     seek(9.2);
@@ -117,6 +133,14 @@ class ReplayWindowFxTest {
 
     seek(paused);
     assertThat(onFxThread(this::moment)).isCloseTo(paused, within(1e-6));
+  }
+
+  private void type(KeyCode key) {
+    robot.press(key).release(key);
+  }
+
+  private double speed() {
+    return (Double) robot.lookup("#speed").queryAs(ChoiceBox.class).getValue();
   }
 
   private void seek(double time) {
