@@ -135,10 +135,17 @@ public final class PilotControls extends VBox implements AutoCloseable {
 
   private void setupEventHandlers() {
     demoFlight.setOnAction(pressed -> startOrStop());
-    takeOff.setOnAction(pressed -> remote.takeOff());
-    land.setOnAction(pressed -> remote.ask("land"));
-    remote.problemProperty().addListener(changed -> demo.forgetProblem());
-    emergency.setOnAction(pressed -> remote.tell("emergency"));
+    takeOff.setOnAction(pressed -> afresh(remote::takeOff));
+    land.setOnAction(pressed -> afresh(() -> remote.ask("land")));
+    emergency.setOnAction(pressed -> afresh(() -> remote.tell("emergency")));
+    keyboard.activeProperty().subscribe(active -> afresh(() -> {}));
+  }
+
+  /** Begins something else: what went wrong before is old news. */
+  private void afresh(Runnable action) {
+    demo.forgetProblem();
+    remote.forgetProblem();
+    action.run();
   }
 
   private void startOrStop() {
@@ -146,7 +153,7 @@ public final class PilotControls extends VBox implements AutoCloseable {
       demo.stop();
     } else {
       keyboardFlight.setSelected(false);
-      demo.switchOnAndStart();
+      afresh(demo::switchOnAndStart);
     }
   }
 

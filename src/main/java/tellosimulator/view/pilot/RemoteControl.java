@@ -97,6 +97,11 @@ public final class RemoteControl implements AutoCloseable {
     return problem.getReadOnlyProperty();
   }
 
+  /** Something else is being done; what was refused before is old news. */
+  void forgetProblem() {
+    problem.set(Message.NONE);
+  }
+
   @Override
   public void close() {
     socket.ifPresent(OperatorSocket::close);

@@ -127,6 +127,33 @@ class PilotControlsFxTest {
   }
 
   @Test
+  void aRefusalIsGoneWhenTheDemoBegins(FxRobot robot) throws TimeoutException {
+    window.carryOut(new Control.SetBattery(1, 8));
+    robot.clickOn("#pilot-takeoff");
+    await(() -> label(robot, "#pilot-problem").isVisible());
+    window.carryOut(new Control.SetBattery(1, 100));
+
+    robot.clickOn("#demo-flight");
+
+    await(() -> window.phase() == FlightPhase.FLYING);
+    assertThat(label(robot, "#pilot-problem").isVisible()).isFalse();
+  }
+
+  @Test
+  void theDemosProblemIsGoneAfterATakeoffThatSucceeds(FxRobot robot) throws TimeoutException {
+    window.carryOut(new Control.SetBattery(1, 8));
+    robot.clickOn("#demo-flight");
+    await(() -> label(robot, "#pilot-problem").isVisible());
+    await(() -> !controls.demo().runningProperty().get());
+    window.carryOut(new Control.SetBattery(1, 100));
+
+    robot.clickOn("#pilot-takeoff");
+
+    await(() -> window.phase() == FlightPhase.FLYING);
+    assertThat(label(robot, "#pilot-problem").isVisible()).isFalse();
+  }
+
+  @Test
   void heldKeysMoveTheSticksAndReleasedOnesCenterThem(FxRobot robot) throws TimeoutException {
     flyByKeyboard(robot);
 
