@@ -154,9 +154,8 @@ public final class Main {
               + " browser shows.");
       return ExitCode.FAILED;
     }
-    return new ReplayApp(flight, ghost).run(window.settings(), window.state())
-        ? ExitCode.DONE
-        : ExitCode.FAILED;
+    ReplayApp app = new ReplayApp(flight, ghost, options.optics());
+    return app.run(window.settings(), window.state()) ? ExitCode.DONE : ExitCode.FAILED;
   }
 
   private int simulate(Launch launch, List<String> words)

@@ -98,6 +98,7 @@ class MainTest {
           --replay x --ghost y --record z | --record does not go with --replay. Try --help.
           --scenario slalom --replay x | --scenario does not go with --replay. Try --help.
           --replay x --log-level warn --control 0 | --control does not go with --replay. Try --help.
+          --replay x --camera-tilt 0 --camera-fov 80 --drones 2 | --drones does not go with --replay. Try --help.
           --replay x --bind 127.0.0.1 | --bind does not go with --replay. Try --help.
           --replay=         | Invalid value for option '--replay': expected the name of a file or a folder, found nothing. Try --help.
           --headless --record= | Invalid value for option '--record': expected the name of a file or a folder, found nothing. Try --help.

@@ -25,6 +25,8 @@ import tellosimulator.world.Poster;
 /** What can be chosen on the command line, and what follows from it. */
 public final class Options {
 
+  static final String CAMERA_FOV = "--camera-fov";
+  static final String CAMERA_TILT = "--camera-tilt";
   static final String HEADLESS = "--headless";
   static final String LOG_LEVEL = "--log-level";
 
@@ -44,7 +46,7 @@ public final class Options {
   private final Choice<Double> fieldOfViewDeg =
       choices
           .option(
-              "--camera-fov",
+              CAMERA_FOV,
               "DEG|manual",
               "What the camera sees from left to right, in degrees: 55 as measured, or manual for"
                   + " the 82.6 degrees from corner to corner of the manual. Default: 55.")
@@ -52,7 +54,7 @@ public final class Options {
 
   private final Choice<Double> tiltDeg =
       choices
-          .option("--camera-tilt", "DEG", "How far the camera looks down, in degrees. Default: 15.")
+          .option(CAMERA_TILT, "DEG", "How far the camera looks down, in degrees. Default: 15.")
           .read(OptionTypes::tilt, "15");
 
   private final Choice<Optional<Integer>> drones =

@@ -12,7 +12,8 @@ final class ReplayOptions {
   private static final String GHOST = "--ghost";
 
   /** What may stand beside: all others are about a flight, and nothing is flown. */
-  private static final Set<String> COMPANIONS = Set.of(REPLAY, GHOST, Options.LOG_LEVEL);
+  private static final Set<String> COMPANIONS =
+      Set.of(REPLAY, GHOST, Options.CAMERA_FOV, Options.CAMERA_TILT, Options.LOG_LEVEL);
 
   private final Choices choices;
   private final Choice<Optional<Path>> folder;

@@ -3,9 +3,11 @@ package tellosimulator.view.app;
 import java.util.Locale;
 import java.util.Optional;
 import javafx.stage.Stage;
+import tellosimulator.video.camera.DroneOptics;
 import tellosimulator.view.layout.WindowState;
 import tellosimulator.view.replay.ReplayFlight;
 import tellosimulator.view.replay.ReplayWindow;
+import tellosimulator.view.replay.ReplayWindow.Appearance;
 import tellosimulator.view.settings.Settings;
 import tellosimulator.view.settings.WindowPlacement;
 import tellosimulator.view.text.Language;
@@ -15,15 +17,18 @@ public final class ReplayApp {
 
   private final ReplayFlight flight;
   private final Optional<ReplayFlight> ghost;
+  private final DroneOptics optics;
 
   /**
    * One that shows a flight.
    *
    * @param ghost that is shown with it
+   * @param optics of the drones' cameras
    */
-  public ReplayApp(ReplayFlight flight, Optional<ReplayFlight> ghost) {
+  public ReplayApp(ReplayFlight flight, Optional<ReplayFlight> ghost, DroneOptics optics) {
     this.flight = flight;
     this.ghost = ghost;
+    this.optics = optics;
   }
 
   /**
@@ -43,7 +48,8 @@ public final class ReplayApp {
     Language language = new Language(Locale.getDefault());
     settings.bind("language", language.localeProperty(), Language.codec());
     WindowPlacement.remember(stage, settings);
-    ReplayWindow window = new ReplayWindow(stage, flight, language, state.themeProperty());
+    Appearance appearance = new Appearance(language, state.themeProperty(), optics);
+    ReplayWindow window = new ReplayWindow(stage, flight, appearance);
     window.compareWith(ghost);
     stage.setOnHidden(
         hidden -> {

@@ -37,13 +37,22 @@ public final class ReplayWindow implements AutoCloseable {
   private final WindowVideo video;
   private final ReplayPane pane;
 
+  /**
+   * How everything looks.
+   *
+   * @param optics of the drones' cameras
+   */
+  public record Appearance(Language language, Property<Theme> theme, DroneOptics optics) {}
+
   /** Builds the window, and does not show it yet. */
-  public ReplayWindow(Stage stage, ReplayFlight flight, Language language, Property<Theme> theme) {
+  public ReplayWindow(Stage stage, ReplayFlight flight, Appearance appearance) {
     this.stage = stage;
+    Language language = appearance.language();
+    Property<Theme> theme = appearance.theme();
     theme.subscribe(now -> Application.setUserAgentStylesheet(now.stylesheet()));
     replay = new FxReplay(flight);
     pulse = new Pulse(() -> {}, () -> !replay.playback().playingProperty().get());
-    video = new WindowVideo(replay::snapshot, DroneOptics.DEFAULT, MediaFolder.ofUser());
+    video = new WindowVideo(replay::snapshot, appearance.optics(), MediaFolder.ofUser());
     ghosts = new Ghosts(replay, language, pulse::wake, ReplayFlight::read);
     BooleanProperty fullScreen = new SimpleBooleanProperty();
     stage.fullScreenProperty().subscribe(fullScreen::set);

@@ -13,6 +13,9 @@ import javafx.scene.control.ChoiceBox;
 import javafx.scene.control.Label;
 import javafx.scene.control.ListView;
 import javafx.scene.control.Slider;
+import javafx.scene.image.Image;
+import javafx.scene.image.ImageView;
+import javafx.scene.image.PixelFormat;
 import javafx.scene.input.KeyCode;
 import javafx.stage.Stage;
 import org.junit.jupiter.api.AfterEach;
@@ -22,8 +25,11 @@ import org.junit.jupiter.api.io.TempDir;
 import org.testfx.api.FxRobot;
 import org.testfx.api.FxToolkit;
 import tellosimulator.recording.RecordingFixture;
+import tellosimulator.recording.UnreadableRecordingException;
 import tellosimulator.report.ReportEntry;
+import tellosimulator.video.camera.DroneOptics;
 import tellosimulator.view.layout.Theme;
+import tellosimulator.view.replay.ReplayWindow.Appearance;
 import tellosimulator.view.text.Language;
 
 /** The player on a recording from 1 to 15 s: takeoff at 4 s, 100 cm forward from 8 s on. */
@@ -37,6 +43,10 @@ class ReplayWindowFxTest {
   @BeforeEach
   void open() throws Exception {
     FxToolkit.registerPrimaryStage();
+    open(DroneOptics.DEFAULT);
+  }
+
+  private void open(DroneOptics optics) throws UnreadableRecordingException {
     ReplayFlight flight = ReplayFlight.read(RecordingFixture.in(folder.resolve("first")));
     onFxThread(
         () -> {
@@ -45,8 +55,10 @@ class ReplayWindowFxTest {
               new ReplayWindow(
                   stage,
                   flight,
-                  new Language(Locale.ENGLISH),
-                  new SimpleObjectProperty<>(Theme.LIGHT));
+                  new Appearance(
+                      new Language(Locale.ENGLISH),
+                      new SimpleObjectProperty<>(Theme.LIGHT),
+                      optics));
           window.show();
           return window;
         });
@@ -122,6 +134,37 @@ class ReplayWindowFxTest {
     // the same moment after its takeoff is at 8 s, when it had not moved yet
     waitUntil(() -> label("distance").equals("The ghost is 50 cm away"));
     assertThat(label("ghost-name")).isEqualTo("Ghost: late");
+  }
+
+  @Test
+  void theDronesCameraIsTheOneThatTheCommandLineDescribes() throws Exception {
+    int[] usual = droneCamera();
+    close();
+    open(DroneOptics.DEFAULT);
+    assertThat(droneCamera()).as("from the same camera").isEqualTo(usual);
+    close();
+
+    open(new DroneOptics(DroneOptics.DEFAULT.fieldOfView(), Math.toRadians(90)));
+
+    assertThat(droneCamera()).as("straight down").isNotEqualTo(usual);
+  }
+
+  /** The picture of the drone's camera at the beginning. */
+  private int[] droneCamera() {
+    type(KeyCode.F6);
+    ImageView inset = robot.lookup("#inset-picture").queryAs(ImageView.class);
+    waitUntil(() -> inset.getImage() != null);
+    return onFxThread(
+        () -> {
+          Image image = inset.getImage();
+          int width = (int) image.getWidth();
+          int height = (int) image.getHeight();
+          int[] pixels = new int[width * height];
+          image
+              .getPixelReader()
+              .getPixels(0, 0, width, height, PixelFormat.getIntArgbInstance(), pixels, 0, width);
+          return pixels;
+        });
   }
 
   @Test
