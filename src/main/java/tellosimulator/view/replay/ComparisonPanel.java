@@ -15,6 +15,7 @@ import org.kordamp.ikonli.javafx.FontIcon;
 import tellosimulator.scenery.mesh.Rgb;
 import tellosimulator.view.drone.DroneColors;
 import tellosimulator.view.fx.FxTextures;
+import tellosimulator.view.fx.Tooltips;
 import tellosimulator.view.text.Language;
 import tellosimulator.view.text.Messages;
 
@@ -63,6 +64,7 @@ final class ComparisonPanel extends VBox {
     compare.getStyleClass().add(Styles.SMALL);
     compare.setGraphic(new FontIcon(Feather.COPY));
     compare.textProperty().bind(messages.text("compare"));
+    Tooltips.install(compare, messages.text("compare.tooltip"));
     MenuItem other = item("compare-other", () -> ghosts.choose(getScene().getWindow()));
     MenuItem none = item("compare-none", ghosts::remove);
     none.disableProperty().bind(replay.ghostProperty().map(Optional::isEmpty));

@@ -68,6 +68,7 @@ public final class ReplayWindow implements AutoCloseable {
     scene
         .getAccelerators()
         .put(new KeyCodeCombination(KeyCode.Q, KeyCombination.SHORTCUT_DOWN), this::quit);
+    ghosts.takeDrops(scene);
     EventHandler<InputEvent> waking = input -> pulse.wake();
     scene.addEventFilter(InputEvent.ANY, waking);
     scene.widthProperty().subscribe(pulse::wake);
