@@ -41,6 +41,7 @@ import tellosimulator.view.settings.Settings;
 import tellosimulator.view.text.Language;
 import tellosimulator.view.video.VideoCapture;
 import tellosimulator.view.world.Simulator3DScene;
+import tellosimulator.view.world.SimulatorCamera;
 import tellosimulator.view.world.ViewCamera;
 import tellosimulator.world.Decor;
 
@@ -193,12 +194,12 @@ public final class SimulatorWindow implements AutoCloseable {
         .on(WindowKey.PAUSE, context.actions()::togglePause)
         .on(WindowKey.PLAN, () -> toggle(state.planShownProperty()))
         .on(WindowKey.FULL_SCREEN, () -> toggle(state.fullScreenProperty()))
-        .on(WindowKey.FRONT_VIEW, () -> look(() -> world.camera().front()))
-        .on(WindowKey.SIDE_VIEW, () -> look(() -> world.camera().side()))
-        .on(WindowKey.TOP_VIEW, () -> look(() -> world.camera().top()))
-        .on(WindowKey.CHASE_VIEW, () -> look(() -> world.camera().chase()))
-        .on(WindowKey.RESET_VIEW, () -> look(() -> world.camera().reset()))
-        .on(WindowKey.DRONE_CAMERA, this::switchCamera)
+        .on(WindowKey.FRONT_VIEW, () -> world.look(SimulatorCamera::front))
+        .on(WindowKey.SIDE_VIEW, () -> world.look(SimulatorCamera::side))
+        .on(WindowKey.TOP_VIEW, () -> world.look(SimulatorCamera::top))
+        .on(WindowKey.CHASE_VIEW, () -> world.look(SimulatorCamera::chase))
+        .on(WindowKey.RESET_VIEW, () -> world.look(SimulatorCamera::reset))
+        .on(WindowKey.DRONE_CAMERA, world::switchCamera)
         .on(WindowKey.NEXT_DRONE, () -> context.simulation().selectNext(1))
         .on(WindowKey.PREVIOUS_DRONE, () -> context.simulation().selectNext(-1))
         .on(WindowKey.OPEN_SCENARIO, bar.scenarios()::chooseToOpen)
@@ -224,19 +225,9 @@ public final class SimulatorWindow implements AutoCloseable {
     return context.video().capture(context.simulation().selected().number());
   }
 
-  private void switchCamera() {
-    boolean drones = world.viewCameraProperty().get() == ViewCamera.DRONE;
-    world.viewCameraProperty().set(drones ? ViewCamera.SIMULATOR : ViewCamera.DRONE);
-  }
-
   private void searchLog() {
     state.logShownProperty().set(true);
     log.startSearch();
-  }
-
-  private void look(Runnable from) {
-    world.viewCameraProperty().set(ViewCamera.SIMULATOR);
-    from.run();
   }
 
   private void setupBindings() {

@@ -1,6 +1,7 @@
 package tellosimulator.view.layout;
 
 import atlantafx.base.theme.Styles;
+import java.util.function.Consumer;
 import javafx.beans.property.Property;
 import javafx.geometry.Pos;
 import javafx.scene.Node;
@@ -16,6 +17,7 @@ import tellosimulator.view.fx.Tooltips;
 import tellosimulator.view.text.Language;
 import tellosimulator.view.text.Messages;
 import tellosimulator.view.world.Simulator3DScene;
+import tellosimulator.view.world.SimulatorCamera;
 import tellosimulator.view.world.ViewCamera;
 
 /**
@@ -35,11 +37,11 @@ public final class BarButtons {
   public HBox views(Simulator3DScene scene) {
     HBox views =
         new HBox(
-            view(scene, "view-front", () -> scene.camera().front()),
-            view(scene, "view-side", () -> scene.camera().side()),
-            view(scene, "view-top", () -> scene.camera().top()),
-            view(scene, "view-chase", () -> scene.camera().chase()),
-            view(scene, "view-reset", () -> scene.camera().reset()));
+            view(scene, "view-front", SimulatorCamera::front),
+            view(scene, "view-side", SimulatorCamera::side),
+            view(scene, "view-top", SimulatorCamera::top),
+            view(scene, "view-chase", SimulatorCamera::chase),
+            view(scene, "view-reset", SimulatorCamera::reset));
     views.setAlignment(Pos.CENTER);
     for (Node view : views.getChildren()) {
       view.getStyleClass().add(Styles.CENTER_PILL);
@@ -57,16 +59,10 @@ public final class BarButtons {
     lastNode.getStyleClass().add(last);
   }
 
-  private Button view(Simulator3DScene scene, String id, Runnable look) {
+  private Button view(Simulator3DScene scene, String id, Consumer<SimulatorCamera> from) {
     Button button = new Button();
     button.textProperty().bind(messages.text(id));
-    return prepared(
-        button,
-        id,
-        () -> {
-          scene.viewCameraProperty().set(ViewCamera.SIMULATOR);
-          look.run();
-        });
+    return prepared(button, id, () -> scene.look(from));
   }
 
   /** Looks through the drone's camera. */
@@ -74,13 +70,7 @@ public final class BarButtons {
     ToggleButton button = new ToggleButton("", new FontIcon(Feather.CAMERA));
     button.getStyleClass().addAll(Styles.BUTTON_ICON, Styles.FLAT);
     scene.viewCameraProperty().subscribe(camera -> button.setSelected(camera == ViewCamera.DRONE));
-    return prepared(
-        button,
-        "view-drone",
-        () ->
-            scene
-                .viewCameraProperty()
-                .set(button.isSelected() ? ViewCamera.DRONE : ViewCamera.SIMULATOR));
+    return prepared(button, "view-drone", scene::switchCamera);
   }
 
   /** Shows the picture of the drone's camera in the corner. */

@@ -14,7 +14,7 @@ import tellosimulator.view.layout.BarButtons;
 import tellosimulator.view.layout.Theme;
 import tellosimulator.view.model.SceneContext;
 import tellosimulator.view.world.Simulator3DScene;
-import tellosimulator.view.world.ViewCamera;
+import tellosimulator.view.world.SimulatorCamera;
 
 /**
  * The parts of the player: the room in the middle, what was commanded at the right, and the slider
@@ -99,24 +99,14 @@ final class ReplayPane extends BorderPane {
         .on(KeyCode.ADD, () -> playback.faster(1))
         .on(KeyCode.EQUALS, () -> playback.faster(1)) // has the + of US keyboards
         .onShift(KeyCode.EQUALS, () -> playback.faster(1))
-        .on(KeyCode.DIGIT1, () -> look(world.camera()::front))
-        .on(KeyCode.DIGIT2, () -> look(world.camera()::side))
-        .on(KeyCode.DIGIT3, () -> look(world.camera()::top))
-        .on(KeyCode.DIGIT4, () -> look(world.camera()::chase))
-        .on(KeyCode.DIGIT5, this::switchCamera)
-        .on(KeyCode.DIGIT0, () -> look(world.camera()::reset))
+        .on(KeyCode.DIGIT1, () -> world.look(SimulatorCamera::front))
+        .on(KeyCode.DIGIT2, () -> world.look(SimulatorCamera::side))
+        .on(KeyCode.DIGIT3, () -> world.look(SimulatorCamera::top))
+        .on(KeyCode.DIGIT4, () -> world.look(SimulatorCamera::chase))
+        .on(KeyCode.DIGIT5, world::switchCamera)
+        .on(KeyCode.DIGIT0, () -> world.look(SimulatorCamera::reset))
         .on(KeyCode.F6, () -> toggle(world.insetVisibleProperty()))
         .on(KeyCode.F7, () -> toggle(world.trailVisibleProperty()));
-  }
-
-  private void look(Runnable from) {
-    world.viewCameraProperty().set(ViewCamera.SIMULATOR);
-    from.run();
-  }
-
-  private void switchCamera() {
-    boolean drones = world.viewCameraProperty().get() == ViewCamera.DRONE;
-    world.viewCameraProperty().set(drones ? ViewCamera.SIMULATOR : ViewCamera.DRONE);
   }
 
   static void toggle(Property<Boolean> property) {

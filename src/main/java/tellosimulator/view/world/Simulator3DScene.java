@@ -3,6 +3,7 @@ package tellosimulator.view.world;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Consumer;
 import javafx.application.ConditionalFeature;
 import javafx.application.Platform;
 import javafx.beans.property.BooleanProperty;
@@ -77,6 +78,22 @@ public final class Simulator3DScene extends Region {
   /** Through which camera one sees the scene. */
   public ObjectProperty<ViewCamera> viewCameraProperty() {
     return viewCamera;
+  }
+
+  /**
+   * Shows the scene from the simulator's camera.
+   *
+   * @param from puts the camera where one wants to look from
+   */
+  public void look(Consumer<SimulatorCamera> from) {
+    viewCamera.set(ViewCamera.SIMULATOR);
+    from.accept(camera);
+  }
+
+  /** Shows the scene from the other of the two cameras. */
+  public void switchCamera() {
+    boolean drones = viewCamera.get() == ViewCamera.DRONE;
+    viewCamera.set(drones ? ViewCamera.SIMULATOR : ViewCamera.DRONE);
   }
 
   /** Whether the flown paths are shown. */
