@@ -9,7 +9,6 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import javafx.beans.binding.Bindings;
 import javafx.beans.property.BooleanProperty;
-import javafx.beans.property.ObjectProperty;
 import javafx.scene.control.ListView;
 import javafx.scene.control.SelectionMode;
 import javafx.scene.input.Clipboard;
@@ -62,11 +61,6 @@ public final class LogPane extends VBox {
     layoutParts();
     setupEventHandlers();
     setupBindings();
-  }
-
-  /** How much a line must matter to be shown. */
-  public ObjectProperty<LogLevel> levelProperty() {
-    return toolbar.levelProperty();
   }
 
   /** Whether lines show their simulated time. */

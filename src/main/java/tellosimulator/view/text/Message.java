@@ -8,8 +8,8 @@ import javafx.beans.binding.StringBinding;
  * why a flight ended. Equal messages say the same. Immutable; for any thread.
  *
  * @param key of the text
- * @param values for its {@code {0}}, {@code {1}} and so on; numbers that must have no thousands
- *     separator, such as ports, are texts already
+ * @param values for its {@code %s}; numbers are texts already, so that ports and the like have no
+ *     thousands separator
  */
 public record Message(String key, List<String> values) {
 
