@@ -39,12 +39,14 @@ final class FxReplay {
       new SimpleObjectProperty<>(this, "ghost", Optional.empty());
   private final StringProperty news = new SimpleStringProperty(this, "news", "");
   private volatile SimSnapshot snapshot;
+  private Optional<SimSnapshot> ghostSnapshot = Optional.empty();
 
   FxReplay(ReplayFlight flight) {
     this.flight = flight;
     playback = new Playback(flight.begin(), flight.end());
     snapshot = flight.snapshots().at(playback.time());
     simulation = new FxSimulation(snapshot);
+    ghost.subscribe(this::moveGhost);
   }
 
   ReplayFlight flight() {
@@ -85,13 +87,18 @@ final class FxReplay {
     double time = playback.time();
     if (snapshot.time().seconds() != Math.max(0, time)) {
       snapshot = flight.snapshots().at(time);
+      moveGhost();
     }
     simulation.update(snapshot);
   }
 
+  private void moveGhost() {
+    ghostSnapshot = ghost.get().map(other -> other.snapshots().at(ghostTime(other)));
+  }
+
   /** What is to be seen of the ghost, at the same moment after the takeoff. */
   Optional<SimSnapshot> ghostSnapshot() {
-    return ghost.get().map(other -> other.snapshots().at(ghostTime(other)));
+    return ghostSnapshot;
   }
 
   private double ghostTime(ReplayFlight other) {
@@ -102,7 +109,7 @@ final class FxReplay {
   OptionalDouble distance() {
     int number = simulation.selected().number();
     Optional<Vec3> own = place(snapshot, number);
-    Optional<Vec3> other = ghostSnapshot().flatMap(now -> place(now, number));
+    Optional<Vec3> other = ghostSnapshot.flatMap(now -> place(now, number));
     return own.isPresent() && other.isPresent()
         ? OptionalDouble.of(own.get().distanceTo(other.get()))
         : OptionalDouble.empty();
