@@ -120,6 +120,7 @@ public final class Endurance {
     trials.put("address", new Entry(Lane.IN_TURN, inNetwork(NewAddressTrial::run)));
     trials.put("files", new Entry(Lane.IN_TURN, FilesTrial::run));
     trials.put("recording", new Entry(Lane.IN_TURN, RecordingTrial::run));
+    trials.put("replay", new Entry(Lane.BESIDE, ReplayTrial::run));
     trials.put("determinism", new Entry(Lane.IN_TURN, DeterminismTrial::run));
     trials.put("ending", new Entry(Lane.IN_TURN, again(EndingTrial::landsTooEarly)));
     trials.put("timeout", new Entry(Lane.IN_TURN, again(EndingTrial::neverTakesOff)));

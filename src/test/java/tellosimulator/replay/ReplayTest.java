@@ -221,6 +221,17 @@ class ReplayTest {
         .contains("forward 50", "flip l");
   }
 
+  /** Twenty minutes of the day that the endurance test flies. */
+  @Test
+  void aLongFlightIsFlownAgainToTheByte() throws Exception {
+    Repetition repetition = LongFlight.repeat(1 / 3.0, parent);
+
+    assertThat(repetition.differences()).isEmpty();
+    assertThat(repetition.remarks()).isEmpty();
+    assertThat(Files.readAllLines(repetition.recording().resolve("flight.csv")).size())
+        .isGreaterThan(20_000);
+  }
+
   @Test
   void inputsThatAreDamagedAreToldAndThoseThatWereCutOffAreNot() throws Exception {
     Path flight = flown(MOVES).get(0);
