@@ -4,12 +4,16 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.io.IOException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.security.MessageDigest;
 import java.util.Arrays;
+import java.util.HexFormat;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.OptionalInt;
 import java.util.concurrent.TimeUnit;
@@ -230,6 +234,22 @@ class ReplayTest {
     assertThat(repetition.remarks()).isEmpty();
     assertThat(Files.readAllLines(repetition.recording().resolve("flight.csv")).size())
         .isGreaterThan(20_000);
+    assertThat(digest(repetition.recording()))
+        .as("the same on each JDK; changed by whatever changes a flight or its files")
+        .isEqualTo("63299f633fcd5ca4");
+  }
+
+  /** Of all that a simulation decides. */
+  private static String digest(Path recording) throws Exception {
+    MessageDigest digest = MessageDigest.getInstance("SHA-256");
+    for (String name : List.of("wire.jsonl", "events.jsonl", "flight.csv")) {
+      try (LineFile file = new LineFile(recording.resolve(name))) {
+        for (Optional<String> line = file.next(); line.isPresent(); line = file.next()) {
+          digest.update(line.get().getBytes(StandardCharsets.UTF_8));
+        }
+      }
+    }
+    return HexFormat.of().formatHex(digest.digest(), 0, 8);
   }
 
   @Test
