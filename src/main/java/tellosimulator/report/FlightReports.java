@@ -1,15 +1,13 @@
 package tellosimulator.report;
 
 import java.io.IOException;
-import java.nio.file.DirectoryStream;
-import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
 import tellosimulator.files.IoReason;
+import tellosimulator.files.TemporaryFolder;
 import tellosimulator.recording.RecordedFlight;
 import tellosimulator.recording.RecordingFolder;
 import tellosimulator.recording.UnreadableRecordingException;
@@ -22,13 +20,14 @@ public final class FlightReports {
 
   private final Path file;
   private final RecordingFolder recordings;
-  private final boolean kept;
+  private final Optional<TemporaryFolder> temporary;
   private boolean written;
 
-  private FlightReports(Path file, RecordingFolder recordings, boolean kept) {
+  private FlightReports(
+      Path file, RecordingFolder recordings, Optional<TemporaryFolder> temporary) {
     this.file = file;
     this.recordings = recordings;
-    this.kept = kept;
+    this.temporary = temporary;
   }
 
   /**
@@ -39,10 +38,11 @@ public final class FlightReports {
    * @throws IOException if there is no place for recordings
    */
   public static FlightReports to(Path file, Optional<RecordingFolder> folder) throws IOException {
-    return folder.isPresent()
-        ? new FlightReports(file, folder.get(), true)
-        : new FlightReports(
-            file, RecordingFolder.at(Files.createTempDirectory("tello-flights")), false);
+    if (folder.isPresent()) {
+      return new FlightReports(file, folder.get(), Optional.empty());
+    }
+    TemporaryFolder temporary = TemporaryFolder.create("tello-flights");
+    return new FlightReports(file, RecordingFolder.at(temporary.path()), Optional.of(temporary));
   }
 
   /** Where the flights are to be recorded. */
@@ -71,9 +71,7 @@ public final class FlightReports {
     if (folders.isEmpty()) {
       failed.accept("There is no report, because no drone took off.");
     }
-    if (!kept) {
-      delete(folders);
-    }
+    temporary.ifPresent(TemporaryFolder::close);
     return all;
   }
 
@@ -103,24 +101,5 @@ public final class FlightReports {
     String stem = dot > 0 ? name.substring(0, dot) : name;
     String end = dot > 0 ? name.substring(dot) : "";
     return number == 1 ? file : file.resolveSibling(stem + "-" + number + end);
-  }
-
-  /** What cannot be deleted stays, in a folder for such things. */
-  private void delete(List<Path> folders) {
-    List<Path> all = new ArrayList<>();
-    try {
-      for (Path folder : folders) {
-        try (DirectoryStream<Path> files = Files.newDirectoryStream(folder)) {
-          files.forEach(all::add);
-        }
-        all.add(folder);
-      }
-      all.add(recordings.path());
-      for (Path each : all) {
-        Files.deleteIfExists(each);
-      }
-    } catch (IOException e) {
-      // the system cleans up
-    }
   }
 }
