@@ -247,6 +247,7 @@ class DroneProxyTest {
     proxy.close();
     proxy = DroneProxy.start(plan(drone.address(), 0), recorder(), never);
     exchange(operator, "command", "ok");
+    assertThat(List.of(operator.isSilent(), drone.isSilent())).as("it waits").containsOnly(true);
 
     InetSocketAddress before = here();
     proxy.close();
