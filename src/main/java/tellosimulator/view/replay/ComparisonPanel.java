@@ -66,9 +66,10 @@ final class ComparisonPanel extends VBox {
     compare.textProperty().bind(messages.text("compare"));
     Tooltips.install(compare, messages.text("compare.tooltip"));
     MenuItem other = item("compare-other", () -> ghosts.choose(getScene().getWindow()));
+    MenuItem again = item("compare-again", ghosts::flyAgain);
     MenuItem none = item("compare-none", ghosts::remove);
     none.disableProperty().bind(replay.ghostProperty().map(Optional::isEmpty));
-    compare.getItems().setAll(other, none);
+    compare.getItems().setAll(other, again, none);
   }
 
   private MenuItem item(String id, Runnable action) {

@@ -1,6 +1,7 @@
 package tellosimulator.view.replay;
 
 import java.io.File;
+import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Optional;
 import javafx.application.Platform;
@@ -16,8 +17,8 @@ import tellosimulator.view.text.Language;
 import tellosimulator.view.text.Messages;
 
 /**
- * Where a ghost comes from: another recording, read by a thread of its own. What was asked for last
- * is shown, however long the reading takes. For the JavaFX thread.
+ * Where a ghost comes from: another recording, or the same commands flown again, by a thread of its
+ * own. What was asked for last is shown, however long it takes. For the JavaFX thread.
  */
 final class Ghosts {
 
@@ -29,7 +30,14 @@ final class Ghosts {
     ReplayFlight read(Path folder) throws UnreadableRecordingException;
   }
 
+  /** Makes a ghost. For any thread. */
+  @FunctionalInterface
+  private interface Source {
+    ReplayFlight get() throws UnreadableRecordingException, IOException;
+  }
+
   private final FxReplay replay;
+  private final Language language;
   private final Messages messages;
   private final Runnable changed;
   private final Reader reader;
@@ -43,6 +51,7 @@ final class Ghosts {
    */
   Ghosts(FxReplay replay, Language language, Runnable changed, Reader reader) {
     this.replay = replay;
+    this.language = language;
     this.changed = changed;
     this.reader = reader;
     messages = language.messages(Ghosts.class);
@@ -85,19 +94,33 @@ final class Ghosts {
 
   /** Shows a recording as the ghost, as soon as it is read. */
   void read(Path folder) {
+    tell(messages.now("reading"));
+    load(folder, () -> reader.read(folder));
+  }
+
+  /** Flies the commands of the flight again, and shows what comes of them as the ghost. */
+  void flyAgain() {
+    ReplayFlight flight = replay.flight();
+    String name = messages.now("flown-again", flight.name());
+    tell(messages.now("flying-again"));
+    load(flight.folder(), () -> ReplayFlight.flyAgain(flight.folder(), name));
+  }
+
+  private void load(Path folder, Source source) {
     requests++;
     int mine = requests;
-    tell(messages.now("reading"));
-    Worker.once("replay-reader", FAILED, () -> load(folder, mine));
+    Worker.once("replay-reader", FAILED, () -> load(folder, source, mine));
   }
 
   /** On the thread that reads. */
-  private void load(Path folder, int mine) {
+  private void load(Path folder, Source source, int mine) {
     try {
-      ReplayFlight other = reader.read(folder);
+      ReplayFlight other = source.get();
       answer(mine, () -> show(other));
     } catch (UnreadableRecordingException e) {
       answer(mine, () -> tell(e.getMessage()));
+    } catch (IOException e) {
+      answer(mine, () -> tell(messages.now("not-flown", folder, language.reason(e))));
     } catch (RuntimeException | Error e) {
       answer(mine, () -> tell(messages.now("not-read", folder)));
       throw e;
@@ -118,7 +141,10 @@ final class Ghosts {
     requests++;
     ReplayFlight painted =
         new ReplayFlight(
-            other.name(), other.flight(), other.snapshots().withColor(FxReplay.GHOST_RGB));
+            other.name(),
+            other.folder(),
+            other.flight(),
+            other.snapshots().withColor(FxReplay.GHOST_RGB));
     replay.ghostProperty().set(Optional.of(painted));
     tell("");
   }

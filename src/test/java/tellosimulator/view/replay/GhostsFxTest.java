@@ -4,6 +4,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static tellosimulator.view.testing.WindowFixture.onFxThread;
 import static tellosimulator.view.testing.WindowFixture.waitUntil;
 
+import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Locale;
 import java.util.Map;
@@ -19,6 +21,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.testfx.api.FxToolkit;
 import org.testfx.util.WaitForAsyncUtils;
 import tellosimulator.concurrent.Verdict;
+import tellosimulator.recording.RecordedCommand;
 import tellosimulator.recording.RecordingFixture;
 import tellosimulator.recording.UnreadableRecordingException;
 import tellosimulator.testing.CapturedLog;
@@ -81,6 +84,33 @@ class GhostsFxTest {
   }
 
   @Test
+  void theSameCommandsFlownAgainAreAGhost() throws IOException {
+    Files.writeString(
+        flight.folder().resolve("wire.jsonl"),
+        """
+        {"t":4,"drone":1,"kind":"command","from":"127.0.0.1:9001","to":"127.0.0.1:8889","text":"takeoff"}
+        {"t":8,"drone":1,"kind":"command","from":"127.0.0.1:9001","to":"127.0.0.1:8889","text":"cw 90"}
+        """);
+    run(ghosts::flyAgain);
+
+    waitUntil(() -> replay.ghostProperty().get().isPresent());
+    assertThat(ghost()).contains("flight, flown again");
+    assertThat(onFxThread(() -> replay.ghostProperty().get().orElseThrow().flight().commands()))
+        .extracting(RecordedCommand::text)
+        .containsExactly("command", "takeoff", "cw 90");
+    assertThat(news()).isEmpty();
+  }
+
+  @Test
+  void whatCannotBeFlownAgainIsASentence() {
+    run(ghosts::flyAgain);
+
+    waitUntil(() -> news().contains("not flown again"));
+    assertThat(news())
+        .isEqualTo("The flight of " + flight.folder() + " was not flown again: no drone took off.");
+  }
+
+  @Test
   void aFailureThatNobodyExpectedIsToldAndLeavesTheGhost() throws InterruptedException {
     run(() -> ghosts.show(named("before")));
     try (CapturedLog log = CapturedLog.of(Verdict.class)) {
@@ -115,7 +145,7 @@ class GhostsFxTest {
   }
 
   private ReplayFlight named(String name) {
-    return new ReplayFlight(name, flight.flight(), flight.snapshots());
+    return new ReplayFlight(name, folder, flight.flight(), flight.snapshots());
   }
 
   private static void run(Runnable what) {
