@@ -27,29 +27,29 @@ import tellosimulator.world.Collision;
  */
 public final class DroneController implements CommandTarget {
 
-  private final Wiring wiring;
+  private final ControllerContext context;
   private final DroneModel model;
   private final OperatorSession session;
   private final FlightObserver observer;
   private final Flight flight;
-  private final Mishaps mishaps;
+  private final FaultEffects faultEffects;
   private final Restart restart = new Restart();
-  private final Courses courses;
+  private final PathPlanner planner;
   private final PadMissions padMissions;
   private final Equipment equipment;
   private SimTime now = SimTime.ZERO;
   private double speed = DroneSpec.DEFAULT_SPEED;
 
-  public DroneController(Wiring wiring) {
-    this.wiring = wiring;
-    this.model = wiring.model();
-    this.session = wiring.session();
-    this.observer = wiring.observer();
-    this.flight = new Flight(wiring);
-    this.mishaps = new Mishaps(wiring, flight);
-    this.courses = new Courses(wiring, flight);
-    this.padMissions = new PadMissions(model, flight, courses);
-    this.equipment = new Equipment(model, wiring.profile(), wiring.session(), observer);
+  public DroneController(ControllerContext context) {
+    this.context = context;
+    this.model = context.model();
+    this.session = context.session();
+    this.observer = context.observer();
+    this.flight = new Flight(context);
+    this.faultEffects = new FaultEffects(context, flight);
+    this.planner = new PathPlanner(context, flight);
+    this.padMissions = new PadMissions(model, flight, planner);
+    this.equipment = new Equipment(model, context.profile(), context.session(), observer);
   }
 
   // --- what the simulation calls in a step ---
@@ -58,7 +58,7 @@ public final class DroneController implements CommandTarget {
   public void plan(SimTime time) {
     now = time;
     if (model.phase() != FlightPhase.OFF) {
-      flight.drift(mishaps.drift(time));
+      flight.drift(faultEffects.drift(time));
       flight.plan(time);
     }
   }
@@ -80,7 +80,7 @@ public final class DroneController implements CommandTarget {
 
   /** Safety landing, low battery, restart. */
   public void watchOver() {
-    mishaps.advance(now, restart);
+    faultEffects.advance(now, restart);
     flight.watchOver();
     restart.advance(now, this::powerOff, this::powerOn);
   }
@@ -118,7 +118,7 @@ public final class DroneController implements CommandTarget {
     flight.reset();
     speed = DroneSpec.DEFAULT_SPEED;
     model.powerOff();
-    wiring.forgetLink().run();
+    context.forgetLink().run();
     observer.happened(new Note(Phrase.of("is off")));
   }
 
@@ -133,7 +133,7 @@ public final class DroneController implements CommandTarget {
   /** Forgets SDK mode and films no more; a flight goes on until the safety landing. */
   public void endSession() {
     model.setVideo(model.video().stopped());
-    wiring.forgetLink().run();
+    context.forgetLink().run();
   }
 
   // --- CommandTarget ---
@@ -160,7 +160,7 @@ public final class DroneController implements CommandTarget {
 
   @Override
   public void enterSdkMode(Command.EnterSdkMode command, Responder responder) {
-    session.open(responder.peer(), now, !flight.airborne()).ifPresent(wiring.operatorChanged());
+    session.open(responder.peer(), now, !flight.airborne()).ifPresent(context.operatorChanged());
     String operator = session.link().operator().orElseThrow().host();
     if (!operator.equals(responder.peer().host())) {
       observer.happened(
@@ -173,11 +173,11 @@ public final class DroneController implements CommandTarget {
   @Override
   public void takeoff(Command.Takeoff command, Responder responder) {
     Optional<Preflight.Objection> objection =
-        Preflight.check(model).or(mishaps::objectionToTakeoff);
+        Preflight.check(model).or(faultEffects::objectionToTakeoff);
     if (objection.isPresent()) {
       responder.refuse(objection.get().reply(), objection.get().reason());
     } else {
-      double height = mishaps.takeoffHeight(wiring.behaviour().takeoffHeight());
+      double height = faultEffects.takeoffHeight(context.behaviour().takeoffHeight());
       flight.takeoff(height, Task.of(responder));
     }
   }
@@ -222,34 +222,34 @@ public final class DroneController implements CommandTarget {
     }
     boolean stoppedShort =
         command.direction() == Direction.DOWN
-            && flight.basePosition().z() - command.distance() < wiring.behaviour().lowestHover();
-    boolean silent = stoppedShort && !wiring.behaviour().answersLowDown();
+            && flight.basePosition().z() - command.distance() < context.behaviour().lowestHover();
+    boolean silent = stoppedShort && !context.behaviour().answersLowDown();
     if (silent) {
       observer.happened(
           new Note(Phrase.of("stops above the floor and never answers `%s`", responder.text())));
     }
     Vec3 way = command.direction().unit().times(command.distance());
-    flight.fly(courses.by(way, speed), silent ? Task.NOBODY : Task.of(responder));
+    flight.fly(planner.by(way, speed), silent ? Task.NOBODY : Task.of(responder));
   }
 
   @Override
   public void go(Command.Go command, Responder responder) {
     if (!refused(responder)) {
-      flight.fly(courses.by(command.way(), command.speed()), Task.of(responder));
+      flight.fly(planner.by(command.way(), command.speed()), Task.of(responder));
     }
   }
 
   @Override
   public void curve(Command.Curve command, Responder responder) {
     if (!refused(responder)) {
-      flight.fly(courses.along(command, flight.baseHeading()), Task.of(responder));
+      flight.fly(planner.along(command, flight.baseHeading()), Task.of(responder));
     }
   }
 
   @Override
   public void turn(Command.Turn command, Responder responder) {
     if (!refused(responder)) {
-      flight.fly(courses.turn(command.angle()), Task.of(responder));
+      flight.fly(planner.turn(command.angle()), Task.of(responder));
     }
   }
 
@@ -272,7 +272,7 @@ public final class DroneController implements CommandTarget {
             flight.basePosition(),
             flight.baseHeading(),
             command.direction().unit(),
-            courses.miss()),
+            planner.miss()),
         Task.of(responder));
   }
 
@@ -310,7 +310,7 @@ public final class DroneController implements CommandTarget {
 
   @Override
   public void setNetwork(Command.SetNetwork command, Responder responder) {
-    if (wiring.behaviour().restartsForNetwork()) {
+    if (context.behaviour().restartsForNetwork()) {
       responder.reply(command.done());
       restart.schedule(now, Restart.NOTICE);
       return;
@@ -372,14 +372,14 @@ public final class DroneController implements CommandTarget {
 
   @Override
   public void read(Command.Read command, Responder responder) {
-    responder.reply(wiring.reads().reply(command.reading(), model, speed, now));
+    responder.reply(context.reads().reply(command.reading(), model, speed, now));
   }
 
   private boolean refused(Responder responder) {
     if (refusedForBattery(responder)) {
       return true;
     }
-    Optional<Preflight.Objection> objection = mishaps.objectionToMove();
+    Optional<Preflight.Objection> objection = faultEffects.objectionToMove();
     objection.ifPresent(found -> responder.refuse(found.reply(), found.reason()));
     return objection.isPresent();
   }

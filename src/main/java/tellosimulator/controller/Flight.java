@@ -60,12 +60,12 @@ final class Flight {
   /** Height at which the motors stopped in flight [m], while it falls. */
   private OptionalDouble fallFrom = OptionalDouble.empty();
 
-  Flight(Wiring wiring) {
-    this.model = wiring.model();
-    this.behaviour = wiring.behaviour();
-    this.observer = wiring.observer();
-    this.crashSpeed = wiring.crashSpeed();
-    this.landsWhenSilent = wiring.landsWhenSilent();
+  Flight(ControllerContext context) {
+    this.model = context.model();
+    this.behaviour = context.behaviour();
+    this.observer = context.observer();
+    this.crashSpeed = context.crashSpeed();
+    this.landsWhenSilent = context.landsWhenSilent();
     this.rc = new RcSteering(behaviour);
     this.autopilot = new Autopilot(behaviour, rc);
     this.contacts = new Contacts(observer, crashSpeed);

@@ -28,12 +28,12 @@ final class PadMissions {
 
   private final DroneModel model;
   private final Flight flight;
-  private final Courses courses;
+  private final PathPlanner planner;
 
-  PadMissions(DroneModel model, Flight flight, Courses courses) {
+  PadMissions(DroneModel model, Flight flight, PathPlanner planner) {
     this.model = model;
     this.flight = flight;
-    this.courses = courses;
+    this.planner = planner;
   }
 
   /** Flies to a point in the pad's frame; the heading stays. */
@@ -67,14 +67,14 @@ final class PadMissions {
       responder.refuse(Reply.RADIUS, objection.get());
       return;
     }
-    Maneuver curve = courses.along(new Command.Curve(arc.orElseThrow(), command.speed()), 0);
+    Maneuver curve = planner.along(new Command.Curve(arc.orElseThrow(), command.speed()), 0);
     flight.fly(watching(pad, curve, place(pad, command.end())), Task.of(responder));
   }
 
   /** Over the middle of the second pad of a jump. */
   private void cross(PadSighting pad, Command.Jump command, Responder responder) {
     Vec3 over = place(pad, new Vec3(0, 0, command.leg().goal().z()));
-    Maneuver way = courses.to(over, command.leg().speed());
+    Maneuver way = planner.to(over, command.leg().speed());
     double heading = pad.pad().attitude().heading() + command.heading();
     flight.fly(watching(pad, way, over), Task.then(responder, () -> turn(heading, responder)));
   }
@@ -107,17 +107,17 @@ final class PadMissions {
 
   private void turn(double heading, Responder responder) {
     double angle = Frames.wrapped(heading - flight.baseHeading());
-    flight.fly(courses.turn(angle), Task.of(responder));
+    flight.fly(planner.turn(angle), Task.of(responder));
   }
 
   private Maneuver way(PadSighting pad, Command.GoToPad command) {
     Vec3 goal = place(pad, command.goal());
-    return watching(pad, courses.to(goal, command.speed()), goal);
+    return watching(pad, planner.to(goal, command.speed()), goal);
   }
 
   /** Flies to a place as long as the pad is in sight. */
   private Maneuver watching(PadSighting pad, Maneuver maneuver, Vec3 goal) {
-    return courses.reaches(goal)
+    return planner.reaches(goal)
         ? PadWatch.over(maneuver, pad.id(), () -> sees(pad.id()))
         : PadWatch.inVain(maneuver);
   }

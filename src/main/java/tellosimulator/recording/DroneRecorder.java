@@ -66,7 +66,7 @@ public final class DroneRecorder implements AutoCloseable {
         Worker.start(
             "recorder",
             new RecordingWriter(
-                new RecordingWriter.Sources(queue, new FilmKeepers(1), new InputHistory()),
+                new RecordingWriter.Sources(queue, new VideoRecorders(1), new InputHistory()),
                 folder,
                 source,
                 told));

@@ -73,7 +73,7 @@ final class FlightFiles implements AutoCloseable {
       }
       events = Optional.of(open("events.jsonl"));
       TextFile rows = open("flight.csv");
-      rows.row().raw(Lines.HEADER);
+      rows.row().raw(RecordingFormat.HEADER);
       table = Optional.of(rows);
       ScenarioFile.write(document.changedTo(flown, folder), folder.resolve(SCENARIO));
     } catch (IOException | RuntimeException e) {
@@ -136,7 +136,7 @@ final class FlightFiles implements AutoCloseable {
   }
 
   /** Writes what is known at the end, and closes all. */
-  void finish(Entry.End end, List<FilmKeepers.Kept> films) throws IOException {
+  void finish(Entry.End end, List<VideoRecorders.Kept> films) throws IOException {
     for (TextFile file : open) {
       file.close();
     }

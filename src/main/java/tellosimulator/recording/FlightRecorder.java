@@ -126,7 +126,7 @@ public final class FlightRecorder implements SimListener, WireTap, AutoCloseable
 
   static FlightRecorder start(
       RecordingFolder folder, Subject subject, Consumer<Phrase> told, EntryQueue queue) {
-    FilmKeepers films = new FilmKeepers(subject.scenario().config().drones().size());
+    VideoRecorders films = new VideoRecorders(subject.scenario().config().drones().size());
     var sources = new RecordingWriter.Sources(queue, films, new InputHistory());
     RecordingWriter writer = writer(sources, folder, subject, told);
     return new FlightRecorder(
@@ -152,7 +152,7 @@ public final class FlightRecorder implements SimListener, WireTap, AutoCloseable
       RecordingFolder folder, Subject subject, Consumer<Phrase> told) {
     var sources =
         new RecordingWriter.Sources(
-            new EntryQueue(Long.MAX_VALUE), new FilmKeepers(0), new InputHistory());
+            new EntryQueue(Long.MAX_VALUE), new VideoRecorders(0), new InputHistory());
     RecordingWriter writer = writer(sources, folder, subject, told);
     return new FlightRecorder(subject, sources, Optional.of(writer), Optional.empty());
   }
@@ -164,7 +164,7 @@ public final class FlightRecorder implements SimListener, WireTap, AutoCloseable
   public static FlightRecorder inMemory(Subject subject) {
     var sources =
         new RecordingWriter.Sources(
-            new EntryQueue(MOST_REMEMBERED), new FilmKeepers(0), new InputHistory());
+            new EntryQueue(MOST_REMEMBERED), new VideoRecorders(0), new InputHistory());
     return new FlightRecorder(subject, sources, Optional.empty(), Optional.empty());
   }
 

@@ -28,7 +28,7 @@ sealed interface FlightSource {
   FlightFiles begin(Path folder, RecordingFolder.Disk disk, Entry.Begin begin) throws IOException;
 
   /** A datagram of a flight left the drone. */
-  void sent(Entry.Sent datagram, FilmKeepers films);
+  void sent(Entry.Sent datagram, VideoRecorders films);
 
   /**
    * A simulation, of which all is known.
@@ -59,7 +59,7 @@ sealed interface FlightSource {
 
     /** Its films are kept as they are made. */
     @Override
-    public void sent(Entry.Sent datagram, FilmKeepers films) {}
+    public void sent(Entry.Sent datagram, VideoRecorders films) {}
   }
 
   /** A real drone. */
@@ -97,7 +97,7 @@ sealed interface FlightSource {
     }
 
     @Override
-    public void sent(Entry.Sent datagram, FilmKeepers films) {
+    public void sent(Entry.Sent datagram, VideoRecorders films) {
       if (datagram.kind() == Kind.VIDEO) {
         now = datagram.time();
         if (stream.isEmpty()) {

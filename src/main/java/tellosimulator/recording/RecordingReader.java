@@ -110,12 +110,12 @@ final class RecordingReader {
   }
 
   private List<Track> tracks() {
-    FlightTable[] table = new FlightTable[1];
+    FlightCsvReader[] table = new FlightCsvReader[1];
     readLines(
         "flight.csv",
         line -> {
           if (table[0] == null) {
-            table[0] = new FlightTable(line);
+            table[0] = new FlightCsvReader(line);
           } else {
             table[0].take(line);
           }

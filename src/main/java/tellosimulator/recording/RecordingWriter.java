@@ -40,14 +40,14 @@ final class RecordingWriter implements Agent {
 
   private final Verdict failed = Verdict.goOn("A recording failed");
   private final EntryQueue queue;
-  private final FilmKeepers films;
+  private final VideoRecorders films;
   private final InputHistory inputs;
   private final RecordingFolder folder;
   private final FlightSource source;
   private final Consumer<Phrase> told;
-  private final Lines lines = new Lines();
+  private final RecordingFormat lines = new RecordingFormat();
   private final Deque<Entry> before = new ArrayDeque<>();
-  private final List<PilotState> pilots = new ArrayList<>();
+  private final List<FlightRowState> rows = new ArrayList<>();
   private Optional<FlightFiles> files = Optional.empty();
 
   /** Whether a flight has begun, even if it cannot be recorded. */
@@ -60,7 +60,7 @@ final class RecordingWriter implements Agent {
    * @param films what drones film
    * @param inputs what came to the simulation, until what waits
    */
-  record Sources(EntryQueue queue, FilmKeepers films, InputHistory inputs) {}
+  record Sources(EntryQueue queue, VideoRecorders films, InputHistory inputs) {}
 
   RecordingWriter(
       Sources sources, RecordingFolder folder, FlightSource source, Consumer<Phrase> told) {
@@ -71,7 +71,7 @@ final class RecordingWriter implements Agent {
     this.source = source;
     this.told = told;
     for (int drone = 1; drone <= source.drones(); drone++) {
-      pilots.add(new PilotState());
+      rows.add(new FlightRowState());
     }
   }
 
@@ -112,7 +112,7 @@ final class RecordingWriter implements Agent {
         overrun();
       } else if (entry instanceof Entry.Anew) {
         before.clear();
-        pilots.replaceAll(pilot -> new PilotState());
+        rows.replaceAll(row -> new FlightRowState());
       } else if (files.isPresent()) {
         write(files.get(), entry);
       } else {
@@ -155,9 +155,9 @@ final class RecordingWriter implements Agent {
   private void learn(Entry entry) {
     if (entry instanceof Entry.Happened happened
         && happened.event() instanceof SimEvent.ForDrone event) {
-      pilots.get(event.drone() - 1).take(event);
+      rows.get(event.drone() - 1).take(event);
     } else if (entry instanceof Entry.Sent sent && sent.kind() == Kind.STATE) {
-      pilots.get(sent.drone() - 1).report(Lines.text(sent));
+      rows.get(sent.drone() - 1).report(RecordingFormat.text(sent));
     }
   }
 
@@ -165,11 +165,11 @@ final class RecordingWriter implements Agent {
     learn(entry);
     if (entry instanceof Entry.Sampled sampled) {
       for (DroneSnapshot drone : sampled.snapshot().drones()) {
-        PilotState pilot = pilots.get(drone.state().drone() - 1);
+        FlightRowState row = rows.get(drone.state().drone() - 1);
         if (drone.state().phase() == FlightPhase.OFF) {
-          pilot.forgetCommands();
+          row.forgetCommands();
         }
-        Lines.write(to.table().row(), sampled.snapshot().time(), drone, pilot);
+        RecordingFormat.write(to.table().row(), sampled.snapshot().time(), drone, row);
       }
       to.flushIfLarge(to.table());
     } else {
@@ -179,7 +179,7 @@ final class RecordingWriter implements Agent {
 
   private void line(FlightFiles to, Entry entry) throws IOException {
     if (entry instanceof Entry.Happened happened) {
-      Lines.write(to.events().row(), happened);
+      RecordingFormat.write(to.events().row(), happened);
       to.flushIfLarge(to.events());
     } else if (entry instanceof Entry.Received received) {
       lines.write(to.wire().row(), received, to.begun());
@@ -193,7 +193,7 @@ final class RecordingWriter implements Agent {
 
   private void end(Entry.End end) throws IOException {
     flight = false;
-    List<FilmKeepers.Kept> kept = films.end();
+    List<VideoRecorders.Kept> kept = films.end();
     if (files.isPresent()) {
       files.get().finish(end, kept);
       folder.finished(files.get().folder());

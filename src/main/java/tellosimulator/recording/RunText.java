@@ -100,11 +100,11 @@ final class RunText {
   }
 
   /** The text of the whole flight. */
-  String ended(Entry.End end, List<FilmKeepers.Kept> films) {
+  String ended(Entry.End end, List<VideoRecorders.Kept> films) {
     members.put("ended", rounded(end.time().seconds()));
     members.put("result", end.goals().word());
     List<Object> videos = new ArrayList<>();
-    for (FilmKeepers.Kept film : films) {
+    for (VideoRecorders.Kept film : films) {
       Map<String, Object> video = new LinkedHashMap<>();
       video.put("drone", film.drone());
       video.put("file", film.file());

@@ -11,7 +11,7 @@ import tellosimulator.command.ReplyPort;
 import tellosimulator.controller.DroneController;
 import tellosimulator.controller.FlightEvent;
 import tellosimulator.controller.ReadReplies;
-import tellosimulator.controller.Wiring;
+import tellosimulator.controller.ControllerContext;
 import tellosimulator.fault.ActiveFaults;
 import tellosimulator.fault.Fault;
 import tellosimulator.fault.FaultKind;
@@ -120,7 +120,7 @@ final class SimDrone {
             noise);
     this.controller =
         new DroneController(
-            new Wiring(
+            new ControllerContext(
                 model,
                 profile,
                 behaviour,

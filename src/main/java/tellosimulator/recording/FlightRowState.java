@@ -9,10 +9,10 @@ import tellosimulator.controller.FlightEvent;
 import tellosimulator.sim.SimEvent;
 
 /**
- * What a drone was told and what it last said of itself, as far as events and datagrams tell it:
+ * What the next row of {@code flight.csv} says of a drone beside its motion, by events and datagrams:
  * commands that are not answered yet, the sticks, and the sensors. For the writer's thread.
  */
-final class PilotState {
+final class FlightRowState {
 
   /** Commands that wait for their answer. Decided: more than any program sends at once. */
   private static final int MOST_OPEN = 100;

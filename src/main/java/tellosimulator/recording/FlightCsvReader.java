@@ -13,7 +13,7 @@ import tellosimulator.math.Vec3;
  * Reads the rows of {@code flight.csv}, whose columns it finds by their names. For one thread; each
  * recording needs its own.
  */
-final class FlightTable {
+final class FlightCsvReader {
 
   private final Map<String, Integer> columns = new HashMap<>();
   private final Map<Integer, List<Sample>> samples = new TreeMap<>();
@@ -22,7 +22,7 @@ final class FlightTable {
   /**
    * @param header the first line
    */
-  FlightTable(String header) {
+  FlightCsvReader(String header) {
     split(header);
     for (int i = 0; i < cells.size(); i++) {
       columns.put(cells.get(i), i);

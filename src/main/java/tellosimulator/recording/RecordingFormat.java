@@ -23,8 +23,8 @@ import tellosimulator.sim.SimSnapshot.DroneSnapshot;
 import tellosimulator.time.SimTime;
 import tellosimulator.time.WallTime;
 
-/** How the lines of a recording are written; see docs/recordings.md. For the writer's thread. */
-final class Lines {
+/** Formats the lines of a recording; see docs/recordings.md. For the writer's thread. */
+final class RecordingFormat {
 
   /** The first line of the table. */
   static final String HEADER =
@@ -199,7 +199,7 @@ final class Lines {
   // --- flight.csv ---
 
   /** How a drone is at a moment. */
-  static void write(TextRow row, SimTime time, DroneSnapshot drone, PilotState pilot) {
+  static void write(TextRow row, SimTime time, DroneSnapshot drone, FlightRowState pilot) {
     Motion motion = drone.state().motion();
     row.seconds(time).raw(',').whole(drone.state().drone());
     vector(row, motion.position(), 2);

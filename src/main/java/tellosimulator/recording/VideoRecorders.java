@@ -18,15 +18,15 @@ import tellosimulator.video.VideoWatcher;
 import tellosimulator.words.Phrase;
 
 /**
- * Keeps what the drones film while a flight is recorded, a file for each drone. No camera films for
+ * Records the video of the drones while a flight is recorded, a file for each drone. No camera films for
  * it: it sees only what somebody else wants. For any thread; pictures are kept on the threads of
  * the videos.
  */
-final class FilmKeepers {
+final class VideoRecorders {
 
-  private static final Logger LOG = LoggerFactory.getLogger(FilmKeepers.class);
+  private static final Logger LOG = LoggerFactory.getLogger(VideoRecorders.class);
 
-  private final List<FilmKeeper> keepers = new ArrayList<>();
+  private final List<VideoRecorder> recorders = new ArrayList<>();
   private volatile Supplier<SimTime> clock = () -> SimTime.ZERO;
 
   /**
@@ -38,21 +38,21 @@ final class FilmKeepers {
    */
   record Kept(int drone, String file, SimTime begun) {}
 
-  FilmKeepers(int drones) {
+  VideoRecorders(int drones) {
     for (int drone = 1; drone <= drones; drone++) {
-      keepers.add(new FilmKeeper(drone));
+      recorders.add(new VideoRecorder(drone));
     }
   }
 
   /** Looks at the drones' video from now on. */
   void watch(VideoStreams streams, Supplier<SimTime> newClock) {
     clock = newClock;
-    keepers.forEach(keeper -> streams.stream(keeper.drone).watch(keeper));
+    recorders.forEach(recorder -> streams.stream(recorder.drone).watch(recorder));
   }
 
   /** A drone has filmed, with a camera that nobody here knows. */
   void filmed(int drone, FilmedPicture picture, SimTime now) {
-    keepers.get(drone - 1).keep(picture, now);
+    recorders.get(drone - 1).keep(picture, now);
   }
 
   /**
@@ -61,16 +61,16 @@ final class FilmKeepers {
    * @param told takes a sentence if a film cannot be kept any more
    */
   void begin(Path folder, Consumer<Phrase> told) {
-    keepers.forEach(keeper -> keeper.begin(folder, told));
+    recorders.forEach(recorder -> recorder.begin(folder, told));
   }
 
   /** The flight is over; returns its films. */
   List<Kept> end() {
-    return keepers.stream().flatMap(keeper -> keeper.end().stream()).toList();
+    return recorders.stream().flatMap(recorder -> recorder.end().stream()).toList();
   }
 
   /** That of one drone. */
-  private final class FilmKeeper implements VideoWatcher {
+  private final class VideoRecorder implements VideoWatcher {
 
     private final int drone;
     private Optional<Path> file = Optional.empty();
@@ -78,7 +78,7 @@ final class FilmKeepers {
     private Optional<SimTime> begun = Optional.empty();
     private Consumer<Phrase> told = phrase -> {};
 
-    FilmKeeper(int drone) {
+    VideoRecorder(int drone) {
       this.drone = drone;
     }
 

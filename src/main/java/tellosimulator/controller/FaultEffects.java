@@ -18,8 +18,8 @@ import tellosimulator.sensor.SeededNoise;
 import tellosimulator.time.SimTime;
 import tellosimulator.words.Phrase;
 
-/** What faults do to a drone and its flight. For one drone and the simulation thread. */
-final class Mishaps {
+/** The effects of faults on a drone and its flight. For one drone and the simulation thread. */
+final class FaultEffects {
 
   /** How long it drifts one way [s]. Assumed. */
   private static final double DRIFT_PERIOD = 2;
@@ -34,11 +34,11 @@ final class Mishaps {
   /** How long it has flown in the dark [s]. */
   private double dark;
 
-  Mishaps(Wiring wiring, Flight flight) {
-    this.model = wiring.model();
-    this.observer = wiring.observer();
-    this.faults = wiring.faults();
-    this.noise = wiring.noise();
+  FaultEffects(ControllerContext context, Flight flight) {
+    this.model = context.model();
+    this.observer = context.observer();
+    this.faults = context.faults();
+    this.noise = context.noise();
     this.flight = flight;
   }
 

@@ -10,7 +10,7 @@ import tellosimulator.profile.Profile;
 import tellosimulator.sensor.SeededNoise;
 
 /**
- * A controller's neighbours.
+ * What a controller works with: its drone, what is known of it, and who is told.
  *
  * @param crashSpeed above which a touch is a crash [m/s]
  * @param landsWhenSilent whether it lands by itself when no command comes
@@ -19,7 +19,7 @@ import tellosimulator.sensor.SeededNoise;
  * @param operatorChanged is told when another operator has taken over, before it is answered
  * @param forgetLink called when the power goes
  */
-public record Wiring(
+public record ControllerContext(
     DroneModel model,
     Profile profile,
     Behaviour behaviour,

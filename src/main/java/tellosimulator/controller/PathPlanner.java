@@ -6,17 +6,17 @@ import tellosimulator.model.DroneSpec;
 import tellosimulator.sensor.SeededNoise.Channel;
 
 /**
- * Lays the course from where a drone is to where a command sends it, as exactly as the behaviour
- * has it. For one drone and the simulation thread.
+ * Plans the path from where a drone is to where a command sends it, as exactly as the behaviour has
+ * it. For one drone and the simulation thread.
  */
-final class Courses {
+final class PathPlanner {
 
-  private final Wiring wiring;
+  private final ControllerContext context;
   private final Flight flight;
   private long moves;
 
-  Courses(Wiring wiring, Flight flight) {
-    this.wiring = wiring;
+  PathPlanner(ControllerContext context, Flight flight) {
+    this.context = context;
     this.flight = flight;
   }
 
@@ -38,7 +38,7 @@ final class Courses {
    */
   Maneuver to(Vec3 place, double speed) {
     Vec3 goal = place.plus(miss());
-    double lowest = wiring.behaviour().lowestHover();
+    double lowest = context.behaviour().lowestHover();
     double height = Math.max(lowest, Math.min(DroneSpec.MAX_HEIGHT, goal.z()));
     Path path = Path.Line.between(flight.basePosition(), goal.withZ(height));
     return new PathFlight(path, speed, flight.baseHeading());
@@ -46,7 +46,7 @@ final class Courses {
 
   /** Whether the drone gets to a place, and not only as low as it hovers. */
   boolean reaches(Vec3 place) {
-    return wiring.behaviour().answersLowDown() || place.z() >= wiring.behaviour().lowestHover();
+    return context.behaviour().answersLowDown() || place.z() >= context.behaviour().lowestHover();
   }
 
   /**
@@ -65,14 +65,14 @@ final class Courses {
    * @param angle counter-clockwise seen from above [rad]
    */
   Maneuver turn(double angle) {
-    double miss = miss(Channel.MOVE_HEADING, wiring.behaviour().headingSigma());
+    double miss = miss(Channel.MOVE_HEADING, context.behaviour().headingSigma());
     moves++;
     return new Turn(flight.basePosition(), flight.baseHeading(), angle + miss);
   }
 
   /** By how much the next motion ends elsewhere [m]. */
   Vec3 miss() {
-    double sigma = wiring.behaviour().positionSigma();
+    double sigma = context.behaviour().positionSigma();
     Vec3 miss =
         new Vec3(
             miss(Channel.MOVE_X, sigma), miss(Channel.MOVE_Y, sigma), miss(Channel.MOVE_Z, sigma));
@@ -81,6 +81,6 @@ final class Courses {
   }
 
   private double miss(Channel channel, double sigma) {
-    return sigma == 0 ? 0 : sigma * wiring.noise().gaussian(channel, moves);
+    return sigma == 0 ? 0 : sigma * context.noise().gaussian(channel, moves);
   }
 }
