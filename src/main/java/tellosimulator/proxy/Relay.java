@@ -20,6 +20,7 @@ import tellosimulator.concurrent.Agent;
 import tellosimulator.concurrent.Verdict;
 import tellosimulator.network.LocalNetworks;
 import tellosimulator.network.PortTakenException;
+import tellosimulator.network.Reach;
 import tellosimulator.network.UdpPort;
 import tellosimulator.network.WireTap.Kind;
 import tellosimulator.recording.DroneRecorder;
@@ -297,12 +298,15 @@ final class Relay implements Agent {
    * again at each look, and told once until it is had.
    */
   void look() {
-    networks = polling.networks().get();
     List<String> found = new ArrayList<>();
+    boolean moved = false;
     try {
-      follow();
+      moved = follow();
     } catch (PortTakenException e) {
       found.add(e.getMessage());
+    }
+    if (moved || plan.here().reach() == Reach.NETWORK) { // some systems take long to say
+      networks = polling.networks().get();
     }
     for (InetSocketAddress wanted : missing()) {
       try {
@@ -317,10 +321,13 @@ final class Relay implements Agent {
     obstacles = found;
   }
 
-  private void follow() throws PortTakenException {
-    if (towardsDrone.follow()) {
+  /** Whether the way to the drone is another one now. */
+  private boolean follow() throws PortTakenException {
+    boolean moved = towardsDrone.follow();
+    if (moved) {
       receiveFromDrone();
     }
+    return moved;
   }
 
   /** Where commands are wanted and not taken yet. */
