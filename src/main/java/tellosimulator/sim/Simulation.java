@@ -218,7 +218,10 @@ public final class Simulation {
     return config;
   }
 
-  /** Whether nothing was ever taken from outside. For any thread. */
+  /**
+   * Whether nothing was ever taken from outside that a flight depends on; that this machine is busy
+   * does not count. For any thread.
+   */
   public boolean untouched() {
     return untouched;
   }
@@ -363,7 +366,7 @@ public final class Simulation {
   }
 
   private void take(SimInput input) {
-    untouched = false;
+    untouched = untouched && input instanceof SimInput.TimeLost; // which is news alone
     events.taken(now, input);
     if (input instanceof SimInput.Datagram datagram) {
       demand.taken(now);

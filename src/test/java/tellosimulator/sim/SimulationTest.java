@@ -58,6 +58,17 @@ class SimulationTest {
   private final Simulation simulation = simulation(recorder);
 
   @Test
+  void thatTheMachineIsBusyTouchesNoFlight() {
+    simulation.tellLost(1.5);
+    simulation.step();
+    assertThat(simulation.untouched()).isTrue();
+
+    simulation.submit(1, PEER, "battery?");
+    simulation.step();
+    assertThat(simulation.untouched()).isFalse();
+  }
+
+  @Test
   void aStepMovesTimeOnByFiveMillisecondsAndIsToldLast() {
     simulation.step();
     simulation.step();
