@@ -9,8 +9,9 @@ import tellosimulator.controller.FlightEvent;
 import tellosimulator.sim.SimEvent;
 
 /**
- * What the next row of {@code flight.csv} says of a drone beside its motion, by events and datagrams:
- * commands that are not answered yet, the sticks, and the sensors. For the writer's thread.
+ * What the next row of {@code flight.csv} says of a drone beside its motion, by events and
+ * datagrams: commands that are not answered yet, the sticks, and the sensors. For the writer's
+ * thread.
  */
 final class FlightRowState {
 

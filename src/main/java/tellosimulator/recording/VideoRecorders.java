@@ -18,9 +18,9 @@ import tellosimulator.video.VideoWatcher;
 import tellosimulator.words.Phrase;
 
 /**
- * Records the video of the drones while a flight is recorded, a file for each drone. No camera films for
- * it: it sees only what somebody else wants. For any thread; pictures are kept on the threads of
- * the videos.
+ * Records the video of the drones while a flight is recorded, a file for each drone. No camera
+ * films for it: it sees only what somebody else wants. For any thread; pictures are kept on the
+ * threads of the videos.
  */
 final class VideoRecorders {
 

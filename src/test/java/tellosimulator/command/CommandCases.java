@@ -46,7 +46,7 @@ final class CommandCases {
       GO | go -500 500 -500 100 | go Go[way=Vec3[x=-5.0, y=5.0, z=-5.0], speed=1.0]
       GO | go 0 0 20.1 10 | go Go[way=Vec3[x=0.0, y=0.0, z=0.201], speed=0.1]
       GO | go 0 -21 0 10.5 | go Go[way=Vec3[x=0.0, y=-0.21, z=0.0], speed=0.105]
-      CURVE | curve 25 -25 0 25 -75 0 20 | curve Curve[arc=Arc[centre=Vec3[x=-0.25, y=-0.5, z=-0.0], radius=0.5590169943749475, outward=Vec3[x=0.4472135954999579, y=0.8944271909999159, z=0.0], along=Vec3[x=0.8944271909999159, y=-0.4472135954999579, z=0.0], angle=1.5707963267948966], speed=0.2]
+      CURVE | curve 25 -25 0 25 -75 0 20 | curve Curve[arc=Arc[center=Vec3[x=-0.25, y=-0.5, z=-0.0], radius=0.5590169943749475, outward=Vec3[x=0.4472135954999579, y=0.8944271909999159, z=0.0], along=Vec3[x=0.8944271909999159, y=-0.4472135954999579, z=0.0], angle=1.5707963267948966], speed=0.2]
       GO_TO_PAD | go 0 0 50 30 m1 | goToPad GoToPad[goal=Vec3[x=0.0, y=0.0, z=0.5], speed=0.3, pad=PadChoice[id=1]]
       GO_TO_PAD | go 10 -20 100 100 m8 | goToPad GoToPad[goal=Vec3[x=0.1, y=-0.2, z=1.0], speed=1.0, pad=PadChoice[id=8]]
       GO_TO_PAD | go 0 0 50 30 m-1 | goToPad GoToPad[goal=Vec3[x=0.0, y=0.0, z=0.5], speed=0.3, pad=PadChoice[id=-1]]
