@@ -9,9 +9,9 @@ import java.util.zip.Inflater;
 import tellosimulator.scenery.mesh.Texture;
 
 /**
- * A texture that comes with the program as a PNG file: an 8-bit palette, not interlaced, rows
- * without filters. Read by hand, as {@code javax.imageio} takes 0.1 s to start, for which a first
- * frame would wait. For any thread.
+ * A texture that comes with the program as a PNG file: an 8-bit palette, not interlaced. Read by
+ * hand, as {@code javax.imageio} takes 0.1 s to start, for which a first frame would wait. For any
+ * thread.
  */
 public final class PngResource {
 
@@ -100,18 +100,43 @@ public final class PngResource {
     }
   }
 
-  /** Looks the colours up. */
+  /** Undoes the filters of the rows, and looks the colours up. */
   private static int[] pixels(byte[] rows, int[] palette, int size) throws IOException {
     int[] argb = new int[size * size];
+    int[] above = new int[size + 1]; // indexes of colours, after a 0 at the left
     int next = 0;
     for (int y = 0; y < size; y++) {
-      if (rows[next++] != 0) {
-        throw new IOException("its rows must not be filtered");
+      int filter = rows[next++];
+      int[] row = new int[size + 1];
+      for (int x = 1; x <= size; x++) {
+        row[x] = (rows[next++] + predicted(filter, row[x - 1], above[x], above[x - 1])) & 255;
+        argb[y * size + x - 1] = palette[row[x]];
       }
-      for (int x = 0; x < size; x++) {
-        argb[y * size + x] = palette[rows[next++] & 255];
-      }
+      above = row;
     }
     return argb;
+  }
+
+  /** What a filter expects a byte to be. Documented: PNG specification, section 9.2. */
+  private static int predicted(int filter, int left, int above, int aboveLeft) throws IOException {
+    return switch (filter) {
+      case 0 -> 0;
+      case 1 -> left;
+      case 2 -> above;
+      case 3 -> (left + above) / 2;
+      case 4 -> paeth(left, above, aboveLeft);
+      default -> throw new IOException("there is no filter " + filter);
+    };
+  }
+
+  private static int paeth(int left, int above, int aboveLeft) {
+    int estimate = left + above - aboveLeft;
+    int toLeft = Math.abs(estimate - left);
+    int toAbove = Math.abs(estimate - above);
+    int toAboveLeft = Math.abs(estimate - aboveLeft);
+    if (toLeft <= toAbove && toLeft <= toAboveLeft) {
+      return left;
+    }
+    return toAbove <= toAboveLeft ? above : aboveLeft;
   }
 }
