@@ -18,7 +18,7 @@ import tellosimulator.recording.UnreadableRecordingException;
 
 /**
  * Two flights, command by command. Commands are paired drone by drone, in order; where one flight
- * has some that the other lacks, the longest common sequence decides. {@code rc} has no reply and
+ * has some that the other lacks, the longest common subsequence decides. {@code rc} has no reply and
  * is left out. Immutable; for any thread.
  *
  * @param pairs in the order of the first flight, drone by drone
@@ -124,7 +124,7 @@ public record FlightComparison(List<CommandPair> pairs) {
     return new CommandPair(first, second, Set.of(Aspect.MISSING));
   }
 
-  /** Lengths of the longest common sequences from each pair of commands on. */
+  /** Lengths of the longest common subsequences from each pair of commands on. */
   private static int[][] commonLengths(Sequence first, Sequence second) {
     int[][] common = new int[first.size() + 1][second.size() + 1];
     for (int i = first.size() - 1; i >= 0; i--) {
