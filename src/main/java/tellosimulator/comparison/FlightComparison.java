@@ -18,8 +18,8 @@ import tellosimulator.recording.UnreadableRecordingException;
 
 /**
  * Two flights, command by command. Commands are paired drone by drone, in order; where one flight
- * has some that the other lacks, the longest common subsequence decides. {@code rc} has no reply and
- * is left out. Immutable; for any thread.
+ * has some that the other lacks, the longest common subsequence decides. {@code rc} has no reply
+ * and is left out. Immutable; for any thread.
  *
  * @param pairs in the order of the first flight, drone by drone
  */
