@@ -5,8 +5,8 @@ import java.net.InetSocketAddress;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalLong;
-import java.util.Set;
 import java.util.function.Consumer;
+import tellosimulator.command.Reply;
 import tellosimulator.command.WireText;
 import tellosimulator.concurrent.Worker;
 import tellosimulator.goal.Challenge;
@@ -36,9 +36,6 @@ public final class DroneRecorder implements AutoCloseable {
    * (documented: SDK 2.0 User Guide); decided: a minute, as no move takes longer.
    */
   private static final long SILENCE = 60_000_000_000L;
-
-  /** What lets a drone take off. Documented: SDK 3.0 User Guide. */
-  private static final Set<String> TAKEOFFS = Set.of("takeoff", "throwfly");
 
   private static final GoalResult NO_GOALS =
       new GoalResult(new Progress(Challenge.NONE, List.of(), 0, Optional.empty()), 0);
@@ -97,7 +94,7 @@ public final class DroneRecorder implements AutoCloseable {
     String text = WireText.decode(bytes, bytes.length);
     String verb = text.strip();
     tick(nanos);
-    if (TAKEOFFS.contains(verb)) {
+    if (WirePairing.TAKEOFFS.contains(verb)) {
       takeOff(nanos);
     } else if (verb.equals("land")) {
       landing = true;
@@ -140,11 +137,11 @@ public final class DroneRecorder implements AutoCloseable {
     boolean refused = text.startsWith("error");
     if (landing && text.equals("ok")) {
       isDown(nanos);
-    } else if (takingOff && refused && !text.equals(WirePairing.BUSY)) {
+    } else if (takingOff && refused && !text.equals(Reply.NOT_JOYSTICK.text())) {
       isDown(nanos);
     }
-    takingOff &= !text.equals("ok") && (!refused || text.equals(WirePairing.BUSY));
-    landing &= !text.equals("ok") && (!refused || text.equals(WirePairing.AUTO_LAND));
+    takingOff &= !text.equals("ok") && (!refused || text.equals(Reply.NOT_JOYSTICK.text()));
+    landing &= !text.equals("ok") && (!refused || text.equals(Reply.AUTO_LAND.text()));
   }
 
   private void isDown(long nanos) {

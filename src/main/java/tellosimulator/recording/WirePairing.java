@@ -4,6 +4,10 @@ import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.OptionalInt;
 import java.util.Set;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import tellosimulator.command.CommandSyntax;
+import tellosimulator.command.Reply;
 import tellosimulator.command.WireText;
 
 /**
@@ -14,41 +18,24 @@ import tellosimulator.command.WireText;
  */
 final class WirePairing {
 
-  /** The reply to a maneuver that comes while another one runs. Measured: FHNW report 2020. */
-  static final String BUSY = "error Not joystick";
-
-  /** The reply to the maneuver that {@code land} ends. Measured: oh-tello, see docs/protocol.md. */
-  static final String AUTO_LAND = "error Auto land";
-
-  /** The second reply to {@code stop}. Measured: FHNW report 2020; tello-asyncio 13. */
-  private static final String FORCED_STOP = "forced stop";
-
-  private static final String STOP = "stop";
-
   /**
    * What comes within this time was answered at once [s]. Measured: a drone answers reads after 5
    * to 228 ms, and no maneuver within 0.5 s.
    */
   private static final double PROMPT = 0.5;
 
-  /** Commands that are answered on arrival. Documented: docs/protocol.md. */
+  /** What lets a drone take off. */
+  static final Set<String> TAKEOFFS =
+      Set.of(CommandSyntax.TAKEOFF.verb(), CommandSyntax.THROW_FLY.verb());
+
+  /** Commands that are answered on arrival: all that begin, need or end flight. */
   private static final Set<String> MANEUVERS =
-      Set.of(
-          "takeoff",
-          "throwfly",
-          "land",
-          "up",
-          "down",
-          "left",
-          "right",
-          "forward",
-          "back",
-          "cw",
-          "ccw",
-          "flip",
-          "go",
-          "curve",
-          "jump");
+      Stream.concat(
+              TAKEOFFS.stream(),
+              Stream.of(CommandSyntax.values())
+                  .filter(CommandSyntax::needsFlight)
+                  .map(CommandSyntax::verb))
+          .collect(Collectors.toUnmodifiableSet());
 
   /**
    * A command that waits for its reply.
@@ -81,11 +68,11 @@ final class WirePairing {
   }
 
   private Open commandOf(double time, String reply) {
-    if (reply.equals(FORCED_STOP)) {
-      boolean waits = !prompt.isEmpty() && prompt.peekLast().text.equals(STOP);
+    if (reply.equals(Reply.FORCED_STOP.text())) {
+      boolean waits = !prompt.isEmpty() && prompt.peekLast().text.equals(CommandSyntax.STOP.verb());
       return waits ? prompt.pollLast() : null;
     }
-    if (reply.equals(AUTO_LAND)) {
+    if (reply.equals(Reply.AUTO_LAND.text())) {
       return maneuvers.pollFirst();
     }
     boolean promptIsNewest =
@@ -99,8 +86,8 @@ final class WirePairing {
   }
 
   private static boolean refusesAtOnce(String reply) {
-    return reply.equals(BUSY)
-        || reply.startsWith("out of range")
+    return reply.equals(Reply.NOT_JOYSTICK.text())
+        || reply.startsWith(Reply.OUT_OF_RANGE.text())
         || reply.startsWith("unknown command");
   }
 
