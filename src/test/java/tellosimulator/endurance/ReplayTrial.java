@@ -2,12 +2,10 @@ package tellosimulator.endurance;
 
 import java.io.IOException;
 import java.nio.file.Files;
-import java.nio.file.Path;
-import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
-import java.util.stream.Stream;
 import tellosimulator.benchmark.Measurement;
+import tellosimulator.files.TemporaryFolder;
 import tellosimulator.recording.UnreadableRecordingException;
 import tellosimulator.replay.LongFlight;
 import tellosimulator.replay.Repetition;
@@ -20,10 +18,9 @@ final class ReplayTrial {
   private ReplayTrial() {}
 
   static List<Measurement> run(double minutes) throws IOException {
-    Path parent = Files.createTempDirectory("day");
-    try {
+    try (TemporaryFolder folder = TemporaryFolder.create("day")) {
       long begun = System.nanoTime();
-      Repetition repetition = LongFlight.repeat(HOURS, parent);
+      Repetition repetition = LongFlight.repeat(HOURS, folder.path());
       double seconds = (System.nanoTime() - begun) * 1e-9;
       repetition.differences().forEach(System.out::println);
       return List.of(
@@ -39,16 +36,6 @@ final class ReplayTrial {
               repetition.identical() && repetition.remarks().isEmpty()));
     } catch (UnreadableRecordingException e) {
       throw new IOException(e);
-    } finally {
-      delete(parent);
-    }
-  }
-
-  private static void delete(Path parent) throws IOException {
-    try (Stream<Path> found = Files.walk(parent)) {
-      for (Path path : found.sorted(Comparator.reverseOrder()).toList()) {
-        Files.delete(path);
-      }
     }
   }
 }
