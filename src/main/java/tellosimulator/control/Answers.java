@@ -4,6 +4,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import tellosimulator.json.Json;
 import tellosimulator.junit.DroneTruth;
 import tellosimulator.junit.GoalStatus;
 import tellosimulator.junit.JournalEntry;
@@ -12,9 +13,6 @@ import tellosimulator.junit.SimulatedDrone;
 
 /** What the kit tells, as {@code Json} writes it: centimetres, degrees and seconds. */
 final class Answers {
-
-  /** Decimals of lengths, angles and times. Decided: a millisecond. */
-  private static final double PRECISION = 1000;
 
   private Answers() {}
 
@@ -38,11 +36,11 @@ final class Answers {
 
   static Map<String, Object> truth(DroneTruth truth) {
     return object(
-        "x", rounded(truth.position().x()),
-        "y", rounded(truth.position().y()),
-        "z", rounded(truth.position().z()),
-        "height", rounded(truth.height()),
-        "heading", rounded(truth.heading()),
+        "x", Json.rounded(truth.position().x()),
+        "y", Json.rounded(truth.position().y()),
+        "z", Json.rounded(truth.position().z()),
+        "height", Json.rounded(truth.height()),
+        "heading", Json.rounded(truth.heading()),
         "battery", truth.battery(),
         "flying", truth.flying(),
         "landed", truth.landed(),
@@ -50,8 +48,8 @@ final class Answers {
         "takeoffs", truth.takeoffs(),
         "touched", truth.touched().stream().map(Answers::touch).toList(),
         "visited", truth.visited(),
-        "highest", rounded(truth.highest()),
-        "farthest", rounded(truth.farthest()),
+        "highest", Json.rounded(truth.highest()),
+        "farthest", Json.rounded(truth.farthest()),
         "start", place(truth.start()),
         "path", truth.path().stream().map(Answers::place).toList());
   }
@@ -59,20 +57,20 @@ final class Answers {
   private static Map<String, Object> touch(DroneTruth.Touch touch) {
     return object(
         "what", touch.what(),
-        "seconds", rounded(touch.seconds()),
-        "speed", rounded(touch.speed()),
+        "seconds", Json.rounded(touch.seconds()),
+        "speed", Json.rounded(touch.speed()),
         "crash", touch.crash());
   }
 
   private static List<Double> place(Position place) {
-    return List.of(rounded(place.x()), rounded(place.y()), rounded(place.z()));
+    return List.of(Json.rounded(place.x()), Json.rounded(place.y()), Json.rounded(place.z()));
   }
 
   static Map<String, Object> entry(JournalEntry entry) {
     return object(
         "text", entry.text(),
         "sender", entry.sender().getAddress().getHostAddress() + ":" + entry.sender().getPort(),
-        "seconds", rounded(entry.seconds()),
+        "seconds", Json.rounded(entry.seconds()),
         "outcome", entry.outcome().name().toLowerCase(Locale.ROOT).replace('_', '-'),
         "reply", entry.reply(),
         "replies", entry.replies().stream().map(Answers::reply).toList(),
@@ -80,7 +78,7 @@ final class Answers {
   }
 
   private static Map<String, Object> reply(JournalEntry.Answer reply) {
-    return object("text", reply.text(), "delay", rounded(reply.delay()));
+    return object("text", reply.text(), "delay", Json.rounded(reply.delay()));
   }
 
   static Map<String, Object> goals(GoalStatus goals) {
@@ -90,11 +88,6 @@ final class Answers {
         "reason", goals.reason(),
         "done", goals.done(),
         "open", goals.open(),
-        "seconds", rounded(goals.seconds()));
-  }
-
-  /** To three decimals, and never minus zero. */
-  static double rounded(double value) {
-    return Math.round(value * PRECISION) / PRECISION;
+        "seconds", Json.rounded(goals.seconds()));
   }
 }

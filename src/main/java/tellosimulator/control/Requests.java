@@ -9,6 +9,7 @@ import java.util.Set;
 import java.util.function.Consumer;
 import java.util.function.Function;
 import tellosimulator.command.WireText;
+import tellosimulator.json.Json;
 import tellosimulator.junit.SimulatedDrone;
 import tellosimulator.junit.TelloSimulator;
 import tellosimulator.words.Spelling;
@@ -148,7 +149,7 @@ final class Requests {
   private Object advance(Parameters parameters) {
     simulator.simulation().advance(parameters.seconds("seconds"));
     double now = simulator.simulation().time().toNanos() * 1e-9;
-    return Map.of("seconds", Answers.rounded(now));
+    return Map.of("seconds", Json.rounded(now));
   }
 
   private Object awaitGoals(Parameters parameters) {

@@ -246,4 +246,9 @@ public final class Json {
       out.append(HEX.charAt(c >> shift & 0xf));
     }
   }
+
+  /** A number to three decimals, as all times and lengths are written. */
+  public static double rounded(double number) {
+    return Math.round(number * 1000) / 1000.0;
+  }
 }

@@ -22,12 +22,6 @@ import tellosimulator.time.WallTime;
 /** The files of one recording. For the writer's thread. */
 final class FlightFiles implements AutoCloseable {
 
-  private static final String GOALS = "goals.json";
-  private static final String SCENARIO = "scenario.yaml";
-
-  /** What the simulation began from, and all that came to it since. */
-  static final String INPUTS = "inputs.jsonl";
-
   private final Path folder;
   private final RecordingFolder.Disk disk;
   private final RunText run;
@@ -51,8 +45,8 @@ final class FlightFiles implements AutoCloseable {
     this.disk = disk;
     this.run = run;
     this.begun = begun;
-    writeAnew(RecordingFolder.RUN, run.begun());
-    wire = open("wire.jsonl");
+    writeAnew(RecordingFile.RUN, run.begun());
+    wire = open(RecordingFile.WIRE);
   }
 
   /**
@@ -66,26 +60,26 @@ final class FlightFiles implements AutoCloseable {
       throws IOException {
     try {
       if (history.complete()) {
-        TextFile known = open(INPUTS);
+        TextFile known = open(RecordingFile.INPUTS);
         open.add(0, open.remove(open.size() - 1)); // first, so that it is never behind the others
         known.row().raw(history.text());
         inputs = Optional.of(known);
       }
-      events = Optional.of(open("events.jsonl"));
-      TextFile rows = open("flight.csv");
+      events = Optional.of(open(RecordingFile.EVENTS));
+      TextFile rows = open(RecordingFile.FLIGHT);
       rows.row().raw(RecordingFormat.HEADER);
       table = Optional.of(rows);
-      ScenarioFile.write(document.changedTo(flown, folder), folder.resolve(SCENARIO));
+      ScenarioFile.write(document.changedTo(flown, folder), RecordingFile.SCENARIO.in(folder));
     } catch (IOException | RuntimeException e) {
       closeQuietly();
       throw e;
     }
   }
 
-  private TextFile open(String name) throws IOException {
-    TextFile file = new TextFile(folder.resolve(name), disk);
-    open.add(file);
-    return file;
+  private TextFile open(RecordingFile file) throws IOException {
+    TextFile opened = new TextFile(file.in(folder), disk);
+    open.add(opened);
+    return opened;
   }
 
   Path folder() {
@@ -142,9 +136,9 @@ final class FlightFiles implements AutoCloseable {
     }
     open.clear();
     if (!end.goals().progress().challenge().goals().isEmpty()) {
-      writeAnew(GOALS, Json.text(goals(end.goals())));
+      writeAnew(RecordingFile.GOALS, Json.text(goals(end.goals())));
     }
-    writeAnew(RecordingFolder.RUN, run.ended(end, films));
+    writeAnew(RecordingFile.RUN, run.ended(end, films));
   }
 
   private static List<Object> goals(GoalResult result) {
@@ -154,21 +148,21 @@ final class FlightFiles implements AutoCloseable {
       Map<String, Object> goal = new LinkedHashMap<>();
       OptionalDouble reached = result.reached(i);
       goal.put("text", asked.get(i).phrase().english());
-      goal.put("reached", reached.isPresent() ? RunText.rounded(reached.getAsDouble()) : null);
+      goal.put("reached", reached.isPresent() ? Json.rounded(reached.getAsDouble()) : null);
       goals.add(goal);
     }
     return goals;
   }
 
   /** Writes all of a file, or leaves it as it was. */
-  private void writeAnew(String name, String text) throws IOException {
-    Path beside = folder.resolve("." + name);
+  private void writeAnew(RecordingFile file, String text) throws IOException {
+    Path beside = folder.resolve("." + file.fileName());
     try (OutputStream out = disk.create(beside)) {
       out.write((text + "\n").getBytes(StandardCharsets.US_ASCII));
     }
     Files.move(
         beside,
-        folder.resolve(name),
+        file.in(folder),
         StandardCopyOption.ATOMIC_MOVE,
         StandardCopyOption.REPLACE_EXISTING);
   }

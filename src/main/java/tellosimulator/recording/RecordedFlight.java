@@ -26,6 +26,9 @@ public record RecordedFlight(
     Optional<Scenario> scenario,
     List<Phrase> remarks) {
 
+  /** How long before the takeoff a flight is shown at the most [s]. Decided. */
+  private static final double LONGEST_LEAD = 10;
+
   public RecordedFlight {
     tracks = List.copyOf(tracks);
     commands = List.copyOf(commands);
@@ -55,8 +58,13 @@ public record RecordedFlight(
     return new RecordingReader(folder).readOutline();
   }
 
+  /** The first moment that is shown to people: that of a long wait for a takeoff is not [s]. */
+  public double shownBegin() {
+    return Math.max(begin(), run.started() - LONGEST_LEAD);
+  }
+
   /** The first moment that it tells of [s]. */
-  public double begin() {
+  double begin() {
     double samples =
         tracks.stream()
             .mapToDouble(track -> track.samples().get(0).time())

@@ -1,8 +1,6 @@
 package tellosimulator.recording;
 
-import java.io.BufferedReader;
 import java.io.IOException;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Optional;
@@ -14,14 +12,11 @@ import java.util.Optional;
  */
 public final class RecordedInputs implements AutoCloseable {
 
-  private final BufferedReader reader;
+  private final LineReader reader;
   private final Start start;
   private int damaged;
 
-  /** Whether the line before was damaged, or else the file was cut off in it. */
-  private boolean lastDamaged;
-
-  private RecordedInputs(BufferedReader reader, Start start) {
+  private RecordedInputs(LineReader reader, Start start) {
     this.reader = reader;
     this.start = start;
   }
@@ -37,12 +32,11 @@ public final class RecordedInputs implements AutoCloseable {
     if (!areKept(folder)) {
       return Optional.empty();
     }
-    BufferedReader reader =
-        Files.newBufferedReader(folder.resolve(FlightFiles.INPUTS), StandardCharsets.ISO_8859_1);
+    LineReader reader = new LineReader(RecordingFile.INPUTS.in(folder));
     try {
-      String first = reader.readLine();
-      if (first != null) {
-        return Optional.of(new RecordedInputs(reader, InputLines.start(first)));
+      Optional<String> first = reader.next();
+      if (first.isPresent()) {
+        return Optional.of(new RecordedInputs(reader, InputLines.start(first.get())));
       }
     } catch (IllegalArgumentException e) {
       // it is from another version, or was damaged
@@ -56,7 +50,7 @@ public final class RecordedInputs implements AutoCloseable {
 
   /** Whether a recording has them, even if they cannot be read. */
   public static boolean areKept(Path folder) {
-    return Files.isRegularFile(folder.resolve(FlightFiles.INPUTS));
+    return Files.isRegularFile(RecordingFile.INPUTS.in(folder));
   }
 
   /** What the simulation began from. */
@@ -70,19 +64,17 @@ public final class RecordedInputs implements AutoCloseable {
    * @throws IOException if it cannot be read
    */
   public Optional<RecordedInput> next() throws IOException {
-    for (String line = reader.readLine(); line != null; line = reader.readLine()) {
-      damaged += lastDamaged ? 1 : 0;
-      lastDamaged = false;
+    for (Optional<String> line = reader.next(); line.isPresent(); line = reader.next()) {
       try {
-        return Optional.of(InputLines.input(line));
+        return Optional.of(InputLines.input(line.get()));
       } catch (IllegalArgumentException e) {
-        lastDamaged = true;
+        damaged++;
       }
     }
     return Optional.empty();
   }
 
-  /** How many lines were left out until now, but for a last one that was cut off. */
+  /** How many lines were left out until now. */
   public int damaged() {
     return damaged;
   }

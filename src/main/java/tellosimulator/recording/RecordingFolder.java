@@ -28,9 +28,6 @@ import tellosimulator.time.WallTime;
  */
 public final class RecordingFolder {
 
-  /** The file that makes a folder a recording. */
-  static final String RUN = "run.json";
-
   private static final Logger LOG = LoggerFactory.getLogger(RecordingFolder.class);
 
   /** Longest name of a scenario in the name of a folder [characters]. Decided. */
@@ -155,7 +152,7 @@ public final class RecordingFolder {
       for (Path folder : folders) {
         if (NAME.matcher(folder.getFileName().toString()).matches()
             && Files.isDirectory(folder, LinkOption.NOFOLLOW_LINKS)
-            && Files.isRegularFile(folder.resolve(RUN), LinkOption.NOFOLLOW_LINKS)) {
+            && Files.isRegularFile(RecordingFile.RUN.in(folder), LinkOption.NOFOLLOW_LINKS)) {
           found.add(folder);
         }
       }
@@ -176,7 +173,9 @@ public final class RecordingFolder {
       if (files.stream().anyMatch(file -> Files.isDirectory(file, LinkOption.NOFOLLOW_LINKS))) {
         return;
       }
-      files.sort(Comparator.comparing(file -> file.endsWith(RUN))); // last: it says what this is
+      files.sort(
+          Comparator.comparing(
+              file -> file.endsWith(RecordingFile.RUN.fileName()))); // last: it says what this is
       for (Path file : files) {
         Files.delete(file);
       }

@@ -1,11 +1,6 @@
 package tellosimulator.recording;
 
-import java.io.BufferedReader;
 import java.io.IOException;
-import java.io.InputStreamReader;
-import java.nio.ByteBuffer;
-import java.nio.channels.SeekableByteChannel;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -23,8 +18,6 @@ import tellosimulator.words.Phrase;
 /** Reads the files of a recording, and notes what is missing. For one thread, once. */
 final class RecordingReader {
 
-  private static final String RUN = "run.json";
-
   private final Path folder;
   private final List<Phrase> remarks = new ArrayList<>();
 
@@ -37,9 +30,9 @@ final class RecordingReader {
     List<Track> tracks = run.realDrone().isPresent() ? estimatedTracks() : tracks();
     List<RecordedEvent> events = new ArrayList<>();
     CommandPairing pairing = new CommandPairing();
-    readLines("events.jsonl", line -> events.add(RecordedEvent.of(Fields.of(line))));
+    readLines(RecordingFile.EVENTS, line -> events.add(RecordedEvent.of(Fields.of(line))));
     if (events.isEmpty()) {
-      readLines("wire.jsonl", line -> takeFromWire(pairing, line));
+      readLines(RecordingFile.WIRE, line -> takeFromWire(pairing, line));
     } else {
       events.forEach(pairing::take);
     }
@@ -54,7 +47,7 @@ final class RecordingReader {
   }
 
   private RecordedRun run() throws UnreadableRecordingException {
-    Path file = folder.resolve(RUN);
+    Path file = RecordingFile.RUN.in(folder);
     if (!Files.isDirectory(folder)) {
       throw new UnreadableRecordingException(
           Files.exists(folder)
@@ -63,7 +56,12 @@ final class RecordingReader {
     }
     if (!Files.isRegularFile(file)) {
       throw new UnreadableRecordingException(
-          folder + " is no recording, because there is no " + RUN + " in it" + nearby() + ".");
+          folder
+              + " is no recording, because there is no "
+              + RecordingFile.RUN.fileName()
+              + " in it"
+              + nearby()
+              + ".");
     }
     try {
       Fields fields = Fields.of(Files.readString(file));
@@ -99,7 +97,7 @@ final class RecordingReader {
   private String nearby() {
     try (Stream<Path> below = Files.list(folder)) {
       return below
-          .filter(each -> Files.isRegularFile(each.resolve(RUN)))
+          .filter(each -> Files.isRegularFile(RecordingFile.RUN.in(each)))
           .sorted()
           .findFirst()
           .map(first -> "; name one of the recordings in it, such as " + first)
@@ -112,7 +110,7 @@ final class RecordingReader {
   private List<Track> tracks() {
     FlightCsvReader[] table = new FlightCsvReader[1];
     readLines(
-        "flight.csv",
+        RecordingFile.FLIGHT,
         line -> {
           if (table[0] == null) {
             table[0] = new FlightCsvReader(line);
@@ -127,7 +125,7 @@ final class RecordingReader {
   private List<Track> estimatedTracks() {
     EstimatedTrack estimated = new EstimatedTrack();
     readLines(
-        "wire.jsonl",
+        RecordingFile.WIRE,
         line -> {
           if (line.contains("\"state\"")) {
             estimated.take(Fields.of(line));
@@ -153,7 +151,7 @@ final class RecordingReader {
   }
 
   private List<RecordedGoal> goals() {
-    Path file = folder.resolve("goals.json");
+    Path file = RecordingFile.GOALS.in(folder);
     if (!Files.isRegularFile(file)) {
       return List.of();
     }
@@ -164,65 +162,48 @@ final class RecordingReader {
               .toList()
           : List.of();
     } catch (IllegalArgumentException | IOException e) {
-      remarks.add(Phrase.of("%s cannot be read and is left out", "goals.json"));
+      remarkUnreadable(RecordingFile.GOALS);
       return List.of();
     }
   }
 
   private Optional<Scenario> scenario() {
-    Path file = folder.resolve("scenario.yaml");
+    Path file = RecordingFile.SCENARIO.in(folder);
     if (!Files.isRegularFile(file)) {
       return Optional.empty();
     }
     try {
       return Optional.of(ScenarioFile.read(file));
     } catch (ScenarioException e) {
-      remarks.add(Phrase.of("%s cannot be read and is left out", "scenario.yaml"));
+      remarkUnreadable(RecordingFile.SCENARIO);
       return Optional.empty();
     }
   }
 
   /**
-   * Hands the lines of a file on, if there is one. What comes after the last end of a line was cut
-   * off and is left out.
+   * Hands the lines of a file on, if there is one.
    *
    * @param consumer refuses a line by an {@code IllegalArgumentException}
    */
-  private void readLines(String name, Consumer<String> consumer) {
-    Path file = folder.resolve(name);
-    if (!Files.isRegularFile(file)) {
-      return;
-    }
+  private void readLines(RecordingFile file, Consumer<String> consumer) {
     int refused = 0;
-    try (BufferedReader reader =
-        new BufferedReader(
-            new InputStreamReader(Files.newInputStream(file), StandardCharsets.UTF_8))) {
-      boolean whole = endsWithLine(file);
-      String line = reader.readLine();
-      while (line != null) {
-        String next = reader.readLine();
-        if (next != null || whole) {
-          try {
-            consumer.accept(line);
-          } catch (IllegalArgumentException e) {
-            refused++;
-          }
+    try (LineReader reader = new LineReader(file.in(folder))) {
+      for (Optional<String> line = reader.next(); line.isPresent(); line = reader.next()) {
+        try {
+          consumer.accept(line.get());
+        } catch (IllegalArgumentException e) {
+          refused++;
         }
-        line = next;
       }
     } catch (IOException e) {
-      remarks.add(Phrase.of("%s cannot be read and is left out", name));
+      remarkUnreadable(file);
     }
     if (refused > 0) {
-      remarks.add(Phrase.of("%d lines of %s are damaged and left out", refused, name));
+      remarks.add(Phrase.of("%d lines of %s are damaged and left out", refused, file.fileName()));
     }
   }
 
-  private static boolean endsWithLine(Path file) throws IOException {
-    try (SeekableByteChannel channel = Files.newByteChannel(file)) {
-      ByteBuffer last = ByteBuffer.allocate(1);
-      channel.position(Math.max(0, channel.size() - 1));
-      return channel.read(last) == 1 && last.get(0) == '\n';
-    }
+  private void remarkUnreadable(RecordingFile file) {
+    remarks.add(Phrase.of("%s cannot be read and is left out", file.fileName()));
   }
 }

@@ -19,8 +19,6 @@ import tellosimulator.world.Room;
 /** What {@code run.json} says, at the beginning and at the end. For the writer's thread. */
 final class RunText {
 
-  private static final double PRECISION = 1000;
-
   private final Map<String, Object> members = new LinkedHashMap<>();
 
   private RunText() {
@@ -31,7 +29,7 @@ final class RunText {
   private void putTimes(String factor, Entry.Begin begin) {
     members.put("timeFactor", factor);
     members.put("begun", begin.wall().iso());
-    members.put("started", rounded(begin.time().seconds()));
+    members.put("started", Json.rounded(begin.time().seconds()));
   }
 
   /** Of a simulated flight. */
@@ -83,7 +81,7 @@ final class RunText {
     Vec3 place = drone.start().position();
     start.put("x", centimeters(place.x()));
     start.put("y", centimeters(place.y()));
-    start.put("heading", rounded(Frames.yawOfHeading(drone.start().attitude().heading())));
+    start.put("heading", Json.rounded(Frames.yawOfHeading(drone.start().attitude().heading())));
     Map<String, Object> members = new LinkedHashMap<>();
     members.put("number", drone.state().drone());
     members.put("profile", drone.product().profile().option());
@@ -101,14 +99,14 @@ final class RunText {
 
   /** The text of the whole flight. */
   String ended(Entry.End end, List<VideoRecorders.Kept> films) {
-    members.put("ended", rounded(end.time().seconds()));
+    members.put("ended", Json.rounded(end.time().seconds()));
     members.put("result", end.goals().word());
     List<Object> videos = new ArrayList<>();
     for (VideoRecorders.Kept film : films) {
       Map<String, Object> video = new LinkedHashMap<>();
       video.put("drone", film.drone());
       video.put("file", film.file());
-      video.put("started", rounded(film.begun().seconds()));
+      video.put("started", Json.rounded(film.begun().seconds()));
       videos.add(video);
     }
     if (!videos.isEmpty()) {
@@ -118,11 +116,6 @@ final class RunText {
   }
 
   private static double centimeters(double meters) {
-    return rounded(Frames.centimeters(meters));
-  }
-
-  /** To three decimals, without a negative zero. */
-  static double rounded(double number) {
-    return Math.round(number * PRECISION) / PRECISION + 0.0;
+    return Json.rounded(Frames.centimeters(meters));
   }
 }

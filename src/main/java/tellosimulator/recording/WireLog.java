@@ -1,10 +1,8 @@
 package tellosimulator.recording;
 
-import java.io.BufferedReader;
 import java.io.IOException;
-import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Optional;
 import java.util.function.Consumer;
 
 /** The datagrams of a recording, which may be more than fit into memory. */
@@ -20,16 +18,12 @@ public final class WireLog {
    * @throws IOException if the file cannot be read
    */
   public static void read(Path folder, Consumer<RecordedDatagram> consumer) throws IOException {
-    Path wire = folder.resolve("wire.jsonl");
-    if (!Files.isRegularFile(wire)) {
-      return;
-    }
-    try (BufferedReader reader = Files.newBufferedReader(wire, StandardCharsets.ISO_8859_1)) {
-      for (String line = reader.readLine(); line != null; line = reader.readLine()) {
+    try (LineReader reader = new LineReader(RecordingFile.WIRE.in(folder))) {
+      for (Optional<String> line = reader.next(); line.isPresent(); line = reader.next()) {
         try {
-          consumer.accept(RecordedDatagram.of(Fields.of(line)));
+          consumer.accept(RecordedDatagram.of(Fields.of(line.get())));
         } catch (IllegalArgumentException e) {
-          // it was cut off
+          // it is damaged
         }
       }
     }

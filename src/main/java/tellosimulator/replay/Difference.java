@@ -6,6 +6,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import tellosimulator.recording.RecordingFile;
 
 /**
  * Where a file of two recordings begins to differ. Immutable; for any thread.
@@ -20,8 +21,8 @@ public record Difference(
     String file, long line, OptionalDouble time, String recorded, String replayed) {
 
   /** Files that a simulation decides. */
-  private static final List<String> FILES =
-      List.of("wire.jsonl", "events.jsonl", "flight.csv", "goals.json");
+  private static final List<RecordingFile> FILES =
+      List.of(RecordingFile.WIRE, RecordingFile.EVENTS, RecordingFile.FLIGHT, RecordingFile.GOALS);
 
   /**
    * The first difference of each file of two recordings; none if they are identical, but for what
@@ -32,10 +33,11 @@ public record Difference(
    */
   static List<Difference> between(Path recorded, Path replayed, boolean cutOff) throws IOException {
     List<Difference> differences = new ArrayList<>();
-    for (String file : cutOff ? FILES.subList(0, FILES.size() - 1) : FILES) { // goals come last
-      try (LineFile first = new LineFile(recorded.resolve(file));
-          LineFile second = new LineFile(replayed.resolve(file))) {
-        first(file, first, second, cutOff).ifPresent(differences::add);
+    for (RecordingFile file :
+        cutOff ? FILES.subList(0, FILES.size() - 1) : FILES) { // goals come last
+      try (LineFile first = new LineFile(file.in(recorded));
+          LineFile second = new LineFile(file.in(replayed))) {
+        first(file.fileName(), first, second, cutOff).ifPresent(differences::add);
       }
     }
     return List.copyOf(differences);

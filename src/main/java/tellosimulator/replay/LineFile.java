@@ -1,7 +1,5 @@
 package tellosimulator.replay;
 
-import java.io.BufferedInputStream;
-import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
@@ -11,11 +9,11 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import tellosimulator.recording.LineReader;
 
 /**
  * The lines of a recording's file that a simulation decides: without what the wall clock says, and
- * without video, which follows that clock. A last line that was cut off is left out. For one
- * thread.
+ * without video, which follows that clock. For one thread.
  */
 final class LineFile implements AutoCloseable {
 
@@ -28,10 +26,10 @@ final class LineFile implements AutoCloseable {
   /** The moment at which a line begins, in JSON and in CSV [s]. */
   private static final Pattern TIME = Pattern.compile("^(?:\\{\"t\":)?([0-9]{1,9}\\.[0-9]{3}),");
 
-  private static final int BUFFER = 1 << 16;
+  /** In which the last moment of a file is looked for [bytes]. Decided: some hundred lines. */
+  private static final int TAIL = 1 << 16;
 
-  private final InputStream in;
-  private final ByteArrayOutputStream line = new ByteArrayOutputStream();
+  private final LineReader lines;
 
   /**
    * Opens it; one that is missing has no lines.
@@ -39,30 +37,16 @@ final class LineFile implements AutoCloseable {
    * @throws IOException if it cannot be read
    */
   LineFile(Path file) throws IOException {
-    in =
-        Files.isRegularFile(file)
-            ? new BufferedInputStream(Files.newInputStream(file), BUFFER)
-            : InputStream.nullInputStream();
+    lines = new LineReader(file);
   }
 
   /** The next line; empty after the last. */
   Optional<String> next() throws IOException {
-    Optional<String> next = whole();
+    Optional<String> next = lines.next();
     while (next.isPresent() && next.get().contains(VIDEO)) {
-      next = whole();
+      next = lines.next();
     }
     return next.map(text -> WALL.matcher(text).replaceFirst("$1"));
-  }
-
-  private Optional<String> whole() throws IOException {
-    line.reset();
-    for (int read = in.read(); read >= 0; read = in.read()) {
-      if (read == '\n') {
-        return Optional.of(line.toString(StandardCharsets.UTF_8));
-      }
-      line.write(read);
-    }
-    return Optional.empty();
   }
 
   /** The moment that a line tells of [s]; empty if it tells of none. */
@@ -80,7 +64,7 @@ final class LineFile implements AutoCloseable {
     }
     String tail;
     try (InputStream in = Files.newInputStream(file)) {
-      in.skipNBytes(Math.max(0, Files.size(file) - BUFFER));
+      in.skipNBytes(Math.max(0, Files.size(file) - TAIL));
       tail = new String(in.readAllBytes(), StandardCharsets.ISO_8859_1);
     }
     double last = 0;
@@ -92,6 +76,6 @@ final class LineFile implements AutoCloseable {
 
   @Override
   public void close() throws IOException {
-    in.close();
+    lines.close();
   }
 }

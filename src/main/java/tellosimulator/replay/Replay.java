@@ -11,6 +11,7 @@ import tellosimulator.recording.RecordedFlight;
 import tellosimulator.recording.RecordedInput;
 import tellosimulator.recording.RecordedInputs;
 import tellosimulator.recording.RecordedRun;
+import tellosimulator.recording.RecordingFile;
 import tellosimulator.recording.RecordingFolder;
 import tellosimulator.recording.Start;
 import tellosimulator.recording.UnreadableRecordingException;
@@ -32,8 +33,8 @@ public final class Replay {
   private static final double LONGEST_REST = 120;
 
   /** Files that tell how far a recording goes. */
-  private static final List<String> LAST_LINES =
-      List.of("wire.jsonl", "events.jsonl", "flight.csv");
+  private static final List<RecordingFile> LAST_LINES =
+      List.of(RecordingFile.WIRE, RecordingFile.EVENTS, RecordingFile.FLIGHT);
 
   private final Path folder;
   private final RecordedRun run;
@@ -41,11 +42,15 @@ public final class Replay {
   private final Start start;
   private final Scenario scenario;
 
+  /** The last moment of which a line tells [s]. */
+  private final double lastLine;
+
   /** Commands that were sent; empty if all inputs are kept. */
   private final Optional<List<RecordedInput>> commands;
 
   private Replay(
-      Path folder, RecordedFlight outline, Start start, Optional<List<RecordedInput>> commands) {
+      Path folder, RecordedFlight outline, Start start, Optional<List<RecordedInput>> commands)
+      throws IOException {
     this.folder = folder;
     this.run = outline.run();
     this.outlineRemarks = outline.remarks();
@@ -56,6 +61,7 @@ public final class Replay {
             .filter(kept -> kept.stations().size() == start.config().drones().size())
             .orElseGet(() -> Scenario.of(start.config()));
     this.commands = commands;
+    this.lastLine = lastLine(folder);
   }
 
   /**
@@ -119,25 +125,22 @@ public final class Replay {
   }
 
   /** The end of the step after which nothing was recorded any more. */
-  private SimTime end() throws IOException {
-    OptionalDouble ended = ended();
-    double end = ended.isPresent() ? ended.getAsDouble() : lastLine();
+  private SimTime end() {
+    double end = ended().orElse(lastLine);
     return new SimTime(Math.round(end / SimTime.STEP) * SimTime.STEP_NANOS);
   }
 
   /** The end that is told [s]; empty if there is none, or none that can be. */
-  private OptionalDouble ended() throws IOException {
-    double last = lastLine();
+  private OptionalDouble ended() {
     return run.ended().stream()
-        .filter(ended -> ended >= 0 && ended <= last + LONGEST_REST)
+        .filter(ended -> ended >= 0 && ended <= lastLine + LONGEST_REST)
         .findFirst();
   }
 
-  /** The last moment of which a line tells [s]. */
-  private double lastLine() throws IOException {
+  private static double lastLine(Path folder) throws IOException {
     double last = 0;
-    for (String file : LAST_LINES) {
-      last = Math.max(last, LineFile.lastTime(folder.resolve(file)));
+    for (RecordingFile file : LAST_LINES) {
+      last = Math.max(last, LineFile.lastTime(file.in(folder)));
     }
     return last;
   }
@@ -156,7 +159,7 @@ public final class Replay {
         remarks(again.damaged));
   }
 
-  private List<Phrase> remarks(int damaged) throws IOException {
+  private List<Phrase> remarks(int damaged) {
     List<Phrase> remarks = new ArrayList<>(outlineRemarks);
     if (!RecordedRun.version().equals(run.program())) {
       remarks.add(
@@ -168,7 +171,9 @@ public final class Replay {
       remarks.add(Phrase.of("its end is damaged, so that it was flown as far as its lines go"));
     }
     if (damaged > 0) {
-      remarks.add(Phrase.of("%d lines of %s are damaged and left out", damaged, "inputs.jsonl"));
+      remarks.add(
+          Phrase.of(
+              "%d lines of %s are damaged and left out", damaged, RecordingFile.INPUTS.fileName()));
     }
     if (!exact() && RecordedInputs.areKept(folder)) {
       remarks.add(

@@ -6,6 +6,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
+import tellosimulator.json.Json;
 import tellosimulator.math.Attitude;
 import tellosimulator.math.Pose;
 import tellosimulator.math.Vec3;
@@ -99,7 +100,7 @@ final class FilmStrip {
     double step = Math.max(SHORTEST_STEP, length / (moments - 1));
     List<Double> times = new ArrayList<>();
     for (int i = 0; i * step <= length + 1e-6; i++) {
-      times.add(ReportData.rounded(begin + i * step));
+      times.add(Json.rounded(begin + i * step));
     }
     return times;
   }

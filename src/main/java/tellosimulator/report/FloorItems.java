@@ -5,6 +5,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import tellosimulator.json.Json;
 import tellosimulator.math.Frames;
 import tellosimulator.math.Pose;
 import tellosimulator.math.Vec3;
@@ -60,7 +61,7 @@ final class FloorItems {
     Map<String, Object> item = new LinkedHashMap<>();
     item.put("x", cm(place.x()));
     item.put("y", cm(place.y()));
-    item.put("heading", ReportData.rounded(Frames.yawOfHeading(heading)));
+    item.put("heading", Json.rounded(Frames.yawOfHeading(heading)));
     item.put("depth", cm(size.x()));
     item.put("width", cm(size.y()));
     return item;

@@ -9,6 +9,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.function.Function;
+import tellosimulator.json.Json;
 import tellosimulator.math.Frames;
 import tellosimulator.math.Pose;
 import tellosimulator.math.Vec3;
@@ -25,9 +26,6 @@ final class ReportData {
 
   /** Most samples of all drones together. Decided: a chart has no more pixels. */
   private static final int MOST_SAMPLES = 12_000;
-
-  /** How long before the takeoff the page begins at the most [s]. Decided. */
-  private static final double LONGEST_LEAD = 10;
 
   /** Colours of drones that are not known. Decided: those of Okabe and Ito. */
   private static final List<String> COLORS =
@@ -46,7 +44,7 @@ final class ReportData {
     this.flight = flight;
     this.texts = texts;
     snapshots = new FlightSnapshots(flight);
-    begin = Math.max(flight.begin(), flight.run().started() - LONGEST_LEAD);
+    begin = flight.shownBegin();
     end = Math.max(begin, flight.end());
   }
 
@@ -63,9 +61,9 @@ final class ReportData {
     Map<String, Object> data = new LinkedHashMap<>();
     data.put("language", texts.language());
     data.put("texts", texts.all());
-    data.put("begin", rounded(begin));
-    data.put("end", rounded(end));
-    data.put("started", rounded(flight.run().started()));
+    data.put("begin", Json.rounded(begin));
+    data.put("end", Json.rounded(end));
+    data.put("started", Json.rounded(flight.run().started()));
     data.put("remarks", remarks);
     data.put("badges", summary.badges());
     data.put("facts", summary.facts());
@@ -87,9 +85,9 @@ final class ReportData {
     Arena arena = snapshots.arena();
     Room room = arena.room();
     Map<String, Object> members = new LinkedHashMap<>();
-    members.put("width", rounded(Frames.centimeters(room.width())));
-    members.put("depth", rounded(Frames.centimeters(room.depth())));
-    members.put("grid", rounded(Frames.centimeters(arena.decor().grid())));
+    members.put("width", Json.rounded(Frames.centimeters(room.width())));
+    members.put("depth", Json.rounded(Frames.centimeters(room.depth())));
+    members.put("grid", Json.rounded(Frames.centimeters(arena.decor().grid())));
     return members;
   }
 
@@ -144,9 +142,9 @@ final class ReportData {
         said.map(Pose::position).orElse(samples.isEmpty() ? Vec3.ZERO : samples.get(0).position());
     double heading = said.map(pose -> pose.attitude().heading()).orElse(0.0);
     Map<String, Object> start = new LinkedHashMap<>();
-    start.put("x", rounded(Frames.centimeters(place.x())));
-    start.put("y", rounded(Frames.centimeters(place.y())));
-    start.put("heading", rounded(Frames.yawOfHeading(heading)));
+    start.put("x", Json.rounded(Frames.centimeters(place.x())));
+    start.put("y", Json.rounded(Frames.centimeters(place.y())));
+    start.put("heading", Json.rounded(Frames.yawOfHeading(heading)));
     return start;
   }
 
@@ -171,7 +169,7 @@ final class ReportData {
     for (Sample sample : samples) {
       String now = value.apply(sample);
       if (!now.equals(before)) {
-        changes.add(List.of(rounded(sample.time()), now));
+        changes.add(List.of(Json.rounded(sample.time()), now));
         before = now;
       }
     }
@@ -193,17 +191,12 @@ final class ReportData {
     Vec3 place = track.at(entry.time()).position();
     String why = entry.words().why();
     Map<String, Object> mark = new LinkedHashMap<>();
-    mark.put("t", rounded(entry.time()));
+    mark.put("t", Json.rounded(entry.time()));
     mark.put("drone", track.drone());
     mark.put("kind", entry.kind());
     mark.put("text", entry.words().text() + (why.isEmpty() ? "" : ": " + why));
-    mark.put("x", rounded(Frames.centimeters(place.x())));
-    mark.put("y", rounded(Frames.centimeters(place.y())));
+    mark.put("x", Json.rounded(Frames.centimeters(place.x())));
+    mark.put("y", Json.rounded(Frames.centimeters(place.y())));
     return mark;
-  }
-
-  /** To thousandths. */
-  static double rounded(double value) {
-    return Math.round(value * 1000) / 1000.0;
   }
 }

@@ -4,6 +4,7 @@ import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.OptionalDouble;
 import java.util.OptionalInt;
+import tellosimulator.json.Json;
 
 /**
  * A line of a report's list: a command, or something that happened. Immutable.
@@ -44,13 +45,13 @@ public record ReportEntry(
   /** As the page has it. */
   Map<String, Object> members() {
     Map<String, Object> members = new LinkedHashMap<>();
-    members.put("t", ReportData.rounded(time));
+    members.put("t", Json.rounded(time));
     drone.ifPresent(number -> members.put("drone", number));
     members.put("kind", kind);
     members.put("text", words.text);
     members.put("reply", words.reply);
     members.put("why", words.why);
-    words.lasted.ifPresent(seconds -> members.put("lasted", ReportData.rounded(seconds)));
+    words.lasted.ifPresent(seconds -> members.put("lasted", Json.rounded(seconds)));
     members.put("count", words.count);
     members.put("event", event);
     members.put("wrong", wrong);

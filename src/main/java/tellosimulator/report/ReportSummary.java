@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import tellosimulator.json.Json;
 import tellosimulator.recording.RecordedCommand.Outcome;
 import tellosimulator.recording.RecordedFlight;
 import tellosimulator.recording.RecordedRun;
@@ -105,7 +106,7 @@ record ReportSummary(RecordedFlight flight, ReportTexts texts) {
             goal -> {
               Map<String, Object> members = new LinkedHashMap<>();
               members.put("text", texts.translated(goal.text()));
-              goal.reached().ifPresent(time -> members.put("reached", ReportData.rounded(time)));
+              goal.reached().ifPresent(time -> members.put("reached", Json.rounded(time)));
               goals.add(members);
             });
     return goals;

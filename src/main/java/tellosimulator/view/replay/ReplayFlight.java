@@ -21,9 +21,6 @@ import tellosimulator.replay.Replay;
 public record ReplayFlight(
     String name, Path folder, RecordedFlight flight, FlightSnapshots snapshots) {
 
-  /** How long before the takeoff the player begins at the most [s]. Decided: as reports do. */
-  private static final double LONGEST_LEAD = 10;
-
   /**
    * Reads a recording, which may take a while.
    *
@@ -66,7 +63,7 @@ public record ReplayFlight(
 
   /** The first moment that is shown [s]. */
   double begin() {
-    return Math.max(flight.begin(), takeoff() - LONGEST_LEAD);
+    return flight.shownBegin();
   }
 
   /** The last moment that is shown [s]. */
