@@ -41,7 +41,8 @@ public final class ScenarioOptions {
             EXIT_WHEN_DONE,
             "End when the goals of the scenario are reached or missed, after a line that says so:"
                 + " exit code 0 if all were reached, 3 if not. They are missed, too, when all drones"
-                + " have landed and no command came for 15 s. Only with --headless.");
+                + " have landed and no command came for 15 s, or none took off and no command came"
+                + " for 60 s. Only with --headless.");
     timeout =
         choices
             .option(

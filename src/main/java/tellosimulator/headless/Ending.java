@@ -15,8 +15,8 @@ import tellosimulator.words.Phrase;
 
 /**
  * Waits for the verdict on a program: until goals are reached or missed, until nobody flies any
- * more and no command comes, or until the timeout; and then until the drones have come down, so
- * that no program loses its drone on the way to the ground.
+ * more, or has flown, and no command comes, or until the timeout; and then until the drones have
+ * come down, so that no program loses its drone on the way to the ground.
  *
  * <p>Hears of steps and events on the simulation thread; the others wait on threads of their own.
  */
@@ -24,6 +24,12 @@ final class Ending implements SimListener {
 
   /** Silence of standing drones that ends it [s]. Decided: as long as one in flight waits. */
   private static final double SILENCE = 15;
+
+  /**
+   * Silence that ends it of a program that has sent something, but let no drone take off [s], such
+   * as one whose takeoff was lost. Decided: a minute, for programs that begin with looking around.
+   */
+  private static final double UNFLOWN_SILENCE = 60;
 
   /** Longest time that drones may stay in the air after the verdict [s]. Decided: to fly back. */
   private static final double LONGEST_FLIGHT = 10;
@@ -42,13 +48,15 @@ final class Ending implements SimListener {
    *
    * @param landed after all drones have landed [looks]. Decided: 2 s, much longer than from the
    *     reply to {@code land} to the next command, and short for whoever waits for the verdict
-   * @param ready between the first command and the first takeoff [looks]. Decided: 3 s, to open a
-   *     stream or a window, and short for whoever waits for the timeout
-   * @param busy while a drone is in the air, or before the first command [looks]. Decided: 30 s,
-   *     for programs that compute between two commands, or start slowly
+   * @param ready between the first command and the first takeoff, where there is a timeout [looks].
+   *     Decided: 3 s, to open a stream or a window, and short for whoever waits for the timeout
+   * @param busy while a drone is in the air, or before the first command, or the first takeoff
+   *     where there is no timeout [looks]. Decided: 30 s, for programs that compute between two
+   *     commands, or start slowly
    */
-  record Patience(int landed, int ready, int busy) {
-    static final Patience DEFAULT = new Patience(2000 / LOOK_MS, 3000 / LOOK_MS, 30_000 / LOOK_MS);
+  record IdleLimits(int landed, int ready, int busy) {
+    static final IdleLimits DEFAULT =
+        new IdleLimits(2000 / LOOK_MS, 3000 / LOOK_MS, 30_000 / LOOK_MS);
   }
 
   /** Simulated time, where it stands still while nothing moves. */
@@ -62,7 +70,7 @@ final class Ending implements SimListener {
   }
 
   private final GoalWatch goals;
-  private final Patience patience;
+  private final IdleLimits limits;
   private final AtomicLong steps = new AtomicLong();
   private final CountDownLatch result = new CountDownLatch(1);
   private final CountDownLatch landed = new CountDownLatch(1);
@@ -83,12 +91,12 @@ final class Ending implements SimListener {
    * @param goals is told of each step before
    */
   Ending(GoalWatch goals) {
-    this(goals, Patience.DEFAULT);
+    this(goals, IdleLimits.DEFAULT);
   }
 
-  Ending(GoalWatch goals, Patience patience) {
+  Ending(GoalWatch goals, IdleLimits limits) {
     this.goals = goals;
-    this.patience = patience;
+    this.limits = limits;
   }
 
   /** After how much simulated time the goals are missed, whatever drones do [s]. */
@@ -138,6 +146,10 @@ final class Ending implements SimListener {
       return Optional.of(
           missed(Phrase.of("all drones have landed, and no command came for %.0f s", SILENCE)));
     }
+    if (!begun() && spoken && now.since(quietSince) >= UNFLOWN_SILENCE) {
+      return Optional.of(
+          missed(Phrase.of("no drone took off, and no command came for %.0f s", UNFLOWN_SILENCE)));
+    }
     return timeout
         .filter(limit -> now.seconds() >= limit)
         .map(
@@ -170,9 +182,9 @@ final class Ending implements SimListener {
     int looks = 0;
     for (long before = -1; !result.await(LOOK_MS, TimeUnit.MILLISECONDS); before = steps.get()) {
       looks = steps.get() == before && standstill.possible() ? looks + 1 : 0;
-      boolean waits = begun() || timeout.isPresent();
+      boolean waits = spoken || timeout.isPresent();
       if (waits && looks >= mostLooks()) {
-        standstill.pass(begun() ? SILENCE : timeout.orElse(SILENCE));
+        standstill.pass(silence());
         looks = 0;
       }
     }
@@ -181,9 +193,19 @@ final class Ending implements SimListener {
 
   private int mostLooks() {
     if (begun()) {
-      return standing ? patience.landed() : patience.busy();
+      return standing ? limits.landed() : limits.busy();
     }
-    return spoken ? patience.ready() : patience.busy();
+    return spoken && timeout.isPresent() ? limits.ready() : limits.busy();
+  }
+
+  /** What may pass before there is a verdict [s]. */
+  private double silence() {
+    if (begun()) {
+      return SILENCE;
+    }
+    return spoken
+        ? Math.min(UNFLOWN_SILENCE, timeout.orElse(UNFLOWN_SILENCE))
+        : timeout.orElseThrow();
   }
 
   /** Waits for the drones and their last replies, but not where time stands still. */
@@ -191,7 +213,7 @@ final class Ending implements SimListener {
   void awaitRest(Standstill standstill) throws InterruptedException {
     int looks = 0;
     long before = -1;
-    while (looks < patience.busy() && !landed.await(LOOK_MS, TimeUnit.MILLISECONDS)) {
+    while (looks < limits.busy() && !landed.await(LOOK_MS, TimeUnit.MILLISECONDS)) {
       looks = steps.get() == before && standstill.possible() ? looks + 1 : 0;
       before = steps.get();
     }

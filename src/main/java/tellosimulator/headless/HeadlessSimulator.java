@@ -112,8 +112,9 @@ public final class HeadlessSimulator implements AutoCloseable {
   /**
    * Takes what is typed, and returns after {@code quit}, or when the goals are reached or missed
    * and the drones have come down. They are missed, too, when all drones have landed and are silent
-   * for 15 s; with time factor {@code max} these pass by themselves when no command has come for a
-   * while of the wall clock.
+   * for 15 s, or a program has spoken, let none take off, and is silent for a minute; with time
+   * factor {@code max} these pass by themselves when no command has come for a while of the wall
+   * clock.
    *
    * @param timeout after which the goals are missed in any case [simulated s]
    * @return whether the goals were reached; it still runs after {@code quit}

@@ -30,7 +30,7 @@ class EndingTest {
       new GoalWatch(
           new Challenge(List.of(FRONT), false, OptionalDouble.of(60), false), event -> {});
 
-  private static final Ending.Patience QUICK = new Ending.Patience(2, 4, 12);
+  private static final Ending.IdleLimits QUICK = new Ending.IdleLimits(2, 4, 12);
 
   private final Ending ending = new Ending(goals, QUICK);
 
@@ -92,8 +92,7 @@ class EndingTest {
   }
 
   @Test
-  void beforeTheFirstTakeoffItWaitsForEver() throws InterruptedException {
-    drones.fly("command");
+  void beforeTheFirstCommandItWaitsForEver() throws InterruptedException {
     Standing standing = new Standing();
     standing.most = 20;
 
@@ -101,6 +100,33 @@ class EndingTest {
 
     assertThat(result.status()).isEqualTo(Status.RUNNING);
     assertThat(standing.passed).isEmpty();
+  }
+
+  /** Such as one whose takeoff was lost on the way. */
+  @Test
+  void aProgramThatFallsSilentBeforeItsTakeoffHasMissedTheGoals() throws InterruptedException {
+    drones.fly("command");
+    Standing standing = new Standing();
+
+    Progress result = ending.awaitResult(standing);
+
+    assertThat(result.phrase().english())
+        .endsWith(": no drone took off, and no command came for 60 s");
+    assertThat(standing.passed).containsExactly(60.0);
+    assertThat(standing.looks).isBetween(12, 16);
+  }
+
+  @Test
+  void aProgramThatAsksBeforeItsTakeoffIsNotSilent() throws InterruptedException {
+    drones.fly("command");
+    for (int i = 0; i < 3; i++) {
+      drones.advance(59);
+      drones.fly("battery?");
+    }
+    Standing standing = new Standing();
+    standing.most = 5;
+
+    assertThat(ending.awaitResult(standing).status()).isEqualTo(Status.RUNNING);
   }
 
   @Test
