@@ -1,8 +1,8 @@
 package tellosimulator.cli;
 
 /**
- * The program's exit codes; {@link tellosimulator.concurrent.FatalExit#CODE} after an error from
- * which nothing goes on.
+ * The exit codes of the program. Unrecoverable errors use {@link
+ * tellosimulator.concurrent.FatalExit#CODE}. For any thread.
  */
 public final class ExitCode {
 

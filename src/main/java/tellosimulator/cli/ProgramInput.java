@@ -4,7 +4,7 @@ import java.io.InputStream;
 import java.util.function.Consumer;
 
 /**
- * What a person says while the program runs. For one thread.
+ * The standard input of the program, and where to register shutdown tasks. For one thread.
  *
  * @param in what is typed
  * @param atEnd takes what is to be done when the program is told to end, on a thread of its own

@@ -6,9 +6,9 @@ import java.util.function.IntConsumer;
 import org.slf4j.LoggerFactory;
 
 /**
- * Ends the program, with a sentence and an exit code of its own, after an error that a thread has
- * not caught and that it cannot do without: no memory is left, or a worker cannot go on. What it
- * needs for that is made beforehand. For any thread.
+ * Ends the program with a message and an exit code of its own after an uncaught fatal error: memory
+ * is exhausted, or a worker cannot continue. Everything it needs is allocated in advance. For any
+ * thread.
  */
 public final class FatalExit implements Thread.UncaughtExceptionHandler {
 

@@ -6,8 +6,8 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * What becomes of a worker whose agent failed, and what is said about it. Made beforehand, with the
- * sentence for the case that there is no memory for another. For any thread.
+ * How a worker reacts when its agent throws: continue, retry or finish; and the message to log.
+ * Allocated in advance, with a message for the case that memory is exhausted. For any thread.
  */
 public final class Verdict {
 

@@ -22,7 +22,7 @@ import tellosimulator.words.Phrase;
 import tellosimulator.world.Collision;
 
 /**
- * Carries out the commands of one drone: all flight logic, but for how a maneuver is flown. For the
+ * Executes the commands of one drone: all flight logic except how maneuvers are flown. For the
  * simulation thread.
  */
 public final class DroneController implements CommandTarget {

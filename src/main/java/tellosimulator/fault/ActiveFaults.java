@@ -6,7 +6,7 @@ import java.util.Map;
 import java.util.Optional;
 
 /**
- * What goes wrong with a drone at a moment. Immutable; for any thread.
+ * The faults that are active on a drone at one moment. Immutable; for any thread.
  *
  * @param link how good it is otherwise
  * @param faults that act, in the order in which they began

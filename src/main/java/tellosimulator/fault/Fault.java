@@ -11,7 +11,7 @@ import tellosimulator.fault.FaultKind.Range;
 import tellosimulator.words.Phrase;
 
 /**
- * Something that goes wrong: what, where, how much and when. Immutable; for any thread.
+ * A fault to inject: its kind, target, parameters and time. Immutable; for any thread.
  *
  * @param values of all parameters of the kind, in SI
  */

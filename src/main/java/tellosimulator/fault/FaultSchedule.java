@@ -10,7 +10,8 @@ import tellosimulator.fault.Fault.Begin;
 import tellosimulator.time.SimTime;
 
 /**
- * Which faults act on which drone, and when they begin and end. For the simulation thread.
+ * Tracks which faults are active on each drone, and when they begin and end. For the simulation
+ * thread.
  *
  * <p>The clock of {@code at} starts with the first takeoff of any drone, and anew when a person
  * puts a drone back: then the faults of the plan begin again in their turn.

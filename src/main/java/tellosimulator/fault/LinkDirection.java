@@ -2,7 +2,7 @@ package tellosimulator.fault;
 
 import java.util.Locale;
 
-/** What goes over the link between a drone and its operator, by the way that it takes. */
+/** The kind of traffic on the link between a drone and its operator. For any thread. */
 public enum LinkDirection {
   /** From whoever sends them to the drone. */
   COMMANDS,

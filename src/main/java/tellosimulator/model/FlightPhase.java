@@ -1,6 +1,6 @@
 package tellosimulator.model;
 
-/** What a drone is doing, in the terms of its motors. */
+/** The flight phase of a drone, by what its motors do. For any thread. */
 public enum FlightPhase {
   /** Without power. */
   OFF("off", false, false),

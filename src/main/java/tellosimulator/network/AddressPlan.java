@@ -12,8 +12,8 @@ import java.util.Set;
 import java.util.stream.IntStream;
 
 /**
- * Which drone listens where, as it was asked for; which addresses the machine has is looked up when
- * sockets are opened. Immutable.
+ * The requested listen address of each drone; the machine's actual addresses are looked up when
+ * sockets are opened. Immutable; for any thread.
  *
  * @param drones for each drone, in the order of their numbers, where it listens
  * @param reach how far the machine's own addresses go

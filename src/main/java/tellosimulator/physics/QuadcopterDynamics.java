@@ -6,9 +6,9 @@ import tellosimulator.model.Motion;
 import tellosimulator.physics.Integrator.Forces;
 
 /**
- * The flying body: thrust along its own axis, gravity and drag against the air, and an attitude
- * that follows. Tilt, the accelerometer and the loop of a flip come out of it. For one drone and
- * one thread; the same inputs give the same motion, bit for bit.
+ * The dynamics of a quadcopter: thrust along the body's z axis, gravity, drag against the air, and
+ * a second-order attitude response. Tilt, accelerometer readings and the loop of a flip follow from
+ * it. For one drone and one thread; the same inputs give the same motion, bit for bit.
  */
 public final class QuadcopterDynamics {
 

@@ -6,7 +6,7 @@ import java.util.Set;
 import tellosimulator.math.Vec3;
 
 /**
- * What a state line said, as far as it tells how the drone moved. Immutable; for any thread.
+ * The values of a state line that describe motion. Immutable; for any thread.
  *
  * @param time when it was sent, simulated seconds since the simulation began
  * @param drone its number, from 1

@@ -5,7 +5,7 @@ import tellosimulator.goal.Challenge;
 import tellosimulator.sim.SimConfig;
 
 /**
- * What a simulation began from; all that it did since follows from that and from its inputs.
+ * The initial conditions of a simulation; together with its inputs they determine all that follows.
  * Immutable; for any thread.
  *
  * @param config what is simulated

@@ -13,8 +13,8 @@ import tellosimulator.recording.RecordingFolder;
 import tellosimulator.recording.UnreadableRecordingException;
 
 /**
- * Makes the reports of all flights of a run, once it is over. Where nobody wants to keep recordings
- * they are in a folder that is deleted afterwards. For any thread.
+ * Writes a report of each flight of a run after the run has ended. Recordings that nobody asked to
+ * keep are written to a temporary folder, which is deleted afterwards. For any thread.
  */
 public final class FlightReports {
 

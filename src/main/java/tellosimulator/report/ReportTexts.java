@@ -10,7 +10,7 @@ import tellosimulator.words.Phrase;
 import tellosimulator.words.Retranslation;
 import tellosimulator.words.Translation;
 
-/** The words of a report, in one language. For one thread at a time. */
+/** The localized texts of a report. For one thread at a time. */
 public final class ReportTexts {
 
   private static final String BASE_NAME = ReportTexts.class.getPackageName() + ".messages";

@@ -18,7 +18,7 @@ import tellosimulator.world.Decor;
 import tellosimulator.world.Room;
 
 /**
- * What a simulation starts from. Immutable.
+ * The initial configuration of a simulation. Immutable; for any thread.
  *
  * @param arena in which they fly
  * @param drones in the order of their numbers

@@ -3,8 +3,8 @@ package tellosimulator.time;
 import java.util.concurrent.locks.LockSupport;
 
 /**
- * Lets a thread work at a steady pace by the wall clock. Of ticks that are missed one after another
- * no more than three are made up for, as after a short halt of the whole machine.
+ * Ticks at a fixed rate of the wall clock, for a thread that waits on it. Of ticks that are missed
+ * one after another no more than three are made up for, as after a short halt of the whole machine.
  *
  * <p>For one thread, but for {@link #wake} and {@link #nanos}, which are for any.
  */

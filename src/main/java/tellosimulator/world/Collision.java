@@ -3,7 +3,7 @@ package tellosimulator.world;
 import tellosimulator.math.Vec3;
 
 /**
- * A body that was stopped by something.
+ * The result of a collision of a body. Immutable; for any thread.
  *
  * @param touched what it touches; of several the one that it hit fastest
  * @param normal unit vector away from what it touches
