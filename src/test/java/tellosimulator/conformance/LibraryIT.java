@@ -7,6 +7,8 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Map;
 import java.util.TreeMap;
+import java.util.jar.JarEntry;
+import java.util.jar.JarFile;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.junit.jupiter.api.Test;
@@ -34,6 +36,16 @@ class LibraryIT {
             "org.jcodec:jcodec",
             "org.slf4j:slf4j-api",
             "org.snakeyaml:snakeyaml-engine");
+  }
+
+  @Test
+  void theLibraryIsTheKitWithoutTheWindow() throws IOException {
+    Path library = inherited().get("io.github.tellosimulator:tello-simulator");
+    try (JarFile jar = new JarFile(library.toFile())) {
+      assertThat(jar.stream().map(JarEntry::getName))
+          .contains("tellosimulator/junit/TelloTest.class")
+          .noneMatch(name -> name.startsWith("tellosimulator/view/"));
+    }
   }
 
   @Test
