@@ -82,9 +82,16 @@ public final class WindowPlacement {
   private void follow(Stage stage) {
     stage.xProperty().addListener((observed, before, now) -> note(stage, x, now));
     stage.yProperty().addListener((observed, before, now) -> note(stage, y, now));
-    stage.widthProperty().addListener((observed, before, now) -> note(stage, width, now));
-    stage.heightProperty().addListener((observed, before, now) -> note(stage, height, now));
+    stage.widthProperty().addListener((observed, before, now) -> noteSize(stage, width, now));
+    stage.heightProperty().addListener((observed, before, now) -> noteSize(stage, height, now));
     stage.maximizedProperty().addListener((observed, before, now) -> maximized.set(now));
+  }
+
+  /** A window that is just being opened, or closed, may be smaller than anybody wants it. */
+  private static void noteSize(Stage stage, DoubleProperty property, Number value) {
+    if (value.doubleValue() >= SMALLEST) {
+      note(stage, property, value);
+    }
   }
 
   private static void note(Stage stage, DoubleProperty property, Number value) {
