@@ -62,14 +62,27 @@ class ScarceMemoryTest {
     }
   }
 
-  /** The reply to a text, which is sent once; without one, what the program has said. */
+  /**
+   * The reply to a text, which is sent again every few seconds, as programs do: a step for which
+   * there is no memory loses what it has taken. Without a reply, what the program has said.
+   */
   private static String reply(String text, ProgramProcess program, int port) throws IOException {
-    try {
-      return ProgramProcess.ask(text, port);
-    } catch (SocketTimeoutException e) {
-      throw new AssertionError(
-          "no reply to " + text + ", alive: " + program.isAlive() + "; " + program.errors(), e);
+    byte[] bytes = text.getBytes(StandardCharsets.US_ASCII);
+    try (DatagramSocket client = new DatagramSocket()) {
+      client.setSoTimeout(5000);
+      for (int i = 0; i < ProgramProcess.PATIENCE_SECONDS / 5 && program.isAlive(); i++) {
+        client.send(new DatagramPacket(bytes, bytes.length, LOOPBACK, port));
+        try {
+          DatagramPacket reply = new DatagramPacket(new byte[100], 100);
+          client.receive(reply);
+          return new String(reply.getData(), 0, reply.getLength(), StandardCharsets.US_ASCII);
+        } catch (SocketTimeoutException e) {
+          // lost, or not answered yet
+        }
+      }
     }
+    throw new AssertionError(
+        "no reply to " + text + ", alive: " + program.isAlive() + "; " + program.errors());
   }
 
   private static void awaitVideoOrSentence(DatagramSocket video, ProgramProcess program)
