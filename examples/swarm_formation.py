@@ -3,15 +3,11 @@
 A swarm tells its drones apart by their addresses alone: all of them listen on port 8889, as this
 program does, so they cannot share a network stack with it. Real ones (Tello EDU) have the addresses
 that your access point gave them. Simulated ones get an address each on another computer, or in a
-private network as docs/troubleshooting.md shows:
-
-    java -jar target/tello-simulator.jar --headless --command-port 8889 \\
-      --bind 192.168.10.1,192.168.10.3,192.168.10.4
-
-Then start this:
+private network (Linux):
 
     pip install djitellopy
-    python examples/swarm_formation.py 192.168.10.1 192.168.10.3 192.168.10.4
+    java -jar target/tello-simulator.jar run --headless --drones 3 -- \\
+      python examples/swarm_formation.py 192.168.10.11 192.168.10.12 192.168.10.13
 
 They stand side by side, 60 cm apart, the first one at the left.
 """

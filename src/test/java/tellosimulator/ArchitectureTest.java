@@ -71,7 +71,10 @@ class ArchitectureTest {
           Map.entry("export", List.of("recording")),
           Map.entry("replay", List.of("recording")),
           Map.entry("report", List.of("comparison", "recording", "video")),
-          Map.entry("cli", List.of("export", "proxy", "replay", "report", "scenario", "video")),
+          Map.entry("operator", List.of("concurrent")),
+          Map.entry(
+              "cli",
+              List.of("export", "operator", "proxy", "replay", "report", "scenario", "video")),
           Map.entry("log", List.of("concurrent")),
           Map.entry("view.fx", List.of("scenery")),
           Map.entry("view.settings", List.of("files")),

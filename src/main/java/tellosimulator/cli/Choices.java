@@ -103,6 +103,25 @@ final class Choices {
     return folder::getValue;
   }
 
+  /**
+   * Lets any words follow, also such as look like options; {@link #words} has them.
+   *
+   * @param label what stands for them in the help
+   */
+  void anyWords(String label, String description) {
+    spec.parser().unmatchedOptionsArePositionalParams(true);
+    spec.addPositional(
+        PositionalParamSpec.builder()
+            .paramLabel(label)
+            .description(description)
+            .type(List.class)
+            .auxiliaryTypes(String.class)
+            .index("0..*")
+            .arity("0..*")
+            .hideParamSyntax(true)
+            .build());
+  }
+
   /** The file that a subcommand writes. */
   Choice<Optional<Path>> output(String description) {
     return new Valued(valued(description, "FILE", "-o", "--output"))

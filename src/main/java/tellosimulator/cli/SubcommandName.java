@@ -12,7 +12,8 @@ public enum SubcommandName {
   DIFF("compares two recordings, command by command", DiffSubcommand::new),
   EXPORT("writes a recording for Wireshark, Foxglove or PlotJuggler", ExportSubcommand::new),
   PROXY("stands between programs and a real drone, and records", ProxySubcommand::new),
-  REPLAY("flies a recording again, and compares", ReplaySubcommand::new);
+  REPLAY("flies a recording again, and compares", ReplaySubcommand::new),
+  RUN("flies an unchanged program where the drone is 192.168.10.1", RunSubcommand::new);
 
   private final String does;
   private final Supplier<Subcommand> subcommand;

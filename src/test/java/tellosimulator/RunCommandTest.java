@@ -1,0 +1,163 @@
+package tellosimulator;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.io.PrintStream;
+import java.net.DatagramPacket;
+import java.net.DatagramSocket;
+import java.net.InetSocketAddress;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Nested;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.condition.EnabledOnOs;
+import org.junit.jupiter.api.condition.OS;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+/** The subcommand {@code run} as people call it. */
+class RunCommandTest {
+
+  private final ByteArrayOutputStream out = new ByteArrayOutputStream();
+  private final ByteArrayOutputStream err = new ByteArrayOutputStream();
+
+  private int run(List<String> words) {
+    return Main.run(
+        Stream.concat(Stream.of("run"), words.stream()).toArray(String[]::new),
+        new PrintStream(out, true, StandardCharsets.UTF_8),
+        new PrintStream(err, true, StandardCharsets.UTF_8));
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      textBlock =
+          """
+          --headless                         | Run needs your program after --, such as: run --headless -- python3 fly.py. Try --help.
+          --headless --                      | Run needs your program after --, such as: run --headless -- python3 fly.py. Try --help.
+          python3 fly.py                     | Run needs your program after --, such as: run --headless -- python3 fly.py. Try --help.
+          --headles -- true                  | There is no option --headles. Try --help.
+          --headless --bind 127.0.0.1 -- fly | --bind does not go with run, which decides that. Try --help.
+          --headless --lan -- fly            | --lan does not go with run, which decides that. Try --help.
+          --headless --room 9000x9000x300 --drones 241 -- fly | Run has addresses for 240 drones, but there are 241. Try --help.
+          --drones 2 --report x -- fly       | --report needs --headless. Try --help.
+          """)
+  void mistakesAreOneSentence(String line, String sentence) {
+    assertThat(run(List.of(line.split(" ")))).isEqualTo(2);
+
+    assertThat(err.toString(StandardCharsets.UTF_8)).isEqualTo(sentence + "\n");
+    assertThat(out.size()).isZero();
+  }
+
+  /** Flies as with a real drone: it answers at 192.168.10.1, from port 8889 to port 8889. */
+  static final class UnchangedProgram {
+
+    private UnchangedProgram() {}
+
+    /**
+     * Ends with exit code 0 if all commands are answered with {@code ok}.
+     *
+     * @param args addresses of drones, then the commands for each
+     */
+    public static void main(String[] args) throws IOException {
+      int drones = Integer.parseInt(args[0]);
+      try (DatagramSocket socket = new DatagramSocket(8889)) {
+        socket.setSoTimeout(1000 * ProgramProcess.PATIENCE_SECONDS);
+        for (String command : List.of(args).subList(1 + drones, args.length)) {
+          for (String drone : List.of(args).subList(1, 1 + drones)) {
+            String reply = ask(socket, drone, command);
+            if (!reply.equals("ok")) {
+              System.exit(7);
+            }
+          }
+        }
+      }
+    }
+
+    private static String ask(DatagramSocket socket, String drone, String command)
+        throws IOException {
+      byte[] bytes = command.getBytes(StandardCharsets.US_ASCII);
+      socket.send(new DatagramPacket(bytes, bytes.length, new InetSocketAddress(drone, 8889)));
+      DatagramPacket reply = new DatagramPacket(new byte[1500], 1500);
+      socket.receive(reply);
+      return new String(reply.getData(), 0, reply.getLength(), StandardCharsets.US_ASCII);
+    }
+  }
+
+  @Nested
+  @EnabledOnOs(OS.LINUX)
+  @Timeout(ProgramProcess.PATIENCE_SECONDS)
+  class InPrivateNetworks {
+
+    @BeforeAll
+    static void needNamespaces() throws IOException, InterruptedException {
+      Process attempt =
+          new ProcessBuilder("unshare", "--user", "--map-root-user", "--net", "ip", "link")
+              .redirectErrorStream(true)
+              .start();
+      attempt.getInputStream().readAllBytes();
+      assumeTrue(attempt.waitFor() == 0, "this system lets nobody make a private network");
+    }
+
+    private int fly(List<String> options, List<String> program) {
+      List<String> words = new ArrayList<>(options);
+      words.addAll(List.of("--headless", "--time-factor", "max", "--log-level", "error", "--"));
+      words.addAll(program);
+      return run(words);
+    }
+
+    private static List<String> unchanged(String... args) {
+      return Stream.concat(
+              Stream.of(
+                  Path.of(System.getProperty("java.home"), "bin", "java").toString(),
+                  "-cp",
+                  System.getProperty("java.class.path"),
+                  UnchangedProgram.class.getName()),
+              Stream.of(args))
+          .toList();
+    }
+
+    @Test
+    void anUnchangedProgramFindsTheDroneWhereRealOnesAre() {
+      assertThat(fly(List.of(), unchanged("1", "192.168.10.1", "command", "takeoff", "land")))
+          .as(err.toString(StandardCharsets.UTF_8))
+          .isZero();
+      assertThat(out.toString(StandardCharsets.UTF_8))
+          .isEqualTo("ready: drone 1 at 192.168.10.1:8889\n");
+    }
+
+    @Test
+    void aSwarmHasAddressesOfItsOwn() {
+      assertThat(
+              fly(
+                  List.of("--drones", "3"),
+                  unchanged("3", "192.168.10.11", "192.168.10.12", "192.168.10.13", "command")))
+          .isZero();
+    }
+
+    @Test
+    void theProgramsExitCodeCounts() {
+      assertThat(fly(List.of(), List.of("sh", "-c", "exit 5"))).isEqualTo(5);
+      assertThat(fly(List.of(), List.of("no-such-program"))).isEqualTo(127);
+    }
+
+    /** It lands where it began, which is no goal of this room. */
+    @Test
+    void otherwiseTheGoalsDecide() {
+      assertThat(
+              fly(
+                  List.of("--scenario", "slalom"),
+                  unchanged("1", "192.168.10.1", "command", "takeoff", "land")))
+          .isEqualTo(3);
+      assertThat(out.toString(StandardCharsets.UTF_8)).contains("goals: 0 of ");
+    }
+  }
+}
