@@ -86,7 +86,7 @@ class ArchitectureTest {
           Map.entry("view.goal", List.of("view.model")),
           Map.entry("view.log", List.of("view.model")),
           Map.entry("view.pilot", List.of("view.model")),
-          Map.entry("view.plan", List.of("view.drone")),
+          Map.entry("view.plan", List.of("view.controls")),
           Map.entry("view.replay", List.of("replay", "report", "view.layout")),
           Map.entry("view.world", List.of("view.drone")),
           Map.entry("view.layout", List.of("view.controls", "view.pilot", "view.world")),

@@ -6,7 +6,7 @@ import tellosimulator.view.text.Message;
 import tellosimulator.view.text.Messages;
 
 /** A label for a message about the control above it; it takes no room while there is none. */
-final class MessageLabel extends Label {
+public final class MessageLabel extends Label {
 
   private final Messages messages;
   private Optional<Message> said = Optional.empty();
@@ -14,7 +14,7 @@ final class MessageLabel extends Label {
   /**
    * @param styleClass {@code danger} or {@code warning}
    */
-  MessageLabel(Messages messages, String id, String styleClass) {
+  public MessageLabel(Messages messages, String id, String styleClass) {
     this.messages = messages;
     setId(id);
     getStyleClass().addAll("sentence", styleClass);
@@ -26,7 +26,7 @@ final class MessageLabel extends Label {
   }
 
   /** Says it, or nothing. */
-  void say(Optional<Message> problem) {
+  public void say(Optional<Message> problem) {
     if (problem.equals(said)) {
       return;
     }

@@ -17,7 +17,7 @@ import tellosimulator.view.text.Messages;
  * typed; Escape brings the old number back. What is wrong is marked, with a sentence, and goes
  * nowhere. For the JavaFX thread.
  */
-final class NumberField extends TextField {
+public final class NumberField extends TextField {
 
   private final Language language;
   private final MessageLabel error;
@@ -32,7 +32,7 @@ final class NumberField extends TextField {
   /** Whether the text changes because {@link #show} shows a number. */
   private boolean showing;
 
-  NumberField(String id, NumberRange range, Language language) {
+  public NumberField(String id, NumberRange range, Language language) {
     this.language = language;
     this.range = range;
     Messages messages = language.messages(NumberField.class);
@@ -80,7 +80,7 @@ final class NumberField extends TextField {
   }
 
   /** Takes who gets each new number. */
-  void onNumber(DoubleConsumer newTaker) {
+  public void onNumber(DoubleConsumer newTaker) {
     taker = newTaker;
   }
 
@@ -89,7 +89,7 @@ final class NumberField extends TextField {
     rule = newRule;
   }
 
-  void setRange(NumberRange newRange) {
+  public void setRange(NumberRange newRange) {
     if (!newRange.equals(range)) {
       range = newRange;
       recheck();
@@ -97,17 +97,17 @@ final class NumberField extends TextField {
   }
 
   /** The sentence about what is wrong, to be laid out below. */
-  MessageLabel error() {
+  public MessageLabel error() {
     return error;
   }
 
   /** What was shown or handed over last. */
-  double number() {
+  public double number() {
     return shown;
   }
 
   /** Shows a number, unless somebody is typing another one. */
-  void show(double number) {
+  public void show(double number) {
     if (number != shown) {
       shown = number;
       if (!edited) {
@@ -117,7 +117,7 @@ final class NumberField extends TextField {
   }
 
   /** Shows the number again, whatever was typed. */
-  void restore() {
+  public void restore() {
     edited = false;
     mark(Optional.empty());
     write();

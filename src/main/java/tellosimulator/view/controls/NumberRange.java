@@ -7,26 +7,26 @@ package tellosimulator.view.controls;
  * @param most the largest, not below {@code least}
  * @param step by how much an arrow key changes the number
  */
-record NumberRange(double least, double most, double step) {
+public record NumberRange(double least, double most, double step) {
 
-  NumberRange {
+  public NumberRange {
     if (!(least <= most && step > 0)) {
       throw new IllegalArgumentException(
           "from " + least + " to " + most + " by " + step + " is no range");
     }
   }
 
-  boolean contains(double value) {
+  public boolean contains(double value) {
     return value >= least && value <= most;
   }
 
   /** The number of the range that is nearest. */
-  double nearest(double value) {
+  public double nearest(double value) {
     return Math.max(least, Math.min(most, value));
   }
 
   /** The nearest multiple of the step, or the end of the range that was reached. */
-  double snapped(double value) {
+  public double snapped(double value) {
     if (value <= least || value >= most) {
       return nearest(value);
     }
@@ -38,7 +38,7 @@ record NumberRange(double least, double most, double step) {
    *
    * @param direction 1 for up, -1 for down
    */
-  double next(double value, int direction) {
+  public double next(double value, int direction) {
     double steps = value / step;
     double next = direction > 0 ? Math.floor(steps + 1e-9) + 1 : Math.ceil(steps - 1e-9) - 1;
     return nearest(next * step);

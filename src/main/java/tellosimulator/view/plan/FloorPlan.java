@@ -102,10 +102,7 @@ record FloorPlan(Arena arena, List<Pose> starts) {
       obstacles.set(body.index(), obstacle(body).movedTo(placement.place(), placement.heading()));
       return withArena(arena.withObstacles(obstacles));
     } else if (item instanceof Pad known) {
-      MissionPad moved = PadPlacement.moved(pad(known), placement, arena.room());
-      return withArena(
-          arena.withPads(
-              arena.pads().stream().map(pad -> pad.id() == moved.id() ? moved : pad).toList()));
+      return replacing(known.id(), PadPlacement.moved(pad(known), placement, arena.room()));
     }
     List<Pose> newStarts = new ArrayList<>(starts);
     newStarts.set(((Start) item).drone() - 1, placement.pose());
@@ -124,6 +121,12 @@ record FloorPlan(Arena arena, List<Pose> starts) {
     List<Obstacle> obstacles = new ArrayList<>(arena.obstacles());
     obstacles.set(item.index(), obstacle);
     return withArena(arena.withObstacles(obstacles));
+  }
+
+  /** The same with another mission pad in the place of that of an id. */
+  FloorPlan replacing(int id, MissionPad other) {
+    return withArena(
+        arena.withPads(arena.pads().stream().map(pad -> pad.id() == id ? other : pad).toList()));
   }
 
   /** The same with another mission pad. */
@@ -146,12 +149,12 @@ record FloorPlan(Arena arena, List<Pose> starts) {
     return this;
   }
 
-  /** The lowest id that no mission pad has. */
-  Optional<Integer> freePadId() {
+  /** The ids that no mission pad has, the lowest one first. */
+  List<Integer> freePadIds() {
     return IntStream.rangeClosed(1, MissionPad.LAST_ID)
         .boxed()
         .filter(id -> pad(id).isEmpty())
-        .findFirst();
+        .toList();
   }
 
   /** A name that no obstacle has: {@code box 2}. */

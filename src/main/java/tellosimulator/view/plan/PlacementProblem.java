@@ -24,8 +24,10 @@ enum PlacementProblem {
   IN_OBSTACLE,
   /** Two drones would start in the same place. */
   ON_DRONE,
-  /** It would be gone, and a goal names it. */
-  NAMED_BY_GOAL;
+  /** It would be gone or have another name, and a goal names it. */
+  NAMED_BY_GOAL,
+  /** Another obstacle has this name. */
+  NAME_TAKEN;
 
   /** What may be missing to a gap [m]: the last bits of a calculation. */
   private static final double SLACK = 1e-6;
@@ -42,11 +44,10 @@ enum PlacementProblem {
         : Optional.of(OUTSIDE);
   }
 
-  /** What keeps an item from being taken away; empty if nothing does. */
-  static Optional<PlacementProblem> problemWithout(
-      FloorPlan plan, PlanItem item, List<Goal> goals) {
-    FloorPlan without = plan.without(item);
-    return goals.stream().anyMatch(goal -> plan.offers(goal) && !without.offers(goal))
+  /** Whether a goal could not be reached any more; empty if none is concerned. */
+  static Optional<PlacementProblem> problemWithGoals(
+      FloorPlan plan, FloorPlan wanted, List<Goal> goals) {
+    return goals.stream().anyMatch(goal -> plan.offers(goal) && !wanted.offers(goal))
         ? Optional.of(NAMED_BY_GOAL)
         : Optional.empty();
   }

@@ -1,14 +1,14 @@
 package tellosimulator.view.plan;
 
+import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.BiPredicate;
-import javafx.beans.property.ObjectProperty;
 import javafx.beans.property.ReadOnlyBooleanProperty;
 import javafx.beans.property.ReadOnlyBooleanWrapper;
 import javafx.beans.property.ReadOnlyObjectProperty;
 import javafx.beans.property.ReadOnlyObjectWrapper;
-import javafx.beans.property.SimpleObjectProperty;
 import tellosimulator.goal.Goal;
 import tellosimulator.math.Pose;
 import tellosimulator.math.Vec3;
@@ -18,6 +18,7 @@ import tellosimulator.view.model.SimulatorActions;
 import tellosimulator.view.plan.PlanItem.ObstacleItem;
 import tellosimulator.view.plan.PlanItem.Pad;
 import tellosimulator.view.plan.PlanItem.Start;
+import tellosimulator.world.Cover;
 import tellosimulator.world.MissionPad;
 import tellosimulator.world.Obstacle;
 import tellosimulator.world.Room;
@@ -38,8 +39,8 @@ final class PlanEditor {
   private final FxSimulation simulation;
   private final List<Goal> goals;
   private final ReadOnlyObjectWrapper<FloorPlan> plan;
-  private final ObjectProperty<Optional<PlanItem>> selected =
-      new SimpleObjectProperty<>(this, "selected", Optional.empty());
+  private final ReadOnlyObjectWrapper<List<PlanItem>> selection =
+      new ReadOnlyObjectWrapper<>(this, "selection", List.of());
   private final ReadOnlyObjectWrapper<Optional<PlacementProblem>> problem =
       new ReadOnlyObjectWrapper<>(this, "problem", Optional.empty());
   private final ReadOnlyBooleanWrapper undoable = new ReadOnlyBooleanWrapper(this, "undoable");
@@ -84,13 +85,33 @@ final class PlanEditor {
     return plan.get();
   }
 
-  /** The item that keys and wheel move; empty if there is none. */
-  ObjectProperty<Optional<PlanItem>> selectedProperty() {
-    return selected;
+  /** The items that mouse, keys and wheel change; the last one was selected last. */
+  ReadOnlyObjectProperty<List<PlanItem>> selectionProperty() {
+    return selection.getReadOnlyProperty();
   }
 
+  List<PlanItem> selection() {
+    return selection.get();
+  }
+
+  /** The item that was selected last; empty if there is none. */
   Optional<PlanItem> selected() {
-    return selected.get();
+    List<PlanItem> all = selection();
+    return all.isEmpty() ? Optional.empty() : Optional.of(all.get(all.size() - 1));
+  }
+
+  /** Selects nothing but these. */
+  void select(List<PlanItem> items) {
+    selection.set(List.copyOf(items));
+  }
+
+  /** Selects an item beside the others, or no longer. */
+  void toggle(PlanItem item) {
+    List<PlanItem> items = new ArrayList<>(selection());
+    if (!items.remove(item)) {
+      items.add(item);
+    }
+    select(items);
   }
 
   /** Why the last item that was wanted was not done; empty if it was. */
@@ -119,20 +140,89 @@ final class PlanEditor {
     problem.set(Optional.empty());
   }
 
-  /** Puts the selected item elsewhere, if it fits there. */
+  /** Puts the item that was selected last elsewhere, and the others beside it, if all fit. */
   void place(Placement placement) {
     selected()
         .ifPresent(
             item -> {
+              Vec3 way = placement.place().minus(plan().placement(item).place());
               FloorPlan wanted = plan().with(item, placement);
-              tryOut(wanted, item);
+              for (PlanItem other : selection().subList(0, selection().size() - 1)) {
+                Placement beside = plan().placement(other);
+                wanted = wanted.with(other, beside.at(beside.place().plus(way)));
+              }
+              tryOut(wanted);
             });
   }
 
-  /** Makes another obstacle of the selected one, if that fits. */
-  void replace(Obstacle obstacle) {
+  /** Moves the selected items to an edge or a line of the one that was selected last. */
+  void align(Alignment alignment) {
+    tryOut(alignment.aligned(plan(), selection()));
+  }
+
+  /** Gives the item that was selected last another number. */
+  void change(ItemProperty property, double value) {
+    selected()
+        .filter(item -> property.of(plan(), item).isPresent())
+        .ifPresent(item -> tryOut(property.with(plan(), item, value)));
+  }
+
+  /** Gives the selected obstacle another name, if no other has it. */
+  void rename(String name) {
     if (selected().orElse(null) instanceof ObstacleItem body) {
-      tryOut(plan().with(body, obstacle), body);
+      FloorPlan wanted = plan().with(body, plan().obstacle(body).named(name));
+      boolean taken =
+          plan().arena().obstacles().stream()
+              .anyMatch(other -> other.name().equals(name) && !other.equals(plan().obstacle(body)));
+      problem.set(
+          taken
+              ? Optional.of(PlacementProblem.NAME_TAKEN)
+              : PlacementProblem.problemWithGoals(plan(), wanted, goals));
+      if (problem.get().isEmpty()) {
+        carryOut(wanted);
+      }
+    }
+  }
+
+  /** Gives the selected obstacle another colour, as one writes #rrggbb. */
+  void paint(int rgb) {
+    if (selected().orElse(null) instanceof ObstacleItem body) {
+      Obstacle now = plan().obstacle(body);
+      Cover cover = new Cover(rgb, now.cover().pattern(), now.cover().pictures());
+      carryOut(
+          plan()
+              .with(body, new Obstacle(now.name(), now.shape(), now.foot(), now.heading(), cover)));
+    }
+  }
+
+  /** Gives the selected mission pad another number, if no goal names it. */
+  void renumber(int id) {
+    if (selected().orElse(null) instanceof Pad known && known.id() != id) {
+      MissionPad now = plan().pad(known);
+      MissionPad renumbered =
+          new MissionPad(id, now.surface(), now.along(), now.height(), now.rotation());
+      FloorPlan wanted = plan().replacing(known.id(), renumbered);
+      problem.set(PlacementProblem.problemWithGoals(plan(), wanted, goals));
+      if (problem.get().isEmpty()) {
+        select(List.of(new Pad(id)));
+        carryOut(wanted);
+      }
+    }
+  }
+
+  /** Adds another obstacle or mission pad like the one that was selected last, beside it. */
+  void duplicate() {
+    PlanItem item = selected().orElse(null);
+    if (item instanceof ObstacleItem body) {
+      Obstacle like = plan().obstacle(body);
+      String name = plan().freeName(like.name().replaceFirst(" [0-9]+$", ""));
+      addNear(
+          like.foot(),
+          new ObstacleItem(plan().arena().obstacles().size()),
+          place ->
+              plan().with(like.named(name).movedTo(place.withZ(like.foot().z()), like.heading())));
+    } else if (item instanceof Pad pad) {
+      addPad(plan().placement(pad).place());
     }
   }
 
@@ -149,8 +239,8 @@ final class PlanEditor {
 
   /** Adds the mission pad of the next free id near a place, if there is one left. */
   void addPad(Vec3 near) {
-    plan()
-        .freePadId()
+    plan().freePadIds().stream()
+        .findFirst()
         .ifPresent(
             id ->
                 addNear(near, new Pad(id), place -> plan().with(MissionPad.onFloor(id, place, 0))));
@@ -183,7 +273,7 @@ final class PlanEditor {
             FloorPlan wanted = adding.at(place);
             if (PlacementProblem.problem(wanted, item).isEmpty() && wish.test(wanted, item)) {
               carryOut(wanted);
-              selected.set(Optional.of(item));
+              select(List.of(item));
               return true;
             }
           }
@@ -202,16 +292,27 @@ final class PlanEditor {
         .noneMatch(other -> wanted.outline(other).covers(place, wanted.placement(other), reach));
   }
 
-  /** Takes the selected item away, unless it is a drone's start or a goal names it. */
-  void remove() {
-    selected().filter(item -> !(item instanceof Start)).ifPresent(this::remove);
+  /** Whether something is selected that can be taken away: drones' starts stay. */
+  boolean removable() {
+    return selection().stream().anyMatch(item -> !(item instanceof Start));
   }
 
-  private void remove(PlanItem item) {
-    problem.set(PlacementProblem.problemWithout(plan(), item, goals));
-    if (problem.get().isEmpty()) {
-      selected.set(Optional.empty());
-      carryOut(plan().without(item));
+  /** Takes the selected items away, unless they are drones' starts or a goal names one. */
+  void remove() {
+    FloorPlan wanted = plan();
+    List<PlanItem> last = // so that the indices of those before stay
+        selection().stream()
+            .sorted(
+                Comparator.comparingInt(
+                    item -> item instanceof ObstacleItem body ? -body.index() : 0))
+            .toList();
+    for (PlanItem item : last) {
+      wanted = wanted.without(item);
+    }
+    problem.set(PlacementProblem.problemWithGoals(plan(), wanted, goals));
+    if (problem.get().isEmpty() && removable()) {
+      select(List.of());
+      carryOut(wanted);
     }
   }
 
@@ -232,8 +333,12 @@ final class PlanEditor {
     showHistory();
   }
 
-  private void tryOut(FloorPlan wanted, PlanItem item) {
-    problem.set(PlacementProblem.problem(wanted, item));
+  /** Carries a change of the selected items out, if all of them fit. */
+  private void tryOut(FloorPlan wanted) {
+    problem.set(
+        selection().stream()
+            .flatMap(item -> PlacementProblem.problem(wanted, item).stream())
+            .findFirst());
     if (problem.get().isEmpty()) {
       carryOut(wanted);
     }
@@ -281,8 +386,8 @@ final class PlanEditor {
   }
 
   private void show(FloorPlan newest) {
-    if (selected().filter(item -> !newest.has(item)).isPresent()) {
-      selected.set(Optional.empty());
+    if (!selection().stream().allMatch(newest::has)) {
+      select(selection().stream().filter(newest::has).toList());
     }
     plan.set(newest);
   }

@@ -1,6 +1,8 @@
 package tellosimulator.view.plan;
 
+import java.util.List;
 import java.util.Optional;
+import javafx.beans.property.BooleanProperty;
 import javafx.scene.Cursor;
 import javafx.scene.input.InputEvent;
 import javafx.scene.input.KeyCode;
@@ -29,28 +31,35 @@ final class PlanGestures {
 
   private final PlanEditor editor;
   private final PlanView view;
-  private final Runnable leave;
+  private final Actions actions;
 
   /** From the item's place to where the mouse took hold of it [m]. */
   private Vec3 grip = Vec3.ZERO;
 
+  private Vec3 measuredFrom = Vec3.ZERO;
   private boolean dragging;
   private double lastX;
   private double lastY;
 
-  private PlanGestures(PlanEditor editor, PlanView view, Runnable leave) {
+  /**
+   * What gestures do outside of the plan.
+   *
+   * @param leave closes it
+   * @param edit goes to the properties of the selected item
+   * @param measuring whether the mouse measures
+   */
+  record Actions(Runnable leave, Runnable edit, BooleanProperty measuring) {}
+
+  private PlanGestures(PlanEditor editor, PlanView view, Actions actions) {
     this.editor = editor;
     this.view = view;
-    this.leave = leave;
+    this.actions = actions;
   }
 
-  /**
-   * Lets mouse and keys act from now on.
-   *
-   * @param leave closes the plan
-   */
-  static void install(PlanEditor editor, PlanView view, Runnable leave) {
-    PlanGestures gestures = new PlanGestures(editor, view, leave);
+  /** Lets mouse and keys act from now on. */
+  static void install(PlanEditor editor, PlanView view, Actions actions) {
+    PlanGestures gestures = new PlanGestures(editor, view, actions);
+    actions.measuring().subscribe(on -> view.show(Optional.<Measurement>empty()));
     view.setOnMousePressed(gestures::press);
     view.setOnMouseDragged(gestures::drag);
     view.setOnMouseReleased(event -> gestures.letGo());
@@ -63,20 +72,44 @@ final class PlanGestures {
     view.requestFocus();
     lastX = event.getX();
     lastY = event.getY();
-    editor.selectedProperty().set(view.item(event.getX(), event.getY()));
-    editor
-        .selected()
-        .ifPresent(
-            item -> {
-              grip = under(event).minus(editor.plan().placement(item).place()).withZ(0);
-              dragging = true;
-              editor.hold();
-            });
+    Optional<PlanItem> item = view.item(event.getX(), event.getY());
+    if (actions.measuring().get()) {
+      measuredFrom = snapped(under(event), FINE_RASTER);
+      view.show(Optional.<Measurement>empty());
+    } else if (event.isPrimaryButtonDown()) {
+      select(item, event.isShiftDown());
+      item.filter(editor.selection()::contains).ifPresent(held -> grasp(held, event));
+      if (event.getClickCount() == 2 && item.isPresent()) {
+        actions.edit().run();
+      }
+    }
     event.consume();
   }
 
+  private void select(Optional<PlanItem> item, boolean more) {
+    if (item.isEmpty()) {
+      editor.select(more ? editor.selection() : List.of());
+    } else if (more) {
+      editor.toggle(item.get());
+    } else if (editor.selection().contains(item.get())) {
+      editor.toggle(item.get()); // it comes last
+      editor.toggle(item.get());
+    } else {
+      editor.select(List.of(item.get()));
+    }
+  }
+
+  private void grasp(PlanItem item, MouseEvent event) {
+    grip = under(event).minus(editor.plan().placement(item).place()).withZ(0);
+    dragging = true;
+    editor.hold();
+  }
+
   private void drag(MouseEvent event) {
-    if (dragging && editor.selected().isPresent()) {
+    if (actions.measuring().get()) {
+      Vec3 to = snapped(under(event), FINE_RASTER);
+      view.show(Optional.of(new Measurement(measuredFrom, to)));
+    } else if (dragging && editor.selected().isPresent()) {
       Placement placement = editor.plan().placement(editor.selected().get());
       editor.place(
           placement.at(snapped(under(event).minus(grip), free(event) ? FINE_RASTER : RASTER)));
@@ -122,10 +155,17 @@ final class PlanGestures {
         event.getCode() == KeyCode.Y || (event.getCode() == KeyCode.Z && event.isShiftDown());
     if (again) {
       editor.redo();
-    } else if (event.getCode() == KeyCode.Z) {
-      editor.undo();
+      return true;
     }
-    return again || event.getCode() == KeyCode.Z;
+    switch (event.getCode()) {
+      case Z -> editor.undo();
+      case D -> editor.duplicate();
+      case A -> editor.select(editor.plan().items());
+      default -> {
+        return false;
+      }
+    }
+    return true;
   }
 
   private boolean key(KeyEvent event) {
@@ -137,6 +177,8 @@ final class PlanGestures {
       case DOWN -> nudge(new Vec3(-step, 0, 0));
       case LEFT -> nudge(new Vec3(0, step, 0));
       case RIGHT -> nudge(new Vec3(0, -step, 0));
+      case ENTER -> actions.edit().run();
+      case M -> actions.measuring().set(!actions.measuring().get());
       case ESCAPE -> escape();
       default -> {
         return false;
@@ -146,10 +188,12 @@ final class PlanGestures {
   }
 
   private void escape() {
-    if (editor.selected().isPresent()) {
-      editor.selectedProperty().set(Optional.empty());
+    if (actions.measuring().get()) {
+      actions.measuring().set(false);
+    } else if (editor.selected().isPresent()) {
+      editor.select(List.of());
     } else {
-      leave.run();
+      actions.leave().run();
     }
   }
 

@@ -7,6 +7,7 @@ import javafx.scene.paint.Color;
 import javafx.scene.text.Font;
 import javafx.scene.text.FontWeight;
 import javafx.scene.text.TextAlignment;
+import tellosimulator.math.Frames;
 import tellosimulator.math.Vec3;
 import tellosimulator.model.DroneSpec;
 import tellosimulator.view.drone.DroneColors;
@@ -33,6 +34,14 @@ final class PlanPainter {
 
   /** Lines that are nearer to each other are left out [px]. */
   private static final double NARROWEST_GRID = 7;
+
+  /** Steps of the numbers along the walls [m]. */
+  private static final double[] AXIS_STEPS = {0.1, 0.2, 0.5, 1, 2, 5, 10, 20};
+
+  /** Numbers along the walls are at least this far apart [px]. Decided: four digits and a gap. */
+  private static final double NARROWEST_NUMBERS = 44;
+
+  private static final double TEXT_SIZE = 12;
 
   /** Things that are smaller have no name [px]. */
   private static final double SMALLEST_NAMED = 34;
@@ -63,7 +72,7 @@ final class PlanPainter {
     paintRoom(plan.arena().room(), plan.arena().decor().grid());
     pen.setFill(WALL);
     Vec3 middleOfFront = new Vec3(plan.arena().room().depth() / 2, 0, 0);
-    write(front, scale.screenX(middleOfFront), scale.screenY(middleOfFront) - 14, 11);
+    write(front, scale.screenX(middleOfFront), scale.screenY(middleOfFront) - 14, TEXT_SIZE);
     paintWind(plan.arena().wind());
     for (PlanItem item : plan.items()) {
       paint(plan, item);
@@ -96,6 +105,44 @@ final class PlanPainter {
     pen.setStroke(WALL);
     pen.setLineWidth(4);
     pen.strokeRect(left - 2, top - 2, width + 4, height + 4);
+    paintAxes(room, left, top + height);
+  }
+
+  /** The room's coordinates along the left and the back wall [cm]. */
+  private void paintAxes(Room room, double left, double bottom) {
+    double step = AXIS_STEPS[AXIS_STEPS.length - 1];
+    for (int i = AXIS_STEPS.length - 1; i >= 0; i--) {
+      step = AXIS_STEPS[i] * scale.pixels() >= NARROWEST_NUMBERS ? AXIS_STEPS[i] : step;
+    }
+    pen.setFill(WALL);
+    int mostX = (int) Math.floor(room.depth() / 2 / step + 1e-9);
+    for (int i = -mostX; i <= mostX; i++) {
+      write(centimeters(i * step), left - 18, scale.screenY(new Vec3(i * step, 0, 0)), TEXT_SIZE);
+    }
+    int mostY = (int) Math.floor(room.width() / 2 / step + 1e-9);
+    for (int i = -mostY; i <= mostY; i++) {
+      write(centimeters(i * step), scale.screenX(new Vec3(0, i * step, 0)), bottom + 14, TEXT_SIZE);
+    }
+  }
+
+  private static String centimeters(double meters) {
+    return Long.toString(Math.round(Frames.centimeters(meters)));
+  }
+
+  /** Draws a distance with its length. */
+  void paint(Measurement measured) {
+    double fromX = scale.screenX(measured.from());
+    double fromY = scale.screenY(measured.from());
+    double toX = scale.screenX(measured.to());
+    double toY = scale.screenY(measured.to());
+    pen.setStroke(CHOSEN);
+    pen.setLineWidth(2);
+    pen.strokeLine(fromX, fromY, toX, toY);
+    for (double[] end : new double[][] {{fromX, fromY}, {toX, toY}}) {
+      pen.setFill(CHOSEN);
+      pen.fillOval(end[0] - 3, end[1] - 3, 6, 6);
+    }
+    write(measured.text(), (fromX + toX) / 2, (fromY + toY) / 2 - 12, 13);
   }
 
   private void upright(Vec3 place, double top, double height) {
@@ -217,7 +264,7 @@ final class PlanPainter {
     double lowest =
         outline.corners(placement).stream().mapToDouble(scale::screenY).max().orElseThrow();
     double y = below ? lowest + 10 : scale.screenY(placement.place());
-    write(obstacle.name(), scale.screenX(placement.place()), y, 11);
+    write(obstacle.name(), scale.screenX(placement.place()), y, TEXT_SIZE);
   }
 
   private void write(String text, double x, double y, double size) {

@@ -11,8 +11,10 @@ import javafx.beans.value.ObservableValue;
 import javafx.css.PseudoClass;
 import javafx.geometry.Orientation;
 import javafx.scene.control.Button;
+import javafx.scene.control.ButtonBase;
 import javafx.scene.control.Label;
 import javafx.scene.control.Separator;
+import javafx.scene.control.ToggleButton;
 import javafx.scene.control.ToolBar;
 import javafx.scene.layout.BorderPane;
 import org.kordamp.ikonli.Ikon;
@@ -40,6 +42,8 @@ public final class PlanPane extends BorderPane {
   private final PlanEditor editor;
   private final PlanView view;
   private final PlanItemText text;
+  private final PlanProperties properties;
+  private final BooleanProperty measuring = new SimpleBooleanProperty(this, "measuring");
   private final ToolBar bar = new ToolBar();
   private final Label status = new Label();
 
@@ -57,11 +61,15 @@ public final class PlanPane extends BorderPane {
             drone -> DroneColors.of(context.simulation().drones().get(drone - 1)),
             messages.text("front"));
     text = new PlanItemText(language, messages);
+    properties = new PlanProperties(editor, language);
     initializeSelf();
     initializeParts();
     layoutParts();
     setupBindings();
-    PlanGestures.install(editor, view, () -> shown.set(false));
+    Runnable edit = properties::edit;
+    PlanGestures.install(
+        editor, view, new PlanGestures.Actions(() -> shown.set(false), edit, measuring));
+    PlanMenu.install(editor, view, messages, edit);
     context.pulse().onBeat(nanos -> advance());
   }
 
@@ -86,14 +94,16 @@ public final class PlanPane extends BorderPane {
       bar.getItems().add(palette("add-" + kind.word(), () -> editor.add(kind, middle())));
     }
     Button pad = palette("add-pad", () -> editor.addPad(middle()));
-    pad.disableProperty().bind(editor.planProperty().map(now -> now.freePadId().isEmpty()));
+    pad.disableProperty().bind(editor.planProperty().map(now -> now.freePadIds().isEmpty()));
     bar.getItems()
         .addAll(
             pad,
             new Separator(Orientation.VERTICAL),
             tool("undo", Feather.CORNER_UP_LEFT, editor::undo, editor.undoableProperty().not()),
             tool("redo", Feather.CORNER_UP_RIGHT, editor::redo, editor.redoableProperty().not()),
+            tool("duplicate", Feather.COPY, editor::duplicate, nothingToRemove()),
             tool("remove", Feather.TRASH_2, editor::remove, nothingToRemove()),
+            ruler(),
             tool("whole", Feather.MAXIMIZE_2, view::showWhole, never),
             new Spacer(),
             tool("leave", Feather.X, () -> shown.set(false), never));
@@ -102,6 +112,7 @@ public final class PlanPane extends BorderPane {
   private void layoutParts() {
     setTop(bar);
     setCenter(view);
+    setRight(properties);
     setBottom(status);
   }
 
@@ -120,7 +131,7 @@ public final class PlanPane extends BorderPane {
             Bindings.createStringBinding(
                 this::sentence,
                 editor.planProperty(),
-                editor.selectedProperty(),
+                editor.selectionProperty(),
                 editor.problemProperty(),
                 language.localeProperty()));
     editor
@@ -140,6 +151,9 @@ public final class PlanPane extends BorderPane {
       String problem = editor.problemProperty().get().get().name();
       return messages.now("problem-" + problem.toLowerCase(Locale.ROOT).replace('_', '-'));
     }
+    if (editor.selection().size() > 1) {
+      return messages.now("several", editor.selection().size());
+    }
     return editor
         .selected()
         .filter(editor.plan()::has)
@@ -148,9 +162,7 @@ public final class PlanPane extends BorderPane {
   }
 
   private BooleanBinding nothingToRemove() {
-    return Bindings.createBooleanBinding(
-        () -> editor.selected().filter(item -> !(item instanceof PlanItem.Start)).isEmpty(),
-        editor.selectedProperty());
+    return Bindings.createBooleanBinding(() -> !editor.removable(), editor.selectionProperty());
   }
 
   /** What is in the middle of the plan, where new things go. */
@@ -172,7 +184,14 @@ public final class PlanPane extends BorderPane {
     return prepared(button, id, action);
   }
 
-  private Button prepared(Button button, String id, Runnable action) {
+  private ToggleButton ruler() {
+    ToggleButton button = new ToggleButton("", new FontIcon(Feather.CROSSHAIR));
+    button.getStyleClass().addAll(Styles.BUTTON_ICON, Styles.FLAT, Styles.SMALL);
+    button.selectedProperty().bindBidirectional(measuring);
+    return prepared(button, "ruler", () -> {});
+  }
+
+  private <B extends ButtonBase> B prepared(B button, String id, Runnable action) {
     button.setId("plan-" + id);
     Tooltips.install(button, messages.text(id + "-tip"));
     button.accessibleTextProperty().bind(messages.text(id + "-tip"));

@@ -20,6 +20,7 @@ final class PlanView extends Region {
   private final Canvas canvas = new Canvas();
   private final PlanPainter painter;
   private PlanViewport scale;
+  private Optional<Measurement> measured = Optional.empty();
 
   /** Whether all of the room is to be seen, whatever becomes of it. */
   private boolean whole = true;
@@ -41,7 +42,7 @@ final class PlanView extends Region {
     setFocusTraversable(true);
     getChildren().add(canvas);
     editor.planProperty().addListener((property, before, now) -> stale = true);
-    editor.selectedProperty().addListener((property, before, now) -> stale = true);
+    editor.selectionProperty().addListener((property, before, now) -> stale = true);
     front.addListener((property, before, now) -> stale = true);
     editor.problemProperty().addListener((property, before, now) -> stale = true);
   }
@@ -56,12 +57,11 @@ final class PlanView extends Region {
       scale = wanted;
       stale = false;
       painter.paint(editor.plan(), scale, front.getValue());
-      editor
-          .selected()
+      boolean wrong = editor.problemProperty().get().isPresent();
+      editor.selection().stream()
           .filter(editor.plan()::has)
-          .ifPresent(
-              item ->
-                  painter.mark(editor.plan(), item, editor.problemProperty().get().isPresent()));
+          .forEach(item -> painter.mark(editor.plan(), item, wrong));
+      measured.ifPresent(painter::paint);
     }
   }
 
@@ -73,6 +73,12 @@ final class PlanView extends Region {
   void show(PlanViewport newScale) {
     whole = false;
     scale = newScale;
+    stale = true;
+  }
+
+  /** Shows a distance, or none. */
+  void show(Optional<Measurement> newMeasured) {
+    measured = newMeasured;
     stale = true;
   }
 

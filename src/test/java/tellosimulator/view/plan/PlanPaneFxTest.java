@@ -10,6 +10,8 @@ import javafx.geometry.Point2D;
 import javafx.geometry.VerticalDirection;
 import javafx.scene.control.Button;
 import javafx.scene.control.Label;
+import javafx.scene.control.TextField;
+import javafx.scene.control.ToggleButton;
 import javafx.scene.input.KeyCode;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.extension.RegisterExtension;
@@ -149,6 +151,105 @@ class PlanPaneFxTest {
     Obstacle box = obstacles().get(0);
     assertThat(Math.abs(box.foot().x())).isLessThanOrEqualTo(2.2); // half of it is 30 cm
     assertThat(box.foot().distanceTo(start(2))).isGreaterThan(0.3);
+  }
+
+  @Test
+  void thePropertyPanelChangesWhatIsSelected() {
+    robot().clickOn("#plan-add-box");
+
+    type("property-width", "120");
+    type("property-x", "-100");
+    type("property-name", "table");
+
+    waitUntil(() -> obstacles().get(0).name().equals("table"));
+    Obstacle table = obstacles().get(0);
+    assertThat(((Shape.Box) table.shape()).width()).isCloseTo(1.2, within(1e-9));
+    assertThat(table.foot().x()).isCloseTo(-1, within(1e-9));
+    control("plan", KeyCode.Z);
+    assertThat(obstacles().get(0).name()).isEqualTo("box 1");
+  }
+
+  @Test
+  void whatDoesNotFitIsToldAndTheOldNumberComesBack() {
+    robot().clickOn("#plan-add-box");
+    Obstacle before = obstacles().get(0);
+
+    type("property-height", "900");
+
+    waitUntil(() -> status().equals("That is higher than the room."));
+    assertThat(obstacles().get(0)).isEqualTo(before);
+    assertThat(window.find("property-height", TextField.class).getText()).isEqualTo("60");
+  }
+
+  @Test
+  void twoObstaclesHaveNoCommonName() {
+    robot().clickOn("#plan-add-box").clickOn("#plan-add-ring");
+
+    type("property-name", "box 1");
+
+    assertThat(status()).isEqualTo("Another obstacle has this name.");
+    assertThat(obstacles()).extracting(Obstacle::name).containsExactly("box 1", "ring 1");
+    assertThat(window.find("property-name", TextField.class).getText()).isEqualTo("ring 1");
+  }
+
+  @Test
+  void severalThingsAreMovedAlignedAndRemovedTogether() {
+    robot().clickOn("#plan-add-box").clickOn("#plan-add-cylinder");
+    Vec3 box = obstacles().get(0).foot();
+    Vec3 cylinder = obstacles().get(1).foot();
+    robot().press(KeyCode.SHIFT).clickOn(at(box)).release(KeyCode.SHIFT);
+    waitUntil(() -> status().startsWith("2 things are selected"));
+
+    robot().type(KeyCode.DOWN, 2);
+    assertThat(obstacles().get(0).foot().x()).isCloseTo(box.x() - 0.1, within(1e-9));
+    assertThat(obstacles().get(1).foot().x()).isCloseTo(cylinder.x() - 0.1, within(1e-9));
+
+    robot().type(KeyCode.DELETE);
+    assertThat(obstacles()).isEmpty();
+    control(KeyCode.Z);
+    assertThat(obstacles()).hasSize(2);
+  }
+
+  @Test
+  void aDuplicateStandsBesideAndIsSelected() {
+    robot().clickOn("#plan-add-frame").type(KeyCode.R);
+    control(KeyCode.D);
+
+    assertThat(obstacles()).extracting(Obstacle::name).containsExactly("frame 1", "frame 2");
+    Obstacle first = obstacles().get(0);
+    Obstacle second = obstacles().get(1);
+    assertThat(second.shape()).isEqualTo(first.shape());
+    assertThat(second.heading()).isEqualTo(first.heading());
+    assertThat(second.foot().distanceTo(first.foot())).isGreaterThan(0.2);
+    assertThat(status()).startsWith("frame 2");
+  }
+
+  @Test
+  void theRulerMeasuresAndLeavesThingsAlone() {
+    robot().clickOn("#plan-add-box");
+    List<Obstacle> before = obstacles();
+
+    robot().clickOn("#plan-ruler");
+    drag(obstacles().get(0).foot(), new Vec3(-1, -1, 0));
+
+    assertThat(obstacles()).isEqualTo(before);
+    robot().clickOn("#plan").type(KeyCode.ESCAPE);
+    assertThat(window.find("plan-ruler", ToggleButton.class).isSelected()).isFalse();
+    assertThat(window.view(PlanPane.class).shownProperty().get()).isTrue();
+  }
+
+  private void type(String field, String text) {
+    robot().clickOn("#" + field).press(KeyCode.CONTROL).type(KeyCode.A).release(KeyCode.CONTROL);
+    robot().write(text).type(KeyCode.ENTER);
+  }
+
+  private void control(String focused, KeyCode key) {
+    onFxThread(
+        () -> {
+          window.find(focused, PlanView.class).requestFocus();
+          return true;
+        });
+    control(key);
   }
 
   @Test
