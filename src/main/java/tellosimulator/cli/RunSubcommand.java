@@ -11,7 +11,7 @@ import picocli.CommandLine.IVersionProvider;
 import tellosimulator.files.IoReason;
 import tellosimulator.operator.ProgramRun;
 import tellosimulator.operator.ProgramRun.Ends;
-import tellosimulator.operator.ProgramRun.Outcome;
+import tellosimulator.operator.ProgramRun.ExitCodes;
 import tellosimulator.operator.ProgramRun.Plan;
 import tellosimulator.operator.UnavailableException;
 import tellosimulator.scenario.Scenario;
@@ -105,7 +105,7 @@ final class RunSubcommand implements Subcommand {
     }
     String java = Path.of(System.getProperty("java.home"), "bin", "java").toString();
     List<String> paths = new ArrayList<>();
-    for (String path : System.getProperty("java.class.path").split(File.pathSeparator)) {
+    for (String path : System.getProperty("java.class.path").split(File.pathSeparator, -1)) {
       paths.add(Path.of(path).toAbsolutePath().toString());
     }
     return List.of(java, "-cp", String.join(File.pathSeparator, paths), "tellosimulator.Main");
@@ -114,11 +114,11 @@ final class RunSubcommand implements Subcommand {
   private static int run(Plan plan, ProgramOutput to) throws InterruptedException {
     try (ProgramRun run = new ProgramRun(plan, to.out())) {
       to.input().atEnd().accept(run::close);
-      Optional<Outcome> outcome = run.run();
-      if (outcome.isEmpty()) {
+      Optional<ExitCodes> codes = run.run();
+      if (codes.isEmpty()) {
         return ExitCode.FAILED;
       }
-      return outcome.get().program() != 0 ? outcome.get().program() : outcome.get().simulator();
+      return codes.get().program() != 0 ? codes.get().program() : codes.get().simulator();
     } catch (UnavailableException e) {
       to.err().println(e.getMessage());
     } catch (IOException e) {

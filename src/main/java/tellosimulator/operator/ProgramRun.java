@@ -64,7 +64,7 @@ public final class ProgramRun implements AutoCloseable {
    * @param program exit code of the operator program
    * @param simulator exit code of the simulator
    */
-  public record Outcome(int program, int simulator) {}
+  public record ExitCodes(int program, int simulator) {}
 
   /**
    * Does nothing yet.
@@ -83,7 +83,7 @@ public final class ProgramRun implements AutoCloseable {
    * @throws UnavailableException with a sentence, if this system lets nobody have a private network
    * @throws IOException with a clause, if the program cannot be started
    */
-  public Optional<Outcome> run() throws UnavailableException, IOException, InterruptedException {
+  public Optional<ExitCodes> run() throws UnavailableException, IOException, InterruptedException {
     try (OperatorNetwork network = OperatorNetwork.create(plan.drones())) {
       Process started = start(network.whereDronesAre(simulatorCommand()), false);
       simulator = Optional.of(started);
@@ -96,9 +96,9 @@ public final class ProgramRun implements AutoCloseable {
           Process flying = start(network.whereTheProgramIs(plan.program()), true);
           program = Optional.of(flying);
           int code = flying.waitFor();
-          Outcome outcome = new Outcome(code, end(started));
+          ExitCodes codes = new ExitCodes(code, end(started));
           passing.end();
-          return Optional.of(outcome);
+          return Optional.of(codes);
         }
       }
     } finally {

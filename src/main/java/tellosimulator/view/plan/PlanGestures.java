@@ -59,7 +59,7 @@ final class PlanGestures {
   /** Lets mouse and keys act from now on. */
   static void install(PlanEditor editor, PlanView view, Actions actions) {
     PlanGestures gestures = new PlanGestures(editor, view, actions);
-    actions.measuring().subscribe(on -> view.show(Optional.<Measurement>empty()));
+    actions.measuring().subscribe(on -> view.show(Optional.<MeasuredDistance>empty()));
     view.setOnMousePressed(gestures::press);
     view.setOnMouseDragged(gestures::drag);
     view.setOnMouseReleased(event -> gestures.letGo());
@@ -75,7 +75,7 @@ final class PlanGestures {
     Optional<PlanItem> item = view.item(event.getX(), event.getY());
     if (actions.measuring().get()) {
       measuredFrom = snapped(under(event), FINE_RASTER);
-      view.show(Optional.<Measurement>empty());
+      view.show(Optional.<MeasuredDistance>empty());
     } else if (event.isPrimaryButtonDown()) {
       select(item, event.isShiftDown());
       item.filter(editor.selection()::contains).ifPresent(held -> grasp(held, event));
@@ -108,7 +108,7 @@ final class PlanGestures {
   private void drag(MouseEvent event) {
     if (actions.measuring().get()) {
       Vec3 to = snapped(under(event), FINE_RASTER);
-      view.show(Optional.of(new Measurement(measuredFrom, to)));
+      view.show(Optional.of(new MeasuredDistance(measuredFrom, to)));
     } else if (dragging && editor.selected().isPresent()) {
       Placement placement = editor.plan().placement(editor.selected().get());
       editor.place(

@@ -130,7 +130,7 @@ final class PlanPainter {
   }
 
   /** Draws a distance with its length. */
-  void paint(Measurement measured) {
+  void paint(MeasuredDistance measured) {
     double fromX = scale.screenX(measured.from());
     double fromY = scale.screenY(measured.from());
     double toX = scale.screenX(measured.to());

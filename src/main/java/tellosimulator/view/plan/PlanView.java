@@ -20,7 +20,7 @@ final class PlanView extends Region {
   private final Canvas canvas = new Canvas();
   private final PlanPainter painter;
   private PlanViewport scale;
-  private Optional<Measurement> measured = Optional.empty();
+  private Optional<MeasuredDistance> measured = Optional.empty();
 
   /** Whether all of the room is to be seen, whatever becomes of it. */
   private boolean whole = true;
@@ -77,7 +77,7 @@ final class PlanView extends Region {
   }
 
   /** Shows a distance, or none. */
-  void show(Optional<Measurement> newMeasured) {
+  void show(Optional<MeasuredDistance> newMeasured) {
     measured = newMeasured;
     stale = true;
   }

@@ -111,12 +111,15 @@ class PlanPaneFxTest {
     waitUntil(() -> obstacles().get(0).foot().distanceTo(new Vec3(-1.5, -1.5, 0)) < 1e-9);
 
     control(KeyCode.Z);
-    assertThat(obstacles().get(0).foot()).isEqualTo(first);
+    waitUntil(() -> obstacles().get(0).foot().equals(first));
     control(KeyCode.Z);
-    assertThat(obstacles()).isEmpty();
+    waitUntil(() -> obstacles().isEmpty());
     control(KeyCode.Y);
     control(KeyCode.Y);
-    assertThat(obstacles().get(0).foot().distanceTo(new Vec3(-1.5, -1.5, 0))).isLessThan(1e-9);
+    waitUntil(
+        () ->
+            !obstacles().isEmpty()
+                && obstacles().get(0).foot().distanceTo(new Vec3(-1.5, -1.5, 0)) < 1e-9);
   }
 
   @Test

@@ -4,7 +4,7 @@ import tellosimulator.math.Frames;
 import tellosimulator.math.Vec3;
 
 /** A distance that somebody measures on the plan. Immutable. */
-record Measurement(Vec3 from, Vec3 to) {
+record MeasuredDistance(Vec3 from, Vec3 to) {
 
   /** Length and direction, counter-clockwise from the room's x: {@code 123 cm, 45°}. */
   String text() {
