@@ -87,10 +87,13 @@ class ArchitectureTest {
           Map.entry("view.log", List.of("view.model")),
           Map.entry("view.pilot", List.of("view.model")),
           Map.entry("view.plan", List.of("view.controls")),
+          Map.entry("view.projector", List.of("view.drone")),
           Map.entry("view.replay", List.of("replay", "report", "view.layout")),
           Map.entry("view.world", List.of("view.drone")),
           Map.entry("view.layout", List.of("view.controls", "view.pilot", "view.world")),
-          Map.entry("view.app", List.of("view.goal", "view.log", "view.plan", "view.replay")));
+          Map.entry(
+              "view.app",
+              List.of("view.goal", "view.log", "view.plan", "view.projector", "view.replay")));
 
   /** All that has a result which can reach a trace. */
   private static final String[] CORE =

@@ -50,6 +50,7 @@ public final class ReplayApp {
     WindowPlacement.remember(stage, settings);
     Appearance appearance = new Appearance(language, state.themeProperty(), optics);
     ReplayWindow window = new ReplayWindow(stage, flight, appearance);
+    window.camera().reducedMotionProperty().bind(state.reducedMotionProperty());
     window.compareWith(ghost);
     stage.setOnHidden(
         hidden -> {

@@ -2,6 +2,7 @@ package tellosimulator.view.app;
 
 import java.util.List;
 import java.util.function.Function;
+import java.util.stream.Stream;
 import javafx.application.Application;
 import javafx.beans.property.BooleanProperty;
 import javafx.beans.property.DoubleProperty;
@@ -32,16 +33,18 @@ import tellosimulator.view.log.LogLevel;
 import tellosimulator.view.log.LogPane;
 import tellosimulator.view.log.LogQueue;
 import tellosimulator.view.log.ReportOffer;
+import tellosimulator.view.model.FxDroneModel;
 import tellosimulator.view.model.FxScenario;
 import tellosimulator.view.model.ViewContext;
 import tellosimulator.view.pilot.PilotControls;
 import tellosimulator.view.plan.PlanPane;
+import tellosimulator.view.projector.ProjectorPane;
 import tellosimulator.view.settings.SettingCodec;
 import tellosimulator.view.settings.Settings;
 import tellosimulator.view.text.Language;
 import tellosimulator.view.video.VideoCapture;
+import tellosimulator.view.world.RoomView;
 import tellosimulator.view.world.Simulator3DScene;
-import tellosimulator.view.world.SimulatorCamera;
 import tellosimulator.view.world.ViewCamera;
 import tellosimulator.world.Decor;
 
@@ -81,6 +84,7 @@ public final class SimulatorWindow implements AutoCloseable {
   private final PageOverlay pages;
   private final WindowBar bar;
   private final GoalPanel goals;
+  private final ProjectorPane projector;
   private final Scene scene;
   private Subscription following;
 
@@ -107,7 +111,8 @@ public final class SimulatorWindow implements AutoCloseable {
     log = new LogPane(context, logQueue);
     pages = new PageOverlay(context);
     bar = new WindowBar(context, state, world, pages);
-    Parent root = new StackPane(pane(), pages);
+    projector = new ProjectorPane(context);
+    Parent root = new StackPane(pane(), projector, pages);
     scene = scene(stage, root);
     following = stage.fullScreenProperty().subscribe(state.fullScreenProperty()::set);
     setupKeys();
@@ -178,6 +183,7 @@ public final class SimulatorWindow implements AutoCloseable {
   private void setupKeys() {
     follow(pilot.install(scene)); // first: while it is on, its keys go before the window's
     follow(keys().install(scene));
+    follow(ProjectorMode.install(scene, state));
   }
 
   private KeyBindings keys() {
@@ -189,16 +195,19 @@ public final class SimulatorWindow implements AutoCloseable {
         .on(WindowKey.DRONES, () -> toggle(state.dronesShownProperty()))
         .on(WindowKey.INSET, () -> toggle(world.insetVisibleProperty()))
         .on(WindowKey.STILL, () -> capture().saveStill())
+        .on(WindowKey.PROJECTOR, () -> toggle(state.projectorProperty()))
         .on(WindowKey.RECORD, () -> capture().toggleRecording())
         .on(WindowKey.TRAIL, () -> toggle(world.trailVisibleProperty()))
         .on(WindowKey.PAUSE, context.actions()::togglePause)
         .on(WindowKey.PLAN, () -> toggle(state.planShownProperty()))
         .on(WindowKey.FULL_SCREEN, () -> toggle(state.fullScreenProperty()))
-        .on(WindowKey.FRONT_VIEW, () -> world.look(SimulatorCamera::front))
-        .on(WindowKey.SIDE_VIEW, () -> world.look(SimulatorCamera::side))
-        .on(WindowKey.TOP_VIEW, () -> world.look(SimulatorCamera::top))
-        .on(WindowKey.CHASE_VIEW, () -> world.look(SimulatorCamera::chase))
-        .on(WindowKey.RESET_VIEW, () -> world.look(SimulatorCamera::reset))
+        .on(WindowKey.FRONT_VIEW, () -> world.look(RoomView.FRONT))
+        .on(WindowKey.SIDE_VIEW, () -> world.look(RoomView.SIDE))
+        .on(WindowKey.TOP_VIEW, () -> world.look(RoomView.TOP))
+        .on(WindowKey.CHASE_VIEW, () -> world.look(RoomView.CHASE))
+        .on(WindowKey.START_VIEW, () -> world.look(RoomView.START))
+        .on(WindowKey.FIT, world::fit)
+        .on(WindowKey.FOLLOW, () -> toggle(world.camera().followingProperty()))
         .on(WindowKey.DRONE_CAMERA, world::switchCamera)
         .on(WindowKey.NEXT_DRONE, () -> context.simulation().selectNext(1))
         .on(WindowKey.PREVIOUS_DRONE, () -> context.simulation().selectNext(-1))
@@ -207,6 +216,7 @@ public final class SimulatorWindow implements AutoCloseable {
         .on(WindowKey.SAVE_SCENARIO_AS, bar.scenarios()::chooseToSave)
         .on(WindowKey.RELOAD_SCENARIO, context.scenario().actions()::reload)
         .on(WindowKey.AGAIN, goals::again)
+        .on(WindowKey.NEXT_GROUP, this::nextGroup)
         .on(WindowKey.SEARCH_LOG, this::searchLog)
         .on(WindowKey.QUIT, this::quit);
   }
@@ -234,9 +244,15 @@ public final class SimulatorWindow implements AutoCloseable {
     boolean several = context.simulation().drones().size() > 1;
     drones.visibleProperty().bind(state.dronesShownProperty().map(shown -> shown && several));
     drones.managedProperty().bind(drones.visibleProperty());
+    world.setCovers(
+        Stream.concat(Stream.of(goals, drones, pilot), projector.boxes().stream()).toList());
+    world.setGoals(context.scenario().scenario().challenge().goals());
+    world.camera().reducedMotionProperty().bind(state.reducedMotionProperty());
     plan.shownProperty().bindBidirectional(state.planShownProperty());
     plan.shownProperty().subscribe(this::giveKeys);
     follow(state.fullScreenProperty().subscribe(stage::setFullScreen));
+    projector.visibleProperty().bind(state.projectorProperty());
+    bar.scenarios().onNextGroup(this::nextGroup);
     simulatorControls
         .droneCameraProperty()
         .subscribe(
@@ -246,6 +262,22 @@ public final class SimulatorWindow implements AutoCloseable {
         .viewCameraProperty()
         .subscribe(
             camera -> simulatorControls.droneCameraProperty().set(camera == ViewCamera.DRONE));
+  }
+
+  /** Leaves nothing of those who flew before: drones, batteries, paths, log and clock. */
+  private void nextGroup() {
+    for (FxDroneModel drone : context.simulation().drones()) {
+      context.actions().carryOut(new Control.Reset(drone.number()));
+      context.actions().carryOut(new Control.SetBattery(drone.number(), 100));
+    }
+    context
+        .actions()
+        .afterPending(
+            () -> {
+              world.clearTrails();
+              log.clear();
+              projector.restart();
+            });
   }
 
   /** The plan's keys would steer a drone that one does not see. */

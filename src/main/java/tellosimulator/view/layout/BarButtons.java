@@ -1,15 +1,12 @@
 package tellosimulator.view.layout;
 
 import atlantafx.base.theme.Styles;
-import java.util.function.Consumer;
 import javafx.beans.property.Property;
-import javafx.geometry.Pos;
-import javafx.scene.Node;
 import javafx.scene.control.Button;
 import javafx.scene.control.ButtonBase;
 import javafx.scene.control.ContentDisplay;
+import javafx.scene.control.MenuButton;
 import javafx.scene.control.ToggleButton;
-import javafx.scene.layout.HBox;
 import org.kordamp.ikonli.Ikon;
 import org.kordamp.ikonli.feather.Feather;
 import org.kordamp.ikonli.javafx.FontIcon;
@@ -17,8 +14,6 @@ import tellosimulator.view.fx.Tooltips;
 import tellosimulator.view.text.Language;
 import tellosimulator.view.text.Messages;
 import tellosimulator.view.world.Simulator3DScene;
-import tellosimulator.view.world.SimulatorCamera;
-import tellosimulator.view.world.ViewCamera;
 
 /**
  * Makes the buttons of the bars at the top of windows. The id of a button is the key of its texts.
@@ -33,44 +28,19 @@ public final class BarButtons {
     messages = language.messages(BarButtons.class);
   }
 
-  /** From where one looks at the drone. */
-  public HBox views(Simulator3DScene scene) {
-    HBox views =
-        new HBox(
-            view(scene, "view-front", SimulatorCamera::front),
-            view(scene, "view-side", SimulatorCamera::side),
-            view(scene, "view-top", SimulatorCamera::top),
-            view(scene, "view-chase", SimulatorCamera::chase),
-            view(scene, "view-reset", SimulatorCamera::reset));
-    views.setAlignment(Pos.CENTER);
-    for (Node view : views.getChildren()) {
-      view.getStyleClass().add(Styles.CENTER_PILL);
-    }
-    firstAndLast(views, Styles.LEFT_PILL, Styles.RIGHT_PILL);
-    return views;
+  /** From where one looks; it says which view it is. */
+  public MenuButton camera(Simulator3DScene scene) {
+    return new CameraMenu(messages, scene);
   }
 
-  private static void firstAndLast(HBox group, String first, String last) {
-    Node firstNode = group.getChildren().get(0);
-    Node lastNode = group.getChildren().get(group.getChildren().size() - 1);
-    firstNode.getStyleClass().remove(Styles.CENTER_PILL);
-    firstNode.getStyleClass().add(first);
-    lastNode.getStyleClass().remove(Styles.CENTER_PILL);
-    lastNode.getStyleClass().add(last);
+  /** Shows the whole scene. */
+  public Button fit(Simulator3DScene scene) {
+    return button("view-fit", Feather.BOX, scene::fit);
   }
 
-  private Button view(Simulator3DScene scene, String id, Consumer<SimulatorCamera> from) {
-    Button button = new Button();
-    button.textProperty().bind(messages.text(id));
-    return prepared(button, id, () -> scene.look(from));
-  }
-
-  /** Looks through the drone's camera. */
-  public ToggleButton droneCamera(Simulator3DScene scene) {
-    ToggleButton button = new ToggleButton("", new FontIcon(Feather.CAMERA));
-    button.getStyleClass().addAll(Styles.BUTTON_ICON, Styles.FLAT);
-    scene.viewCameraProperty().subscribe(camera -> button.setSelected(camera == ViewCamera.DRONE));
-    return prepared(button, "view-drone", scene::switchCamera);
+  /** Keeps the drone in the middle. */
+  public ToggleButton follow(Simulator3DScene scene) {
+    return toggle("view-follow", Feather.CROSSHAIR, scene.camera().followingProperty());
   }
 
   /** Shows the picture of the drone's camera in the corner. */

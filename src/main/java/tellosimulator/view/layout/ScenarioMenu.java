@@ -35,6 +35,7 @@ public final class ScenarioMenu extends MenuButton {
   private final Messages messages;
   private final FxScenario scenario;
   private final ScenarioActions actions;
+  private final MenuItem nextGroup;
   private boolean listed;
 
   public ScenarioMenu(ViewContext context) {
@@ -52,14 +53,23 @@ public final class ScenarioMenu extends MenuButton {
     MenuItem saveAs = item("scenario-save-as", KeyCode.S, this::chooseToSave);
     saveAs.setAccelerator(
         new KeyCodeCombination(KeyCode.S, KeyCombination.SHIFT_DOWN, KeyCombination.SHORTCUT_DOWN));
+    nextGroup = item("next-group", KeyCode.N, () -> {});
+    nextGroup.setAccelerator(
+        new KeyCodeCombination(KeyCode.N, KeyCombination.SHIFT_DOWN, KeyCombination.SHORTCUT_DOWN));
     getItems()
         .setAll(
             item("scenario-open", KeyCode.O, this::chooseToOpen),
             item("scenario-save", KeyCode.S, this::save),
             saveAs,
             reload,
+            nextGroup,
             new SeparatorMenuItem());
     setOnShowing(event -> listKnown());
+  }
+
+  /** Says what is done for those who come next. */
+  public void onNextGroup(Runnable action) {
+    nextGroup.setOnAction(event -> action.run());
   }
 
   /** Lets somebody choose a file, and opens it. */

@@ -40,7 +40,9 @@ final class SettingsMenu extends MenuButton {
             choice("theme", List.of(Theme.values()), state.themeProperty()),
             choice("scale", List.of(UiScale.values()), state.uiScaleProperty()),
             flag("smooth-edges", smooth),
+            flag("reduced-motion", state.reducedMotionProperty()),
             flag("record-flights", state.flightsRecordedProperty()),
+            flag("projector", state.projectorProperty()),
             about);
   }
 

@@ -1,7 +1,7 @@
 package tellosimulator.view.layout;
 
 import javafx.beans.binding.Bindings;
-import javafx.beans.property.BooleanProperty;
+import javafx.beans.binding.BooleanBinding;
 import javafx.geometry.Insets;
 import javafx.geometry.Pos;
 import javafx.scene.Cursor;
@@ -103,7 +103,9 @@ public final class SimulatorPane extends BorderPane {
     free.getChildren().setAll(floating, parts.middle().plan());
     free.setPickOnBounds(false);
     free.setMinSize(0, 0);
-    floating.visibleProperty().bind(parts.middle().plan().visibleProperty().not());
+    floating
+        .visibleProperty()
+        .bind(parts.middle().plan().visibleProperty().not().and(state.projectorProperty().not()));
   }
 
   private void setupEventHandlers() {
@@ -118,9 +120,11 @@ public final class SimulatorPane extends BorderPane {
 
   private void setupBindings() {
     state.fullScreenProperty().subscribe(this::arrange);
-    show(parts.simulatorControls(), state.simulatorControlsShownProperty());
-    show(parts.networkControls(), state.networkControlsShownProperty());
-    show(bottom, state.logShownProperty());
+    BooleanBinding usual = state.projectorProperty().not();
+    show(parts.bar(), usual);
+    show(parts.simulatorControls(), state.simulatorControlsShownProperty().and(usual));
+    show(parts.networkControls(), state.networkControlsShownProperty().and(usual));
+    show(bottom, state.logShownProperty().and(usual));
     bottom.prefHeightProperty().bind(state.logHeightProperty());
     parts
         .middle()
@@ -148,7 +152,7 @@ public final class SimulatorPane extends BorderPane {
         Math.max(0, free.getLayoutX()));
   }
 
-  private static void show(Node part, BooleanProperty shown) {
+  private static void show(Node part, BooleanBinding shown) {
     part.visibleProperty().bind(shown);
     part.managedProperty().bind(shown);
   }

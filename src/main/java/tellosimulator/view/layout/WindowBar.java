@@ -28,8 +28,10 @@ public final class WindowBar extends ToolBar {
             buttons.toggle(
                 "show-controls", Feather.SLIDERS, state.simulatorControlsShownProperty()),
             new Separator(Orientation.VERTICAL),
-            buttons.views(scene),
-            buttons.droneCamera(scene),
+            buttons.camera(scene),
+            buttons.fit(scene),
+            buttons.follow(scene),
+            new Separator(Orientation.VERTICAL),
             buttons.inset(scene),
             buttons.trail(scene),
             drones(context),

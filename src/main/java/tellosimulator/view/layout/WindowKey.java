@@ -23,13 +23,16 @@ public enum WindowKey {
   PAUSE(KeyCode.F9),
   PLAN(KeyCode.F10),
   FULL_SCREEN(KeyCode.F11),
+  PROJECTOR(KeyCombination.SHIFT_DOWN, KeyCode.F11),
   RECORD(KeyCode.F12),
   FRONT_VIEW(KeyCode.DIGIT1, KeyCode.NUMPAD1),
   SIDE_VIEW(KeyCode.DIGIT2, KeyCode.NUMPAD2),
   TOP_VIEW(KeyCode.DIGIT3, KeyCode.NUMPAD3),
   CHASE_VIEW(KeyCode.DIGIT4, KeyCode.NUMPAD4),
   DRONE_CAMERA(KeyCode.DIGIT5, KeyCode.NUMPAD5),
-  RESET_VIEW(KeyCode.DIGIT0, KeyCode.NUMPAD0, KeyCode.HOME),
+  FOLLOW(KeyCode.DIGIT6, KeyCode.NUMPAD6),
+  FIT(KeyCode.DIGIT9, KeyCode.NUMPAD9, KeyCode.HOME),
+  START_VIEW(KeyCode.DIGIT0, KeyCode.NUMPAD0),
   NEXT_DRONE(KeyCode.PAGE_DOWN),
   PREVIOUS_DRONE(KeyCode.PAGE_UP),
   OPEN_SCENARIO(KeyCombination.SHORTCUT_DOWN, KeyCode.O),
@@ -37,6 +40,7 @@ public enum WindowKey {
   SAVE_SCENARIO_AS(KeyCode.S, KeyCombination.SHORTCUT_DOWN, KeyCombination.SHIFT_DOWN),
   RELOAD_SCENARIO(KeyCombination.SHORTCUT_DOWN, KeyCode.R),
   AGAIN(KeyCombination.SHORTCUT_DOWN, KeyCode.N),
+  NEXT_GROUP(KeyCode.N, KeyCombination.SHORTCUT_DOWN, KeyCombination.SHIFT_DOWN),
   SEARCH_LOG(KeyCombination.SHORTCUT_DOWN, KeyCode.F),
   QUIT(KeyCombination.SHORTCUT_DOWN, KeyCode.Q);
 
@@ -53,16 +57,16 @@ public enum WindowKey {
         Arrays.stream(codes).map(code -> (KeyCombination) new KeyCodeCombination(code)).toList();
   }
 
-  WindowKey(KeyCombination.Modifier shortcut, KeyCode code) {
-    this(code, shortcut);
+  WindowKey(KeyCombination.Modifier modifier, KeyCode code) {
+    this(code, modifier);
   }
 
-  WindowKey(KeyCode code, KeyCombination.Modifier shortcut, KeyCombination.Modifier... more) {
-    this.withShortcut = true;
-    this.withShift = more.length > 0;
-    this.codes = List.of(code);
+  WindowKey(KeyCode code, KeyCombination.Modifier first, KeyCombination.Modifier... more) {
     KeyCombination.Modifier[] modifiers = Arrays.copyOf(more, more.length + 1);
-    modifiers[more.length] = shortcut;
+    modifiers[more.length] = first;
+    this.withShortcut = List.of(modifiers).contains(KeyCombination.SHORTCUT_DOWN);
+    this.withShift = List.of(modifiers).contains(KeyCombination.SHIFT_DOWN);
+    this.codes = List.of(code);
     this.combinations = List.of(new KeyCodeCombination(code, modifiers));
   }
 
@@ -102,6 +106,11 @@ public enum WindowKey {
       case PAGE_UP -> messages.now("page-up");
       default -> code.getName();
     };
+  }
+
+  /** What is written on the first of the keys, for people. */
+  String symbol(Messages messages) {
+    return symbol(codes.get(0), messages);
   }
 
   /** The key of the text that says what it does, in this package's messages. */

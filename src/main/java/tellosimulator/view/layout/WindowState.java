@@ -29,6 +29,8 @@ public final class WindowState {
   private final BooleanProperty dronesShown = new SimpleBooleanProperty(true);
   private final BooleanProperty flightsRecorded = new SimpleBooleanProperty(true);
   private final BooleanProperty planShown = new SimpleBooleanProperty();
+  private final BooleanProperty projector = new SimpleBooleanProperty();
+  private final BooleanProperty reducedMotion = new SimpleBooleanProperty();
   private final DoubleProperty logHeight = new SimpleDoubleProperty(LOG_HEIGHT);
   private final BooleanProperty fullScreen = new SimpleBooleanProperty();
   private final ObjectProperty<Theme> theme = new SimpleObjectProperty<>(Theme.LIGHT);
@@ -44,6 +46,7 @@ public final class WindowState {
     settings.bind(
         "log.height", state.logHeight, SettingCodec.decimal(LEAST_LOG_HEIGHT, MOST_LOG_HEIGHT));
     settings.bind("record-flights", state.flightsRecorded, SettingCodec.flag());
+    settings.bind("reduced-motion", state.reducedMotion, SettingCodec.flag());
     settings.bind("theme", state.theme, SettingCodec.constant(Theme.class));
     settings.bind("ui-scale", state.uiScale, SettingCodec.constant(UiScale.class));
     return state;
@@ -58,6 +61,8 @@ public final class WindowState {
     other.dronesShown.bindBidirectional(dronesShown);
     other.flightsRecorded.bindBidirectional(flightsRecorded);
     other.planShown.bindBidirectional(planShown);
+    other.projector.bindBidirectional(projector);
+    other.reducedMotion.bindBidirectional(reducedMotion);
     other.logHeight.bindBidirectional(logHeight);
     other.fullScreen.bindBidirectional(fullScreen);
     other.theme.bindBidirectional(theme);
@@ -90,6 +95,16 @@ public final class WindowState {
   /** Whether the plan in which one places things lies over the scene. */
   public BooleanProperty planShownProperty() {
     return planShown;
+  }
+
+  /** Whether there is nothing but the 3D scene and what a class must read from afar. */
+  public BooleanProperty projectorProperty() {
+    return projector;
+  }
+
+  /** Whether nothing glides or grows that can as well jump. */
+  public BooleanProperty reducedMotionProperty() {
+    return reducedMotion;
   }
 
   /** Height of the log [px]. */

@@ -78,6 +78,12 @@ public final class LogPane extends VBox {
     toolbar.offer(offer);
   }
 
+  /** Removes all lines, and those that wait. */
+  public void clear() {
+    logQueue.drain();
+    model.clear();
+  }
+
   /** Hands what it shows to the log that comes after it. */
   public void handOver() {
     logQueue.takeBack(model.lines());

@@ -20,6 +20,7 @@ import tellosimulator.view.video.WindowVideo;
  * @param pulse when it moves on
  * @param video what the drones film
  * @param scenario what the drones shall do
+ * @param lastCommand what the drones were told last
  */
 public record ViewContext(
     FxSimulation simulation,
@@ -27,7 +28,8 @@ public record ViewContext(
     Language language,
     Pulse pulse,
     WindowVideo video,
-    FxScenario scenario) {
+    FxScenario scenario,
+    LastCommand lastCommand) {
 
   /** Lets the window show at once what happens. */
   private record WakeOnEvent(Pulse pulse) implements SimListener {
@@ -69,8 +71,10 @@ public record ViewContext(
     simulation.setIdle(pulse::idle);
     actions.onAnswered(pulse::wake);
     pulse.onBeat(nanos -> actions.deliver());
+    LastCommand lastCommand = new LastCommand();
+    online.listen(lastCommand);
     online.listen(new WakeOnEvent(pulse));
     pulse.onBeat(nanos -> video.advance());
-    return new ViewContext(simulation, actions, language, pulse, video, scenario);
+    return new ViewContext(simulation, actions, language, pulse, video, scenario, lastCommand);
   }
 }

@@ -13,8 +13,8 @@ import javafx.scene.layout.VBox;
 import tellosimulator.view.layout.BarButtons;
 import tellosimulator.view.layout.Theme;
 import tellosimulator.view.model.SceneContext;
+import tellosimulator.view.world.RoomView;
 import tellosimulator.view.world.Simulator3DScene;
-import tellosimulator.view.world.SimulatorCamera;
 
 /**
  * The parts of the player: the room in the middle, what was commanded at the right, and the slider
@@ -64,8 +64,9 @@ final class ReplayPane extends BorderPane {
     theme.setFocusTraversable(true); // there is no key for it
     ToolBar bar =
         new ToolBar(
-            buttons.views(world),
-            buttons.droneCamera(world),
+            buttons.camera(world),
+            buttons.fit(world),
+            buttons.follow(world),
             buttons.inset(world),
             buttons.trail(world),
             new Spacer(),
@@ -99,12 +100,14 @@ final class ReplayPane extends BorderPane {
         .on(KeyCode.ADD, () -> playback.faster(1))
         .on(KeyCode.EQUALS, () -> playback.faster(1)) // has the + of US keyboards
         .onShift(KeyCode.EQUALS, () -> playback.faster(1))
-        .on(KeyCode.DIGIT1, () -> world.look(SimulatorCamera::front))
-        .on(KeyCode.DIGIT2, () -> world.look(SimulatorCamera::side))
-        .on(KeyCode.DIGIT3, () -> world.look(SimulatorCamera::top))
-        .on(KeyCode.DIGIT4, () -> world.look(SimulatorCamera::chase))
+        .on(KeyCode.DIGIT1, () -> world.look(RoomView.FRONT))
+        .on(KeyCode.DIGIT2, () -> world.look(RoomView.SIDE))
+        .on(KeyCode.DIGIT3, () -> world.look(RoomView.TOP))
+        .on(KeyCode.DIGIT4, () -> world.look(RoomView.CHASE))
         .on(KeyCode.DIGIT5, world::switchCamera)
-        .on(KeyCode.DIGIT0, () -> world.look(SimulatorCamera::reset))
+        .on(KeyCode.DIGIT6, () -> toggle(world.camera().followingProperty()))
+        .on(KeyCode.DIGIT9, world::fit)
+        .on(KeyCode.DIGIT0, () -> world.look(RoomView.START))
         .on(KeyCode.F6, () -> toggle(world.insetVisibleProperty()))
         .on(KeyCode.F7, () -> toggle(world.trailVisibleProperty()));
   }

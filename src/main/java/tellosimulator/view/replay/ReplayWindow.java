@@ -21,6 +21,7 @@ import tellosimulator.view.model.SceneContext;
 import tellosimulator.view.text.Language;
 import tellosimulator.view.video.MediaFolder;
 import tellosimulator.view.video.WindowVideo;
+import tellosimulator.view.world.SimulatorCamera;
 
 /** The player in a stage. For the JavaFX thread. */
 public final class ReplayWindow implements AutoCloseable {
@@ -84,6 +85,11 @@ public final class ReplayWindow implements AutoCloseable {
   /** Shows another flight as the ghost. */
   public void compareWith(Optional<ReplayFlight> other) {
     other.ifPresent(ghosts::show);
+  }
+
+  /** The camera that looks into the room from outside. */
+  public SimulatorCamera camera() {
+    return pane.world().camera();
   }
 
   /** Opens it. */

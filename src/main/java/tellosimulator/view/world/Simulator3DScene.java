@@ -3,18 +3,21 @@ package tellosimulator.view.world;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import java.util.function.Consumer;
 import javafx.application.ConditionalFeature;
 import javafx.application.Platform;
 import javafx.beans.property.BooleanProperty;
 import javafx.beans.property.ObjectProperty;
 import javafx.beans.property.SimpleBooleanProperty;
 import javafx.beans.property.SimpleObjectProperty;
+import javafx.geometry.Bounds;
+import javafx.geometry.Dimension2D;
 import javafx.geometry.HPos;
 import javafx.geometry.Insets;
+import javafx.geometry.Rectangle2D;
 import javafx.geometry.VPos;
 import javafx.scene.Node;
 import javafx.scene.layout.Region;
+import tellosimulator.goal.Goal;
 import tellosimulator.math.Pose;
 import tellosimulator.scenery.SceneBuilder;
 import tellosimulator.scenery.mesh.Instance;
@@ -22,6 +25,7 @@ import tellosimulator.scenery.overlay.Overlay;
 import tellosimulator.sim.SimSnapshot;
 import tellosimulator.video.camera.DroneOptics;
 import tellosimulator.view.model.FxSimulation;
+import tellosimulator.view.model.Pulse;
 import tellosimulator.view.model.SceneContext;
 
 /**
@@ -41,6 +45,7 @@ public final class Simulator3DScene extends Region {
   private final BooleanProperty antialiasing = new SimpleBooleanProperty(this, "antialiasing");
   private final SimulatorCamera camera;
   private final FxSimulation simulation;
+  private final Pulse pulse;
   private final DroneOptics optics;
   private final SceneBuilder scenes;
   private final Overlay overlay;
@@ -48,10 +53,13 @@ public final class Simulator3DScene extends Region {
   private final DroneCameraInset inset;
   private final WindArrow wind;
   private final FaultTags faults;
+  private final SelectionMark selection;
+  private List<Region> covers = List.of();
   private Optional<GhostFlight> ghost = Optional.empty();
 
   public Simulator3DScene(SceneContext context) {
     simulation = context.simulation();
+    pulse = context.pulse();
     optics = context.video().optics();
     scenes = context.video().scenes();
     overlay = new Overlay(simulation.snapshot());
@@ -63,6 +71,7 @@ public final class Simulator3DScene extends Region {
     inset = new DroneCameraInset(context);
     wind = new WindArrow(context, camera);
     faults = new FaultTags(simulation.drones().size());
+    selection = new SelectionMark(simulation);
     initializeSelf();
     layoutParts();
     setupEventHandlers();
@@ -70,7 +79,7 @@ public final class Simulator3DScene extends Region {
     context.pulse().onBeat(this::advance);
   }
 
-  /** The camera that orbits the selected drone. */
+  /** The camera that looks into the room from outside. */
   public SimulatorCamera camera() {
     return camera;
   }
@@ -80,14 +89,31 @@ public final class Simulator3DScene extends Region {
     return viewCamera;
   }
 
-  /**
-   * Shows the scene from the simulator's camera.
-   *
-   * @param from puts the camera where one wants to look from
-   */
-  public void look(Consumer<SimulatorCamera> from) {
+  /** Shows the scene from a side, from the simulator's camera. */
+  public void look(RoomView from) {
     viewCamera.set(ViewCamera.SIMULATOR);
-    from.accept(camera);
+    camera.look(from);
+  }
+
+  /** Shows the whole scene, from the simulator's camera. */
+  public void fit() {
+    viewCamera.set(ViewCamera.SIMULATOR);
+    camera.fit();
+  }
+
+  /** Lets fitted views show where these are, too. */
+  public void setGoals(List<Goal> goals) {
+    camera.setGoals(goals);
+  }
+
+  /** Lets fitted views show the scene beside these, while they lie over it. */
+  public void setCovers(List<Region> newCovers) {
+    covers = List.copyOf(newCovers);
+  }
+
+  /** Removes the flown paths. */
+  public void clearTrails() {
+    overlay.clearTrails();
   }
 
   /** Shows the scene from the other of the two cameras. */
@@ -150,7 +176,7 @@ public final class Simulator3DScene extends Region {
   }
 
   private void layoutParts() {
-    getChildren().addAll(view.node(), faults, wind, inset);
+    getChildren().addAll(view.node(), faults, selection, wind, inset);
   }
 
   private void setupEventHandlers() {
@@ -161,13 +187,50 @@ public final class Simulator3DScene extends Region {
     trailVisible.subscribe(overlay::showTrails);
     antialiasing.subscribe(view::smoothEdges);
     viewCamera.subscribe(this::requestLayout);
+    selection.stillProperty().bind(camera.reducedMotionProperty());
   }
 
   private void advance(long nanos) {
-    camera.advance(nanos);
+    camera.advance(nanos, pictureArea());
     showScene(nanos);
+    selection.advance(nanos, viewCamera.get() == ViewCamera.SIMULATOR, camera.viewpoint());
+    if (camera.glides() || selection.isVisible()) {
+      pulse.wake();
+    }
     inset.advance(nanos);
     wind.advance(viewCamera.get() == ViewCamera.SIMULATOR);
+  }
+
+  private PictureArea pictureArea() {
+    double width = getWidth();
+    double height = getHeight();
+    Insets aside = getInsets();
+    List<Rectangle2D> covered = new ArrayList<>();
+    covered.add(new Rectangle2D(0, 0, width, aside.getTop()));
+    covered.add(new Rectangle2D(0, height - aside.getBottom(), width, aside.getBottom()));
+    covered.add(new Rectangle2D(0, 0, aside.getLeft(), height));
+    covered.add(new Rectangle2D(width - aside.getRight(), 0, aside.getRight(), height));
+    covers.stream().filter(this::covers).map(this::place).forEach(covered::add);
+    if (inset.shownProperty().get()) {
+      covered.add(place(inset));
+    }
+    covered.removeIf(part -> part.getWidth() == 0 || part.getHeight() == 0);
+    return new PictureArea(new Dimension2D(width, height), covered);
+  }
+
+  private boolean covers(Node cover) {
+    boolean shown = cover.getScene() == getScene();
+    for (Node node = cover; node != null; node = node.getParent()) {
+      shown &= node.isVisible();
+    }
+    return shown;
+  }
+
+  /** Where a node is in the picture. */
+  private Rectangle2D place(Node node) {
+    Bounds bounds = sceneToLocal(node.localToScene(node.getLayoutBounds()));
+    return new Rectangle2D(
+        bounds.getMinX(), bounds.getMinY(), bounds.getWidth(), bounds.getHeight());
   }
 
   private void showScene(long nanos) {
@@ -232,6 +295,7 @@ public final class Simulator3DScene extends Region {
     double height = onDrone ? width / ratio : getHeight();
     view.resize(width, height);
     faults.resizeRelocate(0, 0, getWidth(), getHeight());
+    selection.resizeRelocate(0, 0, getWidth(), getHeight());
     ghost.ifPresent(other -> other.labels().resizeRelocate(0, 0, getWidth(), getHeight()));
     view.node().relocate((getWidth() - width) / 2, (getHeight() - height) / 2);
   }

@@ -99,7 +99,6 @@ class ReadmePicturesDisplayTest {
       starts.add(new Pose(new Vec3(0, y, 0), Attitude.LEVEL));
     }
     open(SimConfig.DEFAULT.withRoom(Room.DEFAULT, starts));
-    window.change(() -> window.scene().camera().zoomBy(0.75));
     window.change(
         () ->
             window
@@ -127,6 +126,7 @@ class ReadmePicturesDisplayTest {
     window.fly("command", "takeoff", "up 40");
     window.change(
         () -> {
+          window.scene().camera().followingProperty().set(true);
           window.scene().camera().zoomBy(3.5);
           window.scene().camera().turn(480, 30);
         });

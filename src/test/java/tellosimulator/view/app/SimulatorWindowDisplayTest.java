@@ -87,12 +87,14 @@ class SimulatorWindowDisplayTest {
   }
 
   @Test
-  void theDroneIsSeenInTheMiddleOfTheScene() {
+  void aDroneThatIsFollowedIsSeenInTheMiddleOfWhatIsFree() {
+    robot.type(KeyCode.DIGIT6);
+    waitUntil(() -> window.scene().camera().distance() < 2);
     window.passFrames(10);
     Bounds scene = bounds("scene-3d");
     PixelReader pixels = window.picture().getPixelReader();
     int middleX = (int) scene.getCenterX();
-    int middleY = (int) scene.getCenterY();
+    int middleY = (int) (scene.getMinY() + bounds("pilot-controls").getMinY()) / 2;
 
     assertThat(darkPixels(pixels, middleX, middleY)).isGreaterThan(150);
     assertThat(darkPixels(pixels, middleX - 4 * HALF, middleY)).isZero();

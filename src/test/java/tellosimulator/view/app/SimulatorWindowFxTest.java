@@ -126,7 +126,7 @@ class SimulatorWindowFxTest {
 
   @Test
   void cameraButtonsAndKeyAgree() {
-    robot.clickOn("#view-drone");
+    robot.clickOn("#camera").clickOn("#view-drone");
     assertLooksThrough(ViewCamera.DRONE);
     robot.clickOn("#camera-switch");
     assertLooksThrough(ViewCamera.SIMULATOR);
@@ -141,9 +141,32 @@ class SimulatorWindowFxTest {
   private void assertLooksThrough(ViewCamera camera) {
     boolean drones = camera == ViewCamera.DRONE;
     assertThat(window.scene().viewCameraProperty().get()).isEqualTo(camera);
-    assertThat(selected("view-drone")).isEqualTo(drones);
+    assertThat(window.text("camera")).isEqualTo(drones ? "Drone camera" : "Start view");
     assertThat(selected("camera-switch")).isEqualTo(drones);
     assertThat(window.text("camera-switch")).isEqualTo(drones ? "Room camera" : "Drone camera");
+  }
+
+  @Test
+  void theCamerasButtonNamesTheViewUntilAHandMovesIt() {
+    robot.type(KeyCode.DIGIT3);
+    assertThat(window.text("camera")).isEqualTo("Top");
+    robot.clickOn("#camera").clickOn("#view-side");
+    assertThat(window.text("camera")).isEqualTo("Side");
+    robot.drag("#scene-3d", MouseButton.PRIMARY).moveBy(40, 0).drop();
+    assertThat(window.text("camera")).isEqualTo("Own view");
+    robot.type(KeyCode.DIGIT0);
+    assertThat(window.text("camera")).isEqualTo("Start view");
+  }
+
+  @Test
+  void followingIsASwitchOfItsOwn() {
+    robot.clickOn("#view-follow").type(KeyCode.DIGIT2);
+    assertThat(window.scene().camera().followingProperty().get()).isTrue();
+    assertThat(window.text("camera")).isEqualTo("Side");
+    robot.type(KeyCode.DIGIT6);
+    assertThat(selected("view-follow")).isFalse();
+    robot.type(KeyCode.DIGIT6).clickOn("#view-fit");
+    assertThat(selected("view-follow")).isFalse();
   }
 
   @Test

@@ -72,7 +72,7 @@ class TranslatedWindowFxTest {
   void eachPartFollowsTheMenu() {
     window.choose("language", "language-de");
 
-    assertThat(window.text("view-front")).isEqualTo("Vorn");
+    assertThat(window.text("camera")).isEqualTo("Startansicht");
     assertThat(window.text("reset")).isEqualTo("Zurücksetzen");
     assertThat(window.text("power")).isEqualTo("Drohne einschalten");
     assertThat(window.text("demo-flight")).isEqualTo("Demoflug");

@@ -73,7 +73,7 @@ class PageOverlayFxTest {
         assertThat(label(robot, "#help-steering-" + key.textKey()).getText()).isNotBlank();
       }
     }
-    assertThat(label(robot, "#help-key-reset-view").getText()).isEqualTo("0 oder Pos1");
+    assertThat(label(robot, "#help-key-fit").getText()).isEqualTo("9 oder Pos1");
     assertThat(label(robot, "#help-steering-key-take-off-or-land").getText())
         .isEqualTo("Leertaste");
   }
@@ -175,7 +175,9 @@ class PageOverlayFxTest {
         "AGAIN",
         "SEARCH_LOG",
         "QUIT",
-        "RESET_VIEW"
+        "PROJECTOR",
+        "NEXT_GROUP",
+        "FIT"
       },
       mode = EnumSource.Mode.EXCLUDE)
   void keysAct(WindowKey key, FxRobot robot) {
@@ -189,7 +191,7 @@ class PageOverlayFxTest {
   void keysWithControlAct(FxRobot robot) {
     robot.press(KeyCode.CONTROL);
     robot.type(KeyCode.O, KeyCode.S, KeyCode.R, KeyCode.N, KeyCode.F);
-    robot.press(KeyCode.SHIFT).type(KeyCode.S).release(KeyCode.SHIFT);
+    robot.press(KeyCode.SHIFT).type(KeyCode.S, KeyCode.N).release(KeyCode.SHIFT);
     robot.release(KeyCode.CONTROL).type(KeyCode.HOME);
 
     assertThat(pressed)
@@ -200,7 +202,15 @@ class PageOverlayFxTest {
             WindowKey.AGAIN,
             WindowKey.SEARCH_LOG,
             WindowKey.SAVE_SCENARIO_AS,
-            WindowKey.RESET_VIEW);
+            WindowKey.NEXT_GROUP,
+            WindowKey.FIT);
+  }
+
+  @Test
+  void aKeyWithShiftIsAnotherKey(FxRobot robot) {
+    robot.press(KeyCode.SHIFT).type(KeyCode.F11).release(KeyCode.SHIFT).type(KeyCode.F11);
+
+    assertThat(pressed).containsExactly(WindowKey.PROJECTOR, WindowKey.FULL_SCREEN);
   }
 
   @Test

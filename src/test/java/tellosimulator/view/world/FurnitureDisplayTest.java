@@ -13,6 +13,7 @@ import javafx.scene.Group;
 import javafx.scene.Node;
 import javafx.scene.image.Image;
 import javafx.scene.paint.Color;
+import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.extension.RegisterExtension;
 import tellosimulator.math.Attitude;
@@ -37,6 +38,11 @@ class FurnitureDisplayTest {
   private static final Shape BOX = new Shape.Box(0.3, 0.4, 0.5);
 
   @RegisterExtension final SceneFixture fixture = new SceneFixture();
+
+  @BeforeEach
+  void follow() {
+    fixture.follow();
+  }
 
   @Test
   void anObstacleComesMovesAndGoes() {
@@ -114,7 +120,7 @@ class FurnitureDisplayTest {
     furnish(new Obstacle("table", new Shape.Box(1, 1, 0.4), new Vec3(0, 0, 0), 0, red()));
     fixture.change(() -> fixture.solid("overlay").setVisible(false));
     fixture.put(new Pose(new Vec3(0, 0, 0.8), Attitude.LEVEL), FlightPhase.FLYING);
-    fixture.change(fixture.scene().camera()::top);
+    fixture.look(RoomView.TOP);
     fixture.settledPicture();
     fixture.change(() -> fixture.solid("drones").setVisible(false));
     Image with = fixture.picture();

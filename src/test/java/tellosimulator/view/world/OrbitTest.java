@@ -3,6 +3,7 @@ package tellosimulator.view.world;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -67,5 +68,56 @@ class OrbitTest {
     Vec3 inPicture = orbit.pose(DRONE).attitude().toBody(moved);
     assertThat(inPicture.distanceTo(new Vec3(0, -0.5, 0.2))).isLessThan(1e-9);
     assertThat(orbit.shifted(1000, 0, FAR).shift().norm()).isCloseTo(FAR, within(1e-9));
+  }
+
+  @Test
+  void aPivotAsideInThePictureStaysThereWhenItTurnsAndZooms() {
+    Orbit aside = orbit.seenAt(new Orbit.Offset(0.2, -0.1));
+
+    for (Orbit each : List.of(aside, aside.turned(1, 0.2), aside.zoomed(3, FAR))) {
+      Pose pose = each.pose(DRONE);
+      Vec3 seen = pose.attitude().toBody(DRONE.minus(pose.position()));
+      assertThat(seen.x()).isCloseTo(each.distance(), within(1e-9));
+      assertThat(seen.y() / seen.x()).isCloseTo(0.2, within(1e-9));
+      assertThat(seen.z() / seen.x()).isCloseTo(-0.1, within(1e-9));
+    }
+  }
+
+  @Test
+  void withAPivotAsideItIsNeverBelowTheFloor() {
+    for (double up : new double[] {-0.3, 0.3}) {
+      Orbit low = new Orbit(0, -1, 3, Vec3.ZERO, new Orbit.Offset(0, up));
+
+      assertThat(low.pose(DRONE).position().z()).isCloseTo(Orbit.ABOVE_FLOOR, within(1e-9));
+    }
+  }
+
+  @Test
+  void anOrbitIsTheOneOfACameraElsewhere() {
+    Vec3 place = new Vec3(-4, 1, 3);
+
+    Orbit other = orbit.seenFrom(place, DRONE);
+
+    assertThat(other.pose(Vec3.ZERO).position().distanceTo(place)).isLessThan(1e-9);
+    assertThat(other.pose(Vec3.ZERO).attitude()).isEqualTo(orbit.pose(Vec3.ZERO).attitude());
+  }
+
+  @Test
+  void onItsWayToAnotherItTurnsTheShorterWayRound() {
+    Orbit from = new Orbit(Math.toRadians(170), 0.2, 1, Vec3.ZERO);
+    Orbit to = new Orbit(Math.toRadians(-170), 0.4, 4, new Vec3(2, 0, 0));
+
+    Orbit half = from.towards(to, 0.5);
+
+    assertThat(half.heading()).isCloseTo(Math.PI, within(1e-9));
+    assertThat(half.elevation()).isCloseTo(0.3, within(1e-9));
+    assertThat(half.distance()).as("twice as far, and twice again").isCloseTo(2, within(1e-9));
+    assertThat(half.shift().distanceTo(new Vec3(1, 0, 0))).isLessThan(1e-9);
+    assertThat(
+            from.towards(to, 1)
+                .pose(Vec3.ZERO)
+                .position()
+                .distanceTo(to.pose(Vec3.ZERO).position()))
+        .isLessThan(1e-9);
   }
 }

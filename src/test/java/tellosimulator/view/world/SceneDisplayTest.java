@@ -8,6 +8,7 @@ import static tellosimulator.view.world.SceneFixture.find;
 
 import javafx.scene.image.Image;
 import javafx.scene.paint.Color;
+import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.extension.RegisterExtension;
 import tellosimulator.math.Attitude;
@@ -24,6 +25,11 @@ class SceneDisplayTest {
 
   @RegisterExtension final SceneFixture fixture = new SceneFixture();
 
+  @BeforeEach
+  void follow() {
+    fixture.follow();
+  }
+
   @Test
   void theDroneIsInTheMiddleOfThePicture() {
     fly(new Vec3(0, 0, 1));
@@ -37,6 +43,7 @@ class SceneDisplayTest {
   @Test
   void smoothEdgesCanBeSwitchedOnAndOff() {
     fly(new Vec3(0, 0, 1));
+    fixture.change(() -> fixture.scene().camera().zoomBy(2));
     int plain = find(fixture.settledPicture(), SceneDisplayTest::isDark).count();
     fixture.change(() -> fixture.scene().antialiasingProperty().set(true));
     int smooth = find(fixture.settledPicture(), SceneDisplayTest::isDark).count();
@@ -50,7 +57,7 @@ class SceneDisplayTest {
   @Test
   void seenFromBehindItMovesToTheRightWhenItFliesToItsRight() {
     fly(new Vec3(0, 0, 1));
-    fixture.change(fixture.scene().camera()::chase);
+    fixture.look(RoomView.CHASE);
     Spot before = find(fixture.settledPicture(), SceneDisplayTest::isDark);
 
     fly(new Vec3(0, -0.2, 1));
@@ -68,7 +75,7 @@ class SceneDisplayTest {
     fixture.change(() -> fixture.solid("overlay").setVisible(false));
     fixture.decorate(decor -> decor.withGrid(2));
     fly(new Vec3(0.7, 0.6, 0.8));
-    fixture.change(fixture.scene().camera()::top);
+    fixture.look(RoomView.TOP);
     fixture.settledPicture();
     fixture.change(() -> fixture.solid("drones").setVisible(false));
     Image with = fixture.picture();
@@ -84,9 +91,9 @@ class SceneDisplayTest {
   void theLensIsInFront() {
     fly(new Vec3(0, 0, 1));
     fixture.change(() -> fixture.scene().camera().zoomBy(4));
-    fixture.change(fixture.scene().camera()::front);
+    fixture.look(RoomView.FRONT);
     Spot front = find(fixture.settledPicture(), SceneDisplayTest::isLens);
-    fixture.change(fixture.scene().camera()::chase);
+    fixture.look(RoomView.CHASE);
     Spot back = find(fixture.settledPicture(), SceneDisplayTest::isLens);
 
     assertThat(front.count()).isGreaterThan(20);
@@ -111,7 +118,7 @@ class SceneDisplayTest {
   void aWallBetweenTheCameraAndTheRoomIsNotDrawn() {
     Vec3 nearTheBack = new Vec3(-2, 0, 1);
     fly(nearTheBack);
-    fixture.change(fixture.scene().camera()::chase);
+    fixture.look(RoomView.CHASE);
     Spot near = find(fixture.settledPicture(), SceneDisplayTest::isDark);
     fly(new Vec3(0, 0, 1));
     Spot inTheMiddle = find(fixture.settledPicture(), SceneDisplayTest::isDark);

@@ -201,11 +201,28 @@ public final class SceneFixture implements BeforeEachCallback, AfterEachCallback
     change(() -> pulse.beat(nanos));
   }
 
-  /** What the window shows, with all cameras at rest. */
-  Image settledPicture() {
+  /** Lets the camera follow the selected drone, from nearby. */
+  void follow() {
+    change(() -> scene.camera().followingProperty().set(true));
+    settle();
+  }
+
+  /** Looks from a side, and waits until the camera is there. */
+  void look(RoomView view) {
+    change(() -> scene.look(view));
+    settle();
+  }
+
+  /** Lets the camera come to rest. */
+  void settle() {
     for (int i = 0; i < 20; i++) {
       pass(0.25);
     }
+  }
+
+  /** What the window shows, with all cameras at rest. */
+  Image settledPicture() {
+    settle();
     return picture();
   }
 

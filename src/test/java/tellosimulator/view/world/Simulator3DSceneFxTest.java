@@ -11,6 +11,7 @@ import javafx.scene.control.Label;
 import javafx.scene.input.MouseButton;
 import javafx.scene.input.MouseEvent;
 import javafx.scene.input.ScrollEvent;
+import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.extension.RegisterExtension;
 import tellosimulator.fault.Fault;
@@ -22,6 +23,11 @@ import tellosimulator.model.FlightPhase;
 class Simulator3DSceneFxTest {
 
   @RegisterExtension final SceneFixture fixture = new SceneFixture();
+
+  @BeforeEach
+  void follow() {
+    fixture.follow();
+  }
 
   /** Which keys are down. */
   private enum Keys {
@@ -88,53 +94,6 @@ class Simulator3DSceneFxTest {
   }
 
   @Test
-  void resetBringsTheFirstViewBack() {
-    Pose first = camera().pose();
-    drag(MouseButton.PRIMARY, Keys.SHIFT, 50);
-    drag(MouseButton.SECONDARY, Keys.NONE, 50);
-    scroll(0, -200, Keys.NONE);
-
-    fixture.change(camera()::reset);
-
-    assertThat(camera().pose()).isEqualTo(first);
-  }
-
-  @Test
-  void presetsLookAtTheSideThatTheyAreCalledAfter() {
-    fly(Math.toRadians(70), Vec3.ZERO);
-
-    fixture.change(camera()::front);
-    assertThat(sideSeen().x()).as("before the nose").isGreaterThan(0.9);
-    fixture.change(camera()::side);
-    assertThat(sideSeen().y()).as("at the right").isLessThan(-0.9);
-    fixture.change(camera()::top);
-    assertThat(sideSeen().z()).as("above").isGreaterThan(0.99);
-    fixture.change(camera()::chase);
-    assertThat(sideSeen().x()).as("behind").isLessThan(-0.9);
-  }
-
-  @Test
-  void theChaseCameraTurnsWithTheDroneAndTheOthersDoNot() {
-    fixture.change(camera()::chase);
-    fly(Math.toRadians(90), Vec3.ZERO);
-    assertThat(sideSeen().x()).isLessThan(-0.9);
-
-    fixture.change(camera()::front);
-    fly(Math.toRadians(180), Vec3.ZERO);
-    assertThat(sideSeen().y()).isLessThan(-0.9);
-  }
-
-  @Test
-  void thePivotFollowsTheDrone() {
-    Pose before = camera().pose();
-
-    fly(0, new Vec3(1, -1, 1));
-
-    Vec3 moved = camera().pose().position().minus(before.position());
-    assertThat(moved.distanceTo(new Vec3(1, -1, 1))).isLessThan(1e-6);
-  }
-
-  @Test
   void theSceneIsSeenThroughEitherCamera() {
     assertThat(fixture.scene().viewCameraProperty().get()).isEqualTo(ViewCamera.SIMULATOR);
 
@@ -180,13 +139,6 @@ class Simulator3DSceneFxTest {
 
   private SimulatorCamera camera() {
     return fixture.scene().camera();
-  }
-
-  /** Where the camera is, seen from the drone: a unit vector of the body frame. */
-  private Vec3 sideSeen() {
-    Pose drone = fixture.simulation().selected().poseProperty().get();
-    Vec3 away = camera().pose().position().minus(drone());
-    return drone.attitude().toBody(away).normalized();
   }
 
   /** The middle of the drone. */

@@ -11,6 +11,7 @@ import java.util.Map;
 import java.util.stream.IntStream;
 import javafx.scene.image.Image;
 import javafx.scene.paint.Color;
+import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.extension.RegisterExtension;
 import tellosimulator.math.Attitude;
@@ -40,6 +41,11 @@ class SoftwareSceneViewFxTest {
           SimConfig.DEFAULT
               .withRoom(Room.DEFAULT, STARTS)
               .withDecor(Decor.DEFAULT.withWalls(Walls.PLAIN)));
+
+  @BeforeEach
+  void follow() {
+    fixture.follow();
+  }
 
   @Test
   void theDroneIsInTheMiddleOfTheRoom() {
@@ -92,7 +98,7 @@ class SoftwareSceneViewFxTest {
   void turnedAroundTheDroneOneSeesItsLens() {
     fly(new Vec3(0, 0, 1));
     fixture.change(() -> fixture.scene().camera().zoomBy(4));
-    fixture.change(fixture.scene().camera()::chase);
+    fixture.look(RoomView.CHASE);
     Spot behind = find(fixture.softwarePicture(), SoftwareSceneViewFxTest::isLens);
     fixture.change(() -> fixture.scene().camera().turn(600, 0)); // half a turn
     Spot ahead = find(fixture.softwarePicture(), SoftwareSceneViewFxTest::isLens);
@@ -133,7 +139,7 @@ class SoftwareSceneViewFxTest {
   void severalDronesHaveTheirNumbers() {
     fly(new Vec3(1.6, 0, 1)); // its start, which has its colour too, is not in the picture
     fixture.change(() -> fixture.scene().trailVisibleProperty().set(false));
-    fixture.change(() -> fixture.scene().camera().top());
+    fixture.look(RoomView.TOP);
 
     Spot disc = find(fixture.softwarePicture(), SoftwareSceneViewFxTest::isBlue);
     // 0.032 of the distance are 17 pixels of 360 at 38 degrees; 7/8 of that are blue: 165 pixels

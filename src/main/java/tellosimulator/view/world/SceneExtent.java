@@ -1,0 +1,84 @@
+package tellosimulator.view.world;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import tellosimulator.goal.Goal;
+import tellosimulator.goal.Spot;
+import tellosimulator.math.Attitude;
+import tellosimulator.math.Pose;
+import tellosimulator.math.Vec3;
+import tellosimulator.world.Arena;
+import tellosimulator.world.Footprint;
+import tellosimulator.world.MissionPad;
+import tellosimulator.world.Obstacle;
+import tellosimulator.world.Room;
+
+/**
+ * The places that a view of the whole scene must show: the corners of the floor and of obstacles,
+ * mission pads, starts and goals. All in the room frame [m].
+ */
+final class SceneExtent {
+
+  /** Height over a start that is seen too [m]. Decided: a drone takes off to less. */
+  private static final double TAKEOFF = 1;
+
+  private SceneExtent() {}
+
+  /** All of them, of a room with what is in it. */
+  static List<Vec3> of(Arena arena, List<Pose> starts, List<Goal> goals) {
+    List<Vec3> places = new ArrayList<>();
+    Room room = arena.room();
+    Vec3 floor = new Vec3(room.depth(), room.width(), 0);
+    addCorners(places, new Pose(Vec3.ZERO, Attitude.LEVEL), floor);
+    for (Obstacle obstacle : arena.obstacles()) {
+      addCorners(places, obstacle.pose(), Footprint.size(obstacle.shape()));
+    }
+    for (MissionPad pad : arena.pads()) {
+      places.add(pad.pose(room).position());
+    }
+    for (Pose start : starts) {
+      Vec3 place = start.position();
+      places.add(place);
+      places.add(place.withZ(Math.min(room.height(), place.z() + TAKEOFF)));
+    }
+    goals.forEach(goal -> spot(goal).ifPresent(spot -> addBall(places, spot)));
+    return places;
+  }
+
+  /** Gates and mission pads are there already. */
+  private static Optional<Spot> spot(Goal goal) {
+    if (goal instanceof Goal.Reach reach) {
+      return Optional.of(reach.spot());
+    }
+    if (goal instanceof Goal.Hover hover) {
+      return Optional.of(hover.spot());
+    }
+    return goal instanceof Goal.Land land ? Optional.of(land.spot()) : Optional.empty();
+  }
+
+  private static void addBall(List<Vec3> places, Spot spot) {
+    Vec3 middle = spot.place();
+    for (double side : new double[] {-spot.radius(), spot.radius()}) {
+      places.add(middle.plus(new Vec3(side, 0, 0)));
+      places.add(middle.plus(new Vec3(0, side, 0)));
+      places.add(middle.withZ(Math.max(0, middle.z() + side)));
+    }
+  }
+
+  /**
+   * The corners of a box.
+   *
+   * @param foot middle of its base
+   * @param size depth, width and height
+   */
+  private static void addCorners(List<Vec3> places, Pose foot, Vec3 size) {
+    for (double x : new double[] {-size.x() / 2, size.x() / 2}) {
+      for (double y : new double[] {-size.y() / 2, size.y() / 2}) {
+        for (double z : new double[] {0, size.z()}) {
+          places.add(foot.position().plus(foot.attitude().toRoom(new Vec3(x, y, z))));
+        }
+      }
+    }
+  }
+}

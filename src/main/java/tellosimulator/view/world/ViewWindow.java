@@ -1,0 +1,72 @@
+package tellosimulator.view.world;
+
+import java.util.List;
+import javafx.geometry.Dimension2D;
+import javafx.geometry.Rectangle2D;
+import tellosimulator.math.Attitude;
+import tellosimulator.math.Vec3;
+import tellosimulator.view.world.Orbit.Offset;
+
+/**
+ * A rectangle of a perspective picture: the tangents at which its edges are seen, from the middle
+ * of the picture. Immutable; for any thread.
+ *
+ * @param left positive at the left of the middle
+ * @param right less than {@code left}
+ * @param top positive above the middle
+ * @param bottom less than {@code top}
+ */
+record ViewWindow(double left, double right, double top, double bottom) {
+
+  /**
+   * A rectangle of a picture.
+   *
+   * @param fieldOfView from top to bottom of the picture [rad]
+   * @param size of the picture [px]
+   * @param part of it, from its top left corner [px]
+   */
+  static ViewWindow of(double fieldOfView, Dimension2D size, Rectangle2D part) {
+    double focalLength = size.getHeight() / 2 / Math.tan(fieldOfView / 2);
+    return new ViewWindow(
+        (size.getWidth() / 2 - part.getMinX()) / focalLength,
+        (size.getWidth() / 2 - part.getMaxX()) / focalLength,
+        (size.getHeight() / 2 - part.getMinY()) / focalLength,
+        (size.getHeight() / 2 - part.getMaxY()) / focalLength);
+  }
+
+  /** Where its middle is seen. */
+  Offset middle() {
+    return new Offset((left + right) / 2, (top + bottom) / 2);
+  }
+
+  /**
+   * Where a camera is nearest to some points and sees all of them in this rectangle. They touch two
+   * opposite edges of it, and lie in the middle between the other two.
+   *
+   * <p>In the camera's frame, a camera at c sees a point p within the left edge if (p.y − c.y) /
+   * (p.x − c.x) is at most {@code left}, so c.y − left c.x must be at least the greatest p.y − left
+   * p.x. The four edges together leave an interval for c.y and one for c.z, which shrink as c.x
+   * grows; at the greatest c.x one of them is a point.
+   *
+   * @param points room frame [m]; at least two
+   * @param attitude of the camera, which looks along its x axis
+   */
+  Vec3 nearest(List<Vec3> points, Attitude attitude) {
+    double leftmost = Double.NEGATIVE_INFINITY;
+    double rightmost = Double.POSITIVE_INFINITY;
+    double highest = Double.NEGATIVE_INFINITY;
+    double lowest = Double.POSITIVE_INFINITY;
+    for (Vec3 point : points) {
+      Vec3 seen = attitude.toBody(point);
+      leftmost = Math.max(leftmost, seen.y() - left * seen.x());
+      rightmost = Math.min(rightmost, seen.y() - right * seen.x());
+      highest = Math.max(highest, seen.z() - top * seen.x());
+      lowest = Math.min(lowest, seen.z() - bottom * seen.x());
+    }
+    double x =
+        Math.min((rightmost - leftmost) / (left - right), (lowest - highest) / (top - bottom));
+    double y = (leftmost + left * x + rightmost + right * x) / 2;
+    double z = (highest + top * x + lowest + bottom * x) / 2;
+    return attitude.toRoom(new Vec3(x, y, z));
+  }
+}

@@ -1,0 +1,59 @@
+package tellosimulator.view.model;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.net.InetAddress;
+import java.net.InetSocketAddress;
+import org.junit.jupiter.api.Test;
+import tellosimulator.command.Peer;
+import tellosimulator.command.Reply;
+import tellosimulator.sim.SimEvent;
+import tellosimulator.time.SimTime;
+import tellosimulator.view.model.LastCommand.Outcome;
+import tellosimulator.view.model.LastCommand.Shown;
+import tellosimulator.words.Phrase;
+
+class LastCommandTest {
+
+  private static final Peer PEER =
+      new Peer(
+          new InetSocketAddress(InetAddress.getLoopbackAddress(), 9),
+          new InetSocketAddress(InetAddress.getLoopbackAddress(), 8));
+
+  private final LastCommand last = new LastCommand();
+
+  @Test
+  void aCommandRunsUntilItIsAnswered() {
+    assertThat(last.newest()).isEmpty();
+
+    last.event(new SimEvent.CommandReceived(SimTime.ZERO, 2, PEER, "forward 100"));
+    assertThat(last.newest()).contains(new Shown(2, "forward 100", Outcome.RUNNING, ""));
+
+    last.event(new SimEvent.ReplySent(SimTime.ZERO, 2, PEER, "forward 100", Reply.OK));
+    assertThat(last.newest()).contains(new Shown(2, "forward 100", Outcome.DONE, "ok"));
+
+    last.clear();
+    assertThat(last.newest()).isEmpty();
+  }
+
+  @Test
+  void readsAndSticksDoNotCount() {
+    last.event(new SimEvent.CommandReceived(SimTime.ZERO, 1, PEER, "battery?"));
+    last.event(new SimEvent.ReplySent(SimTime.ZERO, 1, PEER, "battery?", Reply.line("90")));
+    last.event(new SimEvent.CommandReceived(SimTime.ZERO, 1, PEER, "rc 0 0 0 0"));
+
+    assertThat(last.newest()).isEmpty();
+  }
+
+  @Test
+  void whatIsRefusedOrIgnoredFailed() {
+    Phrase reason = Phrase.of("because");
+
+    last.event(
+        new SimEvent.CommandRefused(SimTime.ZERO, 1, PEER, "up 9", Reply.OUT_OF_RANGE, reason));
+    assertThat(last.newest()).contains(new Shown(1, "up 9", Outcome.FAILED, "out of range"));
+
+    last.event(new SimEvent.CommandIgnored(SimTime.ZERO, 1, PEER, "up 20", reason));
+    assertThat(last.newest()).contains(new Shown(1, "up 20", Outcome.FAILED, ""));
+  }
+}

@@ -1,0 +1,66 @@
+package tellosimulator.view.world;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.List;
+import java.util.Map;
+import java.util.OptionalInt;
+import org.junit.jupiter.api.Test;
+import tellosimulator.goal.Goal;
+import tellosimulator.goal.Spot;
+import tellosimulator.math.Attitude;
+import tellosimulator.math.Pose;
+import tellosimulator.math.Vec3;
+import tellosimulator.world.Arena;
+import tellosimulator.world.Cover;
+import tellosimulator.world.Cover.Pattern;
+import tellosimulator.world.Decor;
+import tellosimulator.world.MissionPad;
+import tellosimulator.world.Obstacle;
+import tellosimulator.world.Room;
+import tellosimulator.world.Shape;
+import tellosimulator.world.Surface;
+
+class SceneExtentTest {
+
+  private static final Arena ROOM = Arena.empty(new Room(6, 4, 3), Decor.DEFAULT);
+
+  @Test
+  void theFloorsCornersAreInIt() {
+    List<Vec3> places = SceneExtent.of(ROOM, List.of(), List.of());
+
+    assertThat(places)
+        .contains(new Vec3(2, 3, 0), new Vec3(-2, 3, 0), new Vec3(2, -3, 0), new Vec3(-2, -3, 0))
+        .allMatch(place -> place.z() == 0);
+  }
+
+  @Test
+  void soAreObstaclesPadsStartsAndGoals() {
+    Cover cover = new Cover(0xff0000, Pattern.PLAIN, Map.of());
+    Obstacle box = new Obstacle("box", new Shape.Box(0.4, 0.6, 2), new Vec3(1, 1, 0), 0, cover);
+    MissionPad pad = new MissionPad(1, Surface.FRONT_WALL, 0, 1.5, 0);
+    Arena arena = ROOM.withObstacles(List.of(box)).withPads(List.of(pad));
+    Pose start = new Pose(new Vec3(-1, 0, 0), Attitude.LEVEL);
+    Goal reach = new Goal.Reach(OptionalInt.empty(), new Spot(new Vec3(0, 0, 2), 0.3));
+
+    List<Vec3> places = SceneExtent.of(arena, List.of(start), List.of(reach));
+
+    assertHas(places, new Vec3(1.2, 1.3, 2));
+    assertHas(places, new Vec3(2, 0, 1.5));
+    assertHas(places, new Vec3(-1, 0, 0));
+    assertHas(places, new Vec3(0, 0, 2.3));
+    assertHas(places, new Vec3(0.3, 0, 2));
+  }
+
+  @Test
+  void nothingIsAboveTheCeilingWhereADroneTakesOff() {
+    Arena low = Arena.empty(new Room(2, 2, 1), Decor.DEFAULT);
+    Pose onTable = new Pose(new Vec3(0, 0, 0.7), Attitude.LEVEL);
+
+    assertThat(SceneExtent.of(low, List.of(onTable), List.of())).allMatch(place -> place.z() <= 1);
+  }
+
+  private static void assertHas(List<Vec3> places, Vec3 wanted) {
+    assertThat(places).anyMatch(place -> place.distanceTo(wanted) < 1e-9);
+  }
+}
