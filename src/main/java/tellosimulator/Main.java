@@ -118,7 +118,7 @@ public final class Main {
   }
 
   private int listScenarios() {
-    ScenarioOptions.list(out);
+    ScenarioOptions.list(out, output.translation().get().locale());
     return ExitCode.DONE;
   }
 

@@ -2,10 +2,12 @@ package tellosimulator.cli;
 
 import java.io.IOException;
 import java.io.PrintStream;
+import java.util.Locale;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.stream.Stream;
 import picocli.CommandLine.TypeConversionException;
+import tellosimulator.scenario.Description;
 import tellosimulator.scenario.Gallery;
 import tellosimulator.scenario.OpenedScenario;
 import tellosimulator.scenario.Scenario;
@@ -76,12 +78,13 @@ public final class ScenarioOptions {
     return timeout.value();
   }
 
-  /** Says which scenarios there are. */
-  public static void list(PrintStream out) {
+  /** Says in a language which scenarios there are. */
+  public static void list(PrintStream out, Locale language) {
     int longest = Gallery.NAMES.stream().mapToInt(String::length).max().orElse(0);
     for (String name : Gallery.NAMES) {
       String gap = " ".repeat(longest - name.length() + 2);
-      out.println(name + gap + Gallery.find(name).orElseThrow().teaches());
+      Description description = Gallery.find(name).orElseThrow().description();
+      out.println(name + gap + description.teaches().in(language));
     }
   }
 

@@ -143,7 +143,11 @@ public final class TelloSimulator implements AutoCloseable {
 
   private static FlightRecorder recorder(Scenario scenario, SimConfig config, GoalWatch goals) {
     return FlightRecorder.inMemory(
-        new FlightRecorder.Subject(scenario.name(), scenario.withConfig(config), List.of(), goals));
+        new FlightRecorder.Subject(
+            scenario.description().name().english(),
+            scenario.withConfig(config),
+            List.of(),
+            goals));
   }
 
   private void record(GoalNews news) {

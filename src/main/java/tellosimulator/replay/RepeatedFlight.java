@@ -47,11 +47,7 @@ final class RepeatedFlight {
     GoalWatch goals = new GoalWatch(start.challenge(), this::tell);
     Scenario flown =
         new Scenario(
-            scenario.name(),
-            scenario.teaches(),
-            start.config(),
-            scenario.stations(),
-            start.challenge());
+            scenario.description(), start.config(), scenario.stations(), start.challenge());
     recorder =
         FlightRecorder.stepped(
             into, new FlightRecorder.Subject(title, flown, List.of(), goals), failures::add);

@@ -112,10 +112,13 @@ final class BlockStyle {
                         .findFirst());
   }
 
+  /** Texts in several languages are no example: they are long, and other mappings are short. */
   private static boolean isBlockMapping(Syntax syntax) {
     return syntax instanceof Collection inner
         && !inner.flow()
-        && inner.elements().stream().allMatch(element -> element.key().isPresent());
+        && inner.elements().stream().allMatch(element -> element.key().isPresent())
+        && !inner.elements().stream()
+            .allMatch(element -> element.key().filter(LocalizedTextCodec::isLanguage).isPresent());
   }
 
   private static List<String> indented(int width, List<String> lines) {

@@ -53,11 +53,12 @@ public record OpenedScenario(
         .orElseThrow(() -> new IllegalArgumentException(unknown(fileOrName)));
   }
 
-  /** Its name for people, or that of its file; may be empty. */
+  /** Its name in English, or that of its file; may be empty. */
   public String title() {
-    return scenario.name().isEmpty()
+    LocalizedText name = scenario.description().name();
+    return name.isEmpty()
         ? file.map(path -> String.valueOf(path.getFileName())).or(() -> known).orElse("")
-        : scenario.name();
+        : name.english();
   }
 
   private static Optional<Path> path(String word) {

@@ -18,14 +18,13 @@ import tellosimulator.sim.SimSnapshot.DroneSnapshot;
  * A room that can be handed out: what is in it, which drones fly there, and what they shall do.
  * Immutable; for any thread.
  *
- * @param name for people; may be empty
- * @param teaches one line on what one learns by it; may be empty
+ * @param description for people
  * @param config what to simulate
  * @param stations where each drone takes commands, in the order of their numbers
  * @param challenge what the drones shall do
  */
 public record Scenario(
-    String name, String teaches, SimConfig config, List<Station> stations, Challenge challenge) {
+    Description description, SimConfig config, List<Station> stations, Challenge challenge) {
 
   /**
    * Where a drone takes commands, as far as a scenario says so.
@@ -54,12 +53,12 @@ public record Scenario(
   /** Without a name and without goals, drones at the usual places. */
   public static Scenario of(SimConfig config) {
     List<Station> usual = Collections.nCopies(config.drones().size(), Station.USUAL);
-    return new Scenario("", "", config, usual, Challenge.NONE);
+    return new Scenario(Description.NONE, config, usual, Challenge.NONE);
   }
 
   /** The same with as many drones, but something else to simulate. */
   public Scenario withConfig(SimConfig newConfig) {
-    return new Scenario(name, teaches, newConfig, stations, challenge);
+    return new Scenario(description, newConfig, stations, challenge);
   }
 
   /**
@@ -83,7 +82,7 @@ public record Scenario(
         stations.stream()
             .map(station -> new Station(station.address(), OptionalInt.of(port)))
             .toList();
-    return new Scenario(name, teaches, config, others, challenge);
+    return new Scenario(description, config, others, challenge);
   }
 
   /**

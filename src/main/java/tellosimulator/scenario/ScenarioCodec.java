@@ -61,6 +61,10 @@ final class ScenarioCodec extends RecordCodec<ScenarioCodec.Noted> {
       return new Noted(other, theirs);
     }
 
+    private Description description() {
+      return scenario.description();
+    }
+
     private SimConfig config() {
       return scenario.config();
     }
@@ -103,12 +107,15 @@ final class ScenarioCodec extends RecordCodec<ScenarioCodec.Noted> {
   /** Reads, writes and describes all scenario files. */
   static final ScenarioCodec CODEC = new ScenarioCodec();
 
-  private final Field<Noted, String> name =
+  private final Field<Noted, LocalizedText> name =
       key("name", "What the scenario is called.")
-          .optional(Scalars.LINE, noted -> line(noted.scenario().name()));
-  private final Field<Noted, String> teaches =
+          .optional(new LocalizedTextCodec(), noted -> written(noted.description().name()));
+  private final Field<Noted, LocalizedText> teaches =
       key("teaches", "What one learns by it, in a line.")
-          .optional(Scalars.LINE, noted -> line(noted.scenario().teaches()));
+          .optional(new LocalizedTextCodec(), noted -> written(noted.description().teaches()));
+  private final Field<Noted, Difficulty> difficulty =
+      key("difficulty", "How much it asks of who programs for it.")
+          .optional(WordCodec.of(Difficulty.values()), noted -> noted.description().difficulty());
   private final Field<Noted, Room> room =
       key("room", "")
           .usual(RoomCodecs.room().orWritten(Room.DEFAULT), noted -> noted.arena().room());
@@ -209,7 +216,7 @@ final class ScenarioCodec extends RecordCodec<ScenarioCodec.Noted> {
     made(this::make);
   }
 
-  private static Optional<String> line(String text) {
+  private static Optional<LocalizedText> written(LocalizedText text) {
     return text.isEmpty() ? Optional.empty() : Optional.of(text);
   }
 
@@ -313,8 +320,10 @@ final class ScenarioCodec extends RecordCodec<ScenarioCodec.Noted> {
             in.get(untouched));
     Scenario scenario =
         new Scenario(
-            in.find(name).orElse(""),
-            in.find(teaches).orElse(""),
+            new Description(
+                in.find(name).orElse(LocalizedText.NONE),
+                in.find(teaches).orElse(LocalizedText.NONE),
+                in.find(difficulty)),
             config,
             flying.stream().map(DroneCodec.StationedDrone::station).toList(),
             challenge);

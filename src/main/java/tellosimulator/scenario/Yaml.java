@@ -63,10 +63,10 @@ final class Yaml {
     return node;
   }
 
-  /** The text of a whole file, with an empty line before each list and mapping. */
+  /** The text of a whole file, with an empty line before each list and mapping but the first. */
   static String text(Node file) {
     MappingNode root = (MappingNode) lean(file, Optional.empty());
-    for (NodeTuple tuple : root.getValue()) {
+    for (NodeTuple tuple : root.getValue().stream().skip(1).toList()) {
       if (!(tuple.getValueNode() instanceof ScalarNode)) {
         tuple
             .getKeyNode()

@@ -29,6 +29,7 @@ import tellosimulator.goal.GoalWatch;
 import tellosimulator.goal.Spot;
 import tellosimulator.math.Vec3;
 import tellosimulator.network.WireTap.Kind;
+import tellosimulator.scenario.Description;
 import tellosimulator.scenario.Scenario;
 import tellosimulator.scenario.ScenarioFile;
 import tellosimulator.sim.Control;
@@ -238,7 +239,7 @@ class FlightRecorderTest {
             false);
     Scenario plain = Scenario.of(SimConfig.DEFAULT);
     begin(
-        new Scenario("", "", plain.config(), plain.stations(), challenge),
+        new Scenario(Description.NONE, plain.config(), plain.stations(), challenge),
         RecordingFolder.at(parent),
         new EntryQueue());
     drones.fly("command", "takeoff", "land");

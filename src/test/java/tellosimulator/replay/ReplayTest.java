@@ -31,6 +31,7 @@ import tellosimulator.math.Vec3;
 import tellosimulator.profile.Behaviour;
 import tellosimulator.profile.Profile;
 import tellosimulator.recording.RecordingFolder;
+import tellosimulator.scenario.Description;
 import tellosimulator.scenario.Scenario;
 import tellosimulator.sim.SimConfig;
 import tellosimulator.sim.Swarm;
@@ -65,7 +66,7 @@ class ReplayTest {
             OptionalDouble.empty(),
             false);
     Scenario plain = Scenario.of(config.withArena(config.arena().withObstacles(List.of(pole))));
-    return new Scenario("Test", "", plain.config(), plain.stations(), challenge);
+    return new Scenario(Description.NONE, plain.config(), plain.stations(), challenge);
   }
 
   private static final String MOVES =

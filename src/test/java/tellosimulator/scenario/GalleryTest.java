@@ -7,6 +7,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -44,17 +45,31 @@ class GalleryTest {
   void eachHasANameALessonGoalsAndATimeLimit(String name) {
     Scenario scenario = Gallery.find(name).orElseThrow();
 
-    assertThat(scenario.name()).isNotEmpty();
-    assertThat(scenario.teaches()).matches("(to|that) .*").hasSizeLessThan(100);
+    Description description = scenario.description();
+    assertThat(description.name().lines()).containsOnlyKeys("en", "de");
+    assertThat(description.teaches().lines()).containsOnlyKeys("en", "de");
+    assertThat(description.teaches().english()).matches("(to|that) .*").hasSizeLessThan(100);
+    assertThat(description.teaches().in(Locale.GERMAN))
+        .matches("dass .*|.* zu .*|.*zu[a-z]+en,.*|zu .*")
+        .hasSizeLessThan(100);
     assertThat(scenario.challenge().goals()).isNotEmpty();
     assertThat(scenario.challenge().timeLimit()).isPresent();
+  }
+
+  @Test
+  void theEasiestComeFirst() {
+    assertThat(Gallery.NAMES.stream().map(GalleryTest::difficulty)).isSorted();
+  }
+
+  private static Difficulty difficulty(String name) {
+    return Gallery.find(name).orElseThrow().description().difficulty().orElseThrow();
   }
 
   @Test
   void theReadmeListsThemWithWhatTheyTeach() throws IOException {
     String readme = Files.readString(Path.of("README.md")).replace("`go`", "go");
     for (String name : Gallery.NAMES) {
-      String teaches = Gallery.find(name).orElseThrow().teaches();
+      String teaches = Gallery.find(name).orElseThrow().description().teaches().english();
       assertThat(readme).contains("| `" + name + "` | " + teaches + " |");
     }
   }

@@ -234,7 +234,7 @@ record RandomEdit(String what, Scenario changed, int linesGone, int linesNew) {
         String what, List<DroneSetup> drones, List<Station> stations, int lines) {
       SimConfig config = scenario.config().withDrones(drones);
       Scenario changed =
-          new Scenario(scenario.name(), scenario.teaches(), config, stations, scenario.challenge());
+          new Scenario(scenario.description(), config, stations, scenario.challenge());
       return new RandomEdit(what, changed, lines, lines);
     }
 

@@ -96,11 +96,23 @@ final class RandomScenario {
                 .withCrashSpeed(random.nextBoolean() ? DroneSpec.CRASH_SPEED : cm(0, 2000))
                 .withFaults(faults()));
     return new Scenario(
-        random.nextBoolean() ? "" : pick(NAMES),
-        random.nextBoolean() ? "" : pick(NAMES),
+        new Description(
+            text(),
+            text(),
+            random.nextBoolean()
+                ? Optional.empty()
+                : Optional.of(pick(List.of(Difficulty.values())))),
         config,
         stations,
         challenge(arena, drones.size()));
+  }
+
+  private LocalizedText text() {
+    return switch (random.nextInt(3)) {
+      case 0 -> LocalizedText.NONE;
+      case 1 -> LocalizedText.of(pick(NAMES));
+      default -> new LocalizedText(Map.of("en", pick(NAMES), "no", pick(NAMES)));
+    };
   }
 
   private Obstacle obstacle(String name) {

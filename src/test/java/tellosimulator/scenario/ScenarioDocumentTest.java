@@ -85,6 +85,22 @@ class ScenarioDocumentTest {
   }
 
   @Test
+  void textsInSeveralLanguagesStay() throws Exception {
+    String text =
+        """
+        name: {de: 'Kurs',  en: Course, fr: Parcours}
+        teaches:
+            en: "to aim"   # and not more
+            de: zu zielen
+        difficulty: hard
+        room: {height: 250}
+        """;
+
+    assertThat(changed(text, arena(a -> a.withRoom(new Room(5, 5, 3)))))
+        .isEqualTo(text.replace("250", "300"));
+  }
+
+  @Test
   void aNewObstacleIsWrittenLikeItsNeighbors() throws Exception {
     Obstacle box =
         new Obstacle("box-1", new Shape.Box(0.5, 0.5, 0.5), new Vec3(1, 1, 0), 0, Cover.DEFAULT);

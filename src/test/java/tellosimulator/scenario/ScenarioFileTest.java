@@ -12,6 +12,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.OptionalDouble;
 import java.util.OptionalInt;
@@ -62,7 +63,8 @@ class ScenarioFileTest {
   private static final String EVERYTHING =
       """
       name: Everything
-      teaches: what a file can say
+      teaches: {en: what a file can say, de: was in einer Datei stehen kann}
+      difficulty: medium
       room: {width: 800, depth: 600, height: 250}
       grid: 50
       walls: plain
@@ -117,8 +119,11 @@ class ScenarioFileTest {
   void everythingThatAFileCanSayIsRead() throws Exception {
     Scenario scenario = read(EVERYTHING);
 
-    assertThat(scenario.name()).isEqualTo("Everything");
-    assertThat(scenario.teaches()).isEqualTo("what a file can say");
+    Description description = scenario.description();
+    assertThat(description.name()).isEqualTo(LocalizedText.of("Everything"));
+    assertThat(description.teaches().in(Locale.ENGLISH)).isEqualTo("what a file can say");
+    assertThat(description.teaches().in(Locale.GERMAN)).isEqualTo("was in einer Datei stehen kann");
+    assertThat(description.difficulty()).contains(Difficulty.MEDIUM);
     SimConfig config = scenario.config();
     assertThat(config.timeFactor()).isEqualTo(new TimeFactor(2.5));
     assertThat(config.seed()).isEqualTo(-17);
@@ -246,7 +251,9 @@ class ScenarioFileTest {
         .startsWith(
             """
             name: Everything
-            teaches: what a file can say
+
+            teaches: {en: what a file can say, de: was in einer Datei stehen kann}
+            difficulty: medium
 
             room: {width: 800, depth: 600, height: 250}
             grid: 50
@@ -310,7 +317,15 @@ class ScenarioFileTest {
           room: 5                             | 1:7: expected a room, found "5"
           rom: {width: 500}                   | 1:1: a scenario has no key "rom", did you mean room?
           time_limit: 5                       | 1:1: a scenario has no key "time_limit", did you mean time-limit?
-          zebra: 5                            | 1:1: a scenario has no key "zebra", but only name, teaches, room, grid, walls, posters, obstacles, pads, drones, wind, link, faults, crash-speed, time-factor, seed, goals, in-order, time-limit, touch
+          zebra: 5                            | 1:1: a scenario has no key "zebra", but only name, teaches, difficulty, room, grid, walls, posters, obstacles, pads, drones, wind, link, faults, crash-speed, time-factor, seed, goals, in-order, time-limit, touch
+          name: {}                            | 1:7: expected a text in at least one language, found none
+          name: {english: a}                  | 1:8: expected a language such as en or de, found "english"
+          name: {[de]: a}                     | 1:8: expected a language such as en or de, found a list of 1
+          name: {en: a, en: b}                | 1:15: the key en is there twice
+          name: {en: a, de: 5}                | 1:19: expected a line of text of at most 200 letters, found "5"
+          name: {de: {en: a}}                 | 1:12: expected a line of text of at most 200 letters, found a mapping
+          name: [a]                           | 1:7: expected a line of text of at most 200 letters, found a list of 1
+          difficulty: harder                  | 1:13: expected one of easy, hard, medium, found "harder"
           {name: a, name: b}                  | 1:11: the key name is there twice
           [1, 2]                              | 1:1: expected a scenario, found a list of 2
           just words                          | 1:1: expected a scenario, found "just words"

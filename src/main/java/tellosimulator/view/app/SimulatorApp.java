@@ -250,7 +250,7 @@ public final class SimulatorApp implements AutoCloseable, ScenarioActions {
   }
 
   private void ask(String key, Answer... answers) {
-    running.ask(new Question(key, title(running.opened()), List.of(answers)));
+    running.ask(new Question(key, title(running.opened(), frame.language()), List.of(answers)));
   }
 
   @Override
@@ -317,7 +317,7 @@ public final class SimulatorApp implements AutoCloseable, ScenarioActions {
       next = chosen.with(rules.applied.apply(chosen.scenario()));
       wire = wire(next.scenario());
     } catch (IllegalArgumentException e) {
-      complain(List.of(language -> title(chosen) + ": " + e.getMessage()));
+      complain(List.of(language -> title(chosen, language) + ": " + e.getMessage()));
       return;
     }
     boolean on = running.on();
@@ -325,15 +325,23 @@ public final class SimulatorApp implements AutoCloseable, ScenarioActions {
     running.forget();
     running.close();
     running = new ScenarioSession(next, wire, optics, logQueue);
-    say(LogLevel.INFO, "scenario-opened", title(next));
+    logQueue.say(
+        LogLevel.INFO,
+        language ->
+            language
+                .messages(SimulatorApp.class)
+                .now("scenario-opened", title(next, language)));
     show(running);
     if (on) {
       running.switchOn();
     }
   }
 
-  private static String title(OpenedScenario opened) {
-    return opened.file().map(Path::toString).orElse(opened.scenario().name());
+  private static String title(OpenedScenario opened, Language language) {
+    return opened
+        .file()
+        .map(Path::toString)
+        .orElseGet(() -> opened.scenario().description().name().in(language.locale()));
   }
 
   private static Function<Language, String> saying(Mistake mistake) {

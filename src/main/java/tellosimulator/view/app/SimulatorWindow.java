@@ -129,6 +129,7 @@ public final class SimulatorWindow implements AutoCloseable {
                     report.phrase()));
     follow(context.scenario().fileProperty().subscribe(file -> stage.setTitle(title())));
     follow(context.scenario().unsavedProperty().subscribe(unsaved -> stage.setTitle(title())));
+    follow(context.language().localeProperty().subscribe(locale -> stage.setTitle(title())));
     stage.setFullScreenExitHint("");
     stage.setFullScreenExitKeyCombination(KeyCombination.NO_MATCH);
   }
@@ -139,7 +140,7 @@ public final class SimulatorWindow implements AutoCloseable {
         scenario
             .file()
             .map(file -> file.getFileName().toString())
-            .orElse(scenario.scenario().name());
+            .orElse(scenario.scenario().description().name().in(context.language().locale()));
     String mark = scenario.unsavedProperty().get() ? "* " : "";
     return mark + (name.isEmpty() ? "Tello Simulator" : name + " – Tello Simulator");
   }

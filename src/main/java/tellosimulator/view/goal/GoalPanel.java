@@ -19,6 +19,7 @@ import tellosimulator.goal.Challenge;
 import tellosimulator.goal.Goal;
 import tellosimulator.goal.Progress;
 import tellosimulator.goal.Progress.Status;
+import tellosimulator.scenario.LocalizedText;
 import tellosimulator.scenario.Scenario;
 import tellosimulator.sim.Control;
 import tellosimulator.view.fx.Tooltips;
@@ -64,7 +65,7 @@ public final class GoalPanel extends VBox {
     messages = language.messages(GoalPanel.class);
     progress = context.scenario().progressProperty();
     scenario = context.scenario().scenario();
-    initializeSelf(!scenario.teaches().isEmpty() || !challenge().goals().isEmpty());
+    initializeSelf(!scenario.description().teaches().isEmpty() || !challenge().goals().isEmpty());
     initializeParts();
     layoutParts();
     setupEventHandlers();
@@ -90,12 +91,10 @@ public final class GoalPanel extends VBox {
 
   private void initializeParts() {
     name.setId("scenario-name");
-    name.setText(scenario.name());
     name.getStyleClass().add("name");
     name.setMaxWidth(Double.MAX_VALUE);
     HBox.setHgrow(name, Priority.ALWAYS);
     teaches.setId("scenario-teaches");
-    teaches.setText(scenario.teaches());
     teaches.setWrapText(true);
     teaches.getStyleClass().add("muted");
     onlyWithText(teaches);
@@ -157,6 +156,8 @@ public final class GoalPanel extends VBox {
   }
 
   private void setupBindings() {
+    name.textProperty().bind(following(scenario.description().name()));
+    teaches.textProperty().bind(following(scenario.description().teaches()));
     again.textProperty().bind(messages.text("again"));
     Tooltips.install(again, messages.text("again.hint"));
     fold.accessibleTextProperty().bind(messages.text("fold"));
@@ -164,6 +165,10 @@ public final class GoalPanel extends VBox {
     progress.addListener((property, before, now) -> show());
     language.localeProperty().addListener((property, before, now) -> show());
     show();
+  }
+
+  private ObservableValue<String> following(LocalizedText text) {
+    return language.localeProperty().map(text::in);
   }
 
   private Challenge challenge() {

@@ -24,6 +24,7 @@ import tellosimulator.view.fx.Tooltips;
 import tellosimulator.view.model.FxScenario;
 import tellosimulator.view.model.ScenarioActions;
 import tellosimulator.view.model.ViewContext;
+import tellosimulator.view.text.Language;
 import tellosimulator.view.text.Messages;
 
 /**
@@ -33,6 +34,7 @@ import tellosimulator.view.text.Messages;
 public final class ScenarioMenu extends MenuButton {
 
   private final Messages messages;
+  private final Language language;
   private final FxScenario scenario;
   private final ScenarioActions actions;
   private final MenuItem nextGroup;
@@ -40,7 +42,8 @@ public final class ScenarioMenu extends MenuButton {
 
   public ScenarioMenu(ViewContext context) {
     super("", new FontIcon(Feather.FOLDER));
-    messages = context.language().messages(ScenarioMenu.class);
+    language = context.language();
+    messages = language.messages(ScenarioMenu.class);
     scenario = context.scenario();
     actions = scenario.actions();
     setId("scenarios");
@@ -136,9 +139,9 @@ public final class ScenarioMenu extends MenuButton {
   }
 
   private MenuItem known(String name, Scenario known) {
-    Label title = new Label(known.name());
+    Label title = new Label(known.description().name().in(language.locale()));
     title.getStyleClass().add(Styles.TEXT_BOLD);
-    Label teaches = new Label(known.teaches());
+    Label teaches = new Label(known.description().teaches().in(language.locale()));
     teaches.getStyleClass().addAll(Styles.TEXT_SMALL, Styles.TEXT_MUTED);
     MenuItem item = new CustomMenuItem(new VBox(title, teaches));
     item.setId("scenario-" + name);

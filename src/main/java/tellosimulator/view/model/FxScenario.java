@@ -85,7 +85,9 @@ public final class FxScenario {
 
   /** Whether nobody chose it: an empty room. */
   public boolean plain() {
-    return file().isEmpty() && scenario.name().isEmpty() && scenario.challenge().goals().isEmpty();
+    return file().isEmpty()
+        && scenario.description().name().isEmpty()
+        && scenario.challenge().goals().isEmpty();
   }
 
   /** How far the drones have come. */

@@ -30,6 +30,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.testfx.api.FxRobot;
 import tellosimulator.math.Vec3;
+import tellosimulator.scenario.LocalizedText;
 import tellosimulator.scenario.Scenario;
 import tellosimulator.scenario.ScenarioException;
 import tellosimulator.scenario.ScenarioFile;
@@ -169,7 +170,7 @@ class ScenarioWindowFxTest {
     change(() -> app.save(copy));
 
     Scenario saved = ScenarioFile.read(copy);
-    assertThat(saved.name()).isEqualTo("Small slalom");
+    assertThat(saved.description().name()).isEqualTo(LocalizedText.of("Small slalom"));
     assertThat(saved.challenge().goals()).hasSize(2);
     assertThat(saved.config().arena().obstacles()).extracting("name").contains("pole", "box 1");
     assertThat(saved.config().starts().get(0).position()).isEqualTo(new Vec3(-2, 0.5, 0));

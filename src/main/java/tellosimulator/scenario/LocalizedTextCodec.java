@@ -1,0 +1,91 @@
+package tellosimulator.scenario;
+
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.regex.Pattern;
+import org.snakeyaml.engine.v2.common.FlowStyle;
+import org.snakeyaml.engine.v2.nodes.MappingNode;
+import org.snakeyaml.engine.v2.nodes.Node;
+import org.snakeyaml.engine.v2.nodes.NodeTuple;
+import org.snakeyaml.engine.v2.nodes.Tag;
+import tellosimulator.words.Phrase;
+
+/** A line of text, or a mapping with a line for each of several languages. */
+record LocalizedTextCodec() implements Codec<LocalizedText> {
+
+  /** Documented: ISO 639-1 and 639-2, of which each language can be, not only the program's. */
+  private static final Pattern LANGUAGE = Pattern.compile("[a-z]{2,3}");
+
+  /** Whether a key is the code of a language. */
+  static boolean isLanguage(String key) {
+    return LANGUAGE.matcher(key).matches();
+  }
+
+  @Override
+  public Optional<LocalizedText> read(Node node, Context context) {
+    return node instanceof MappingNode mapping
+        ? lines(mapping, context).map(LocalizedText::new)
+        : Scalars.LINE.read(node, context).map(LocalizedText::of);
+  }
+
+  private static Optional<Map<String, String>> lines(MappingNode mapping, Context context) {
+    Mistakes mistakes = context.mistakes();
+    int before = mistakes.count();
+    Map<String, String> lines = new LinkedHashMap<>();
+    for (NodeTuple tuple : mapping.getValue()) {
+      Optional<String> language = language(tuple.getKeyNode(), mistakes);
+      Optional<String> line = Scalars.LINE.read(tuple.getValueNode(), context);
+      if (language.isPresent() && lines.put(language.get(), line.orElse("")) != null) {
+        mistakes.add(tuple.getKeyNode(), Phrase.of("the key %s is there twice", language.get()));
+      }
+    }
+    if (mapping.getValue().isEmpty()) {
+      mistakes.add(mapping, Phrase.of("expected a text in at least one language, found none"));
+    }
+    return mistakes.count() == before ? Optional.of(lines) : Optional.empty();
+  }
+
+  private static Optional<String> language(Node key, Mistakes mistakes) {
+    Optional<String> language = Scalars.text(key).filter(LocalizedTextCodec::isLanguage);
+    return language.isPresent()
+        ? language
+        : mistakes.expected(Phrase.of("a language such as en or de"), key);
+  }
+
+  @Override
+  public Node write(LocalizedText text, Path folder) {
+    Optional<String> only = text.only();
+    if (only.isPresent()) {
+      return Scalars.LINE.write(only.get(), folder);
+    }
+    List<NodeTuple> tuples = new ArrayList<>();
+    text.lines()
+        .forEach(
+            (language, line) ->
+                tuples.add(new NodeTuple(Yaml.text(language), Scalars.LINE.write(line, folder))));
+    return new MappingNode(Tag.MAP, tuples, FlowStyle.FLOW);
+  }
+
+  @Override
+  public Map<String, Object> schema(Map<String, Object> definitions) {
+    Map<String, Object> line = Scalars.LINE.schema(definitions);
+    Map<String, Object> lines =
+        Codec.object(
+            "type",
+            "object",
+            "minProperties",
+            1,
+            "propertyNames",
+            Codec.object("pattern", "^" + LANGUAGE.pattern() + "$"),
+            "additionalProperties",
+            line);
+    String description = "A line, or one for each of several languages: {en: …, de: …}.";
+    definitions.put(
+        "text", Codec.object("description", description, "anyOf", List.of(line, lines)));
+    return Codec.object("$ref", "#/$defs/text");
+  }
+}
