@@ -182,6 +182,9 @@ public final class Main {
         app.switchAllOn();
         out.println(app.ready());
       }
+      if (!options.choosesRoom()) {
+        app.beginWithGallery();
+      }
       return app.run(window.settings(), window.state()) ? ExitCode.DONE : ExitCode.FAILED;
     }
   }

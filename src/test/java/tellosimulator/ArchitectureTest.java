@@ -83,6 +83,7 @@ class ArchitectureTest {
           Map.entry("view.model", List.of("recording", "view.text", "view.video")),
           Map.entry("view.drone", List.of("view.fx", "view.model")),
           Map.entry("view.controls", List.of("view.drone")),
+          Map.entry("view.gallery", List.of("view.model")),
           Map.entry("view.goal", List.of("view.model")),
           Map.entry("view.log", List.of("view.model")),
           Map.entry("view.pilot", List.of("view.model")),
@@ -90,7 +91,9 @@ class ArchitectureTest {
           Map.entry("view.projector", List.of("view.drone")),
           Map.entry("view.replay", List.of("replay", "report", "view.layout")),
           Map.entry("view.world", List.of("view.drone")),
-          Map.entry("view.layout", List.of("view.controls", "view.pilot", "view.world")),
+          Map.entry(
+              "view.layout",
+              List.of("view.controls", "view.gallery", "view.pilot", "view.world")),
           Map.entry(
               "view.app",
               List.of("view.goal", "view.log", "view.plan", "view.projector", "view.replay")));

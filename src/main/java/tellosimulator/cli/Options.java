@@ -150,6 +150,11 @@ public final class Options {
     return logLevel.value();
   }
 
+  /** Whether it is said in which room is flown, or with how many drones. */
+  public boolean choosesRoom() {
+    return scenarioOptions.opened().isPresent() || drones.given() || roomOptions.given();
+  }
+
   /** The drones' cameras. */
   public DroneOptics optics() {
     return new DroneOptics(Math.toRadians(fieldOfViewDeg.value()), Math.toRadians(tiltDeg.value()));

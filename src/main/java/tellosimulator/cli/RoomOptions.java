@@ -1,6 +1,7 @@
 package tellosimulator.cli;
 
 import java.util.List;
+import java.util.stream.Stream;
 import tellosimulator.math.Vec3;
 import tellosimulator.world.Poster;
 import tellosimulator.world.Room;
@@ -48,6 +49,11 @@ final class RoomOptions {
                 "Where the drone starts, in cm from the room's centre: X along its depth, Y to the left."
                     + " Several drones stand in a row around it. Default: 0,0.")
             .read(OptionTypes::floorPoint, "0,0");
+  }
+
+  /** Whether anything is said about the room. */
+  boolean given() {
+    return Stream.of(room, walls, posters, start).anyMatch(Choice::given);
   }
 
   Choice<Room> size() {

@@ -19,6 +19,7 @@ import tellosimulator.scenario.ScenarioDocument;
 import tellosimulator.scenario.ScenarioFile;
 import tellosimulator.sim.LogLimiter;
 import tellosimulator.video.camera.DroneOptics;
+import tellosimulator.view.gallery.GalleryPane;
 import tellosimulator.view.layout.QuestionPage.Question;
 import tellosimulator.view.layout.WindowState;
 import tellosimulator.view.log.LogLevel;
@@ -150,6 +151,11 @@ final class ScenarioSession implements AutoCloseable {
   /** Says in the window what is wrong with another scenario. */
   void show(List<Function<Language, String>> mistakes) {
     window.show(mistakes);
+  }
+
+  /** Lets somebody choose what to fly in, or closes that page. */
+  void toggleGallery(GalleryPane.Offer offer) {
+    window.toggleGallery(offer);
   }
 
   /** The scenario with room and starts as they are now. */

@@ -21,15 +21,20 @@ import tellosimulator.scenario.Scenario;
 import tellosimulator.scenario.ScenarioDocument;
 import tellosimulator.scenario.ScenarioException;
 import tellosimulator.scenario.ScenarioFile;
+import tellosimulator.sim.SimConfig;
 import tellosimulator.video.camera.DroneOptics;
 import tellosimulator.view.app.ScenarioSession.Frame;
 import tellosimulator.view.app.ScenarioSession.Wire;
+import tellosimulator.view.gallery.GalleryPane;
+import tellosimulator.view.gallery.RecentFiles;
+import tellosimulator.view.gallery.RoomPictures;
 import tellosimulator.view.layout.QuestionPage.Question;
 import tellosimulator.view.layout.QuestionPage.Question.Answer;
 import tellosimulator.view.layout.WindowState;
 import tellosimulator.view.log.LogLevel;
 import tellosimulator.view.log.LogQueue;
 import tellosimulator.view.model.ScenarioActions;
+import tellosimulator.view.replay.ReplayWindow.Appearance;
 import tellosimulator.view.settings.Settings;
 import tellosimulator.view.settings.WindowPlacement;
 import tellosimulator.view.text.Language;
@@ -69,7 +74,11 @@ public final class SimulatorApp implements AutoCloseable, ScenarioActions {
   private final DroneOptics optics;
   private final LastFlightReport report;
   private volatile ScenarioSession running;
+  private final RoomPictures pictures = new RoomPictures();
   private Frame frame;
+  private RecentFiles recent;
+  private RecordingPlayers players;
+  private boolean galleryFirst;
   private Optional<FileWatcher> watch = Optional.empty();
 
   /**
@@ -128,11 +137,21 @@ public final class SimulatorApp implements AutoCloseable, ScenarioActions {
     return Toolkit.run(stage -> show(stage, settings, state));
   }
 
+  /** Lets the window begin with the gallery, where nothing is remembered of an earlier start. */
+  public void beginWithGallery() {
+    galleryFirst = true;
+  }
+
   /** Shows the window in a stage. For the JavaFX thread. */
   void show(Stage stage, Settings settings, WindowState state) {
     Language language = new Language(Locale.getDefault());
     settings.bind("language", language.localeProperty(), Language.codec());
     frame = new Frame(stage, language, state, settings);
+    recent = RecentFiles.remembered(settings);
+    running.opened().file().ifPresent(recent::add);
+    players =
+        new RecordingPlayers(
+            new Appearance(language, state.themeProperty(), optics), this::cannotPlay);
     stage.setOnCloseRequest(
         event -> {
           event.consume();
@@ -141,10 +160,15 @@ public final class SimulatorApp implements AutoCloseable, ScenarioActions {
     stage.setOnHidden(
         hidden -> {
           running.leave();
+          players.closeAll();
           settings.save();
         });
+    boolean firstStart = settings.isNew();
     WindowPlacement.remember(stage, settings);
     show(running);
+    if (galleryFirst && firstStart) {
+      choose();
+    }
   }
 
   private void show(ScenarioSession scenario) {
@@ -190,13 +214,35 @@ public final class SimulatorApp implements AutoCloseable, ScenarioActions {
   // --- opening and saving ---
 
   @Override
+  public void choose() {
+    running.toggleGallery(new GalleryPane.Offer(pictures, recent));
+  }
+
+  @Override
   public void open(Path file) {
     unlessLost(() -> openFile(file));
+  }
+
+  @Override
+  public void openEmpty() {
+    unlessLost(() -> replaceBy(OpenedScenario.once(Scenario.of(SimConfig.DEFAULT))));
+  }
+
+  @Override
+  public void openRecording(Path place) {
+    players.open(place);
+  }
+
+  private void cannotPlay(Function<Language, String> reason) {
+    logQueue.say(LogLevel.ERROR, reason);
+    String sentence = reason.apply(frame.language());
+    running.ask(new Question("recording", sentence, List.of(new Answer("close", () -> {}))));
   }
 
   private void openFile(Path file) {
     try {
       replaceBy(OpenedScenario.of(ScenarioFile.open(file), file));
+      recent.add(file);
     } catch (ScenarioException e) {
       complain(e.mistakes().stream().map(SimulatorApp::saying).toList());
     }
@@ -288,6 +334,7 @@ public final class SimulatorApp implements AutoCloseable, ScenarioActions {
       say(LogLevel.WARN, "scenario-written-anew", file);
     }
     running.savedAs(document, file);
+    recent.add(file);
     watch = Optional.of(new FileWatcher(file));
     try {
       ScenarioFile.read(file);

@@ -1,7 +1,10 @@
 package tellosimulator.view.app;
 
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.List;
 import java.util.function.Function;
+import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import javafx.application.Application;
 import javafx.beans.property.BooleanProperty;
@@ -21,6 +24,8 @@ import tellosimulator.sim.Control;
 import tellosimulator.view.controls.DroneList;
 import tellosimulator.view.controls.NetworkControls;
 import tellosimulator.view.controls.SimulatorControls;
+import tellosimulator.view.fx.FileDrop;
+import tellosimulator.view.gallery.GalleryPane;
 import tellosimulator.view.goal.GoalPanel;
 import tellosimulator.view.layout.KeyBindings;
 import tellosimulator.view.layout.PageOverlay;
@@ -35,6 +40,7 @@ import tellosimulator.view.log.LogQueue;
 import tellosimulator.view.log.ReportOffer;
 import tellosimulator.view.model.FxDroneModel;
 import tellosimulator.view.model.FxScenario;
+import tellosimulator.view.model.ScenarioActions;
 import tellosimulator.view.model.ViewContext;
 import tellosimulator.view.pilot.PilotControls;
 import tellosimulator.view.plan.PlanPane;
@@ -61,6 +67,8 @@ public final class SimulatorWindow implements AutoCloseable {
 
   /** Between what lies over the scene's corner [px]. */
   private static final double ASIDE_GAP = 8;
+
+  private static final Pattern SCENARIO_FILE = Pattern.compile("(?i).*\\.ya?ml");
 
   /** What {@link #remember} binds. */
   private static final List<String> REMEMBERED =
@@ -113,6 +121,7 @@ public final class SimulatorWindow implements AutoCloseable {
     bar = new WindowBar(context, state, world, pages);
     projector = new ProjectorPane(context);
     Parent root = new StackPane(pane(), projector, pages);
+    FileDrop.install(root, this::open);
     scene = scene(stage, root);
     following = stage.fullScreenProperty().subscribe(state.fullScreenProperty()::set);
     setupKeys();
@@ -132,6 +141,17 @@ public final class SimulatorWindow implements AutoCloseable {
     follow(context.language().localeProperty().subscribe(locale -> stage.setTitle(title())));
     stage.setFullScreenExitHint("");
     stage.setFullScreenExitKeyCombination(KeyCombination.NO_MATCH);
+  }
+
+  /** Opens what was dropped: the file of a scenario, or else a recording. */
+  private void open(Path dropped) {
+    ScenarioActions actions = context.scenario().actions();
+    boolean recording = !SCENARIO_FILE.matcher(String.valueOf(dropped.getFileName())).matches();
+    if (recording || Files.isDirectory(dropped)) {
+      actions.openRecording(dropped);
+    } else {
+      actions.open(dropped);
+    }
   }
 
   private String title() {
@@ -212,6 +232,7 @@ public final class SimulatorWindow implements AutoCloseable {
         .on(WindowKey.DRONE_CAMERA, world::switchCamera)
         .on(WindowKey.NEXT_DRONE, () -> context.simulation().selectNext(1))
         .on(WindowKey.PREVIOUS_DRONE, () -> context.simulation().selectNext(-1))
+        .on(WindowKey.GALLERY, context.scenario().actions()::choose)
         .on(WindowKey.OPEN_SCENARIO, bar.scenarios()::chooseToOpen)
         .on(WindowKey.SAVE_SCENARIO, this::save)
         .on(WindowKey.SAVE_SCENARIO_AS, bar.scenarios()::chooseToSave)
@@ -348,6 +369,11 @@ public final class SimulatorWindow implements AutoCloseable {
   /** Says what is wrong with a scenario. */
   void show(List<Function<Language, String>> mistakes) {
     pages.show(mistakes);
+  }
+
+  /** Lets somebody choose what to fly in, or closes that page. */
+  void toggleGallery(GalleryPane.Offer offer) {
+    pages.toggleGallery(offer, bar.scenarios()::chooseToOpen);
   }
 
   /** Asks something. */

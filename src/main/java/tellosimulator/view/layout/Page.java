@@ -45,6 +45,11 @@ abstract class Page extends VBox {
     return title;
   }
 
+  /** What has the focus when it opens. */
+  Node firstFocus() {
+    return defaultButton();
+  }
+
   final Button defaultButton() {
     return (Button) buttons.getChildren().get(0);
   }

@@ -6,13 +6,14 @@ import java.util.Optional;
 import java.util.function.Function;
 import javafx.scene.Node;
 import javafx.scene.layout.StackPane;
+import tellosimulator.view.gallery.GalleryPane;
 import tellosimulator.view.model.ViewContext;
 import tellosimulator.view.text.Language;
 
 /**
- * The pages that lie over the window: help, about, and what is wrong with a scenario. Lies over
- * everything else in the window's root, and is not there while no page is open. Closed by Esc, by a
- * click beside the page, or by the page's button. For the JavaFX thread.
+ * The pages that lie over the window: help, about, the gallery, questions, and what is wrong with a
+ * scenario. Lies over everything else in the window's root, and is not there while no page is open.
+ * Closed by Esc, by a click beside the page, or by the page's button. For the JavaFX thread.
  */
 public final class PageOverlay extends StackPane {
 
@@ -44,6 +45,24 @@ public final class PageOverlay extends StackPane {
     show(new AboutPage(context));
   }
 
+  /**
+   * Lets somebody choose what to fly in, or closes that page if it is open.
+   *
+   * @param chooseFile lets somebody choose a file, and opens it
+   */
+  public void toggleGallery(GalleryPane.Offer offer, Runnable chooseFile) {
+    if (pane.isDisplay() && pane.getContent() instanceof GalleryPage) {
+      pane.hide(true);
+    } else {
+      open(new GalleryPage(context, offer, chooseFile, this::close));
+    }
+  }
+
+  private void close(Runnable then) {
+    pane.hide(true);
+    then.run();
+  }
+
   /** Says what is wrong with a scenario. */
   public void show(List<Function<Language, String>> mistakes) {
     show(new MistakesPage(context, mistakes));
@@ -69,7 +88,8 @@ public final class PageOverlay extends StackPane {
       focusedBefore = Optional.ofNullable(getScene().getFocusOwner());
     }
     pane.show(page);
-    page.defaultButton().requestFocus();
+    page.applyCss(); // or what a scroll pane holds would not be in the scene yet
+    page.firstFocus().requestFocus();
   }
 
   private void initializeSelf() {

@@ -5,52 +5,39 @@ import atlantafx.base.theme.Tweaks;
 import java.io.File;
 import java.nio.file.Path;
 import java.util.Optional;
-import javafx.scene.control.CustomMenuItem;
-import javafx.scene.control.Label;
 import javafx.scene.control.MenuButton;
 import javafx.scene.control.MenuItem;
-import javafx.scene.control.SeparatorMenuItem;
 import javafx.scene.input.KeyCode;
 import javafx.scene.input.KeyCodeCombination;
 import javafx.scene.input.KeyCombination;
-import javafx.scene.layout.VBox;
 import javafx.stage.FileChooser;
 import javafx.stage.FileChooser.ExtensionFilter;
 import org.kordamp.ikonli.feather.Feather;
 import org.kordamp.ikonli.javafx.FontIcon;
-import tellosimulator.scenario.Gallery;
-import tellosimulator.scenario.Scenario;
 import tellosimulator.view.fx.Tooltips;
 import tellosimulator.view.model.FxScenario;
 import tellosimulator.view.model.ScenarioActions;
 import tellosimulator.view.model.ViewContext;
-import tellosimulator.view.text.Language;
 import tellosimulator.view.text.Messages;
 
-/**
- * Scenarios: those of files, and those that come with the program, each with what it teaches. For
- * the JavaFX thread.
- */
+/** Opens, saves and reloads the file of a scenario. For the JavaFX thread. */
 public final class ScenarioMenu extends MenuButton {
 
   private final Messages messages;
-  private final Language language;
   private final FxScenario scenario;
   private final ScenarioActions actions;
   private final MenuItem nextGroup;
-  private boolean listed;
 
   public ScenarioMenu(ViewContext context) {
-    super("", new FontIcon(Feather.FOLDER));
-    language = context.language();
-    messages = language.messages(ScenarioMenu.class);
+    super("", new FontIcon(Feather.SAVE));
+    messages = context.language().messages(ScenarioMenu.class);
     scenario = context.scenario();
     actions = scenario.actions();
-    setId("scenarios");
+    setId("scenario-file");
     setFocusTraversable(false);
     getStyleClass().addAll(Styles.BUTTON_ICON, Styles.FLAT, Styles.SMALL, Tweaks.NO_ARROW);
-    Tooltips.install(this, messages.text("scenarios-tip"));
-    accessibleTextProperty().bind(messages.text("scenarios"));
+    Tooltips.install(this, messages.text("scenario-file-tip"));
+    accessibleTextProperty().bind(messages.text("scenario-file"));
     MenuItem reload = item("scenario-reload", KeyCode.R, actions::reload);
     reload.setDisable(scenario.plain());
     MenuItem saveAs = item("scenario-save-as", KeyCode.S, this::chooseToSave);
@@ -65,9 +52,7 @@ public final class ScenarioMenu extends MenuButton {
             item("scenario-save", KeyCode.S, this::save),
             saveAs,
             reload,
-            nextGroup,
-            new SeparatorMenuItem());
-    setOnShowing(event -> listKnown());
+            nextGroup);
   }
 
   /** Says what is done for those who come next. */
@@ -125,27 +110,6 @@ public final class ScenarioMenu extends MenuButton {
     // only to be seen; the window's keys do it
     item.setAccelerator(new KeyCodeCombination(key, KeyCombination.SHORTCUT_DOWN));
     item.setOnAction(event -> action.run());
-    return item;
-  }
-
-  /** Reads them only when somebody looks. */
-  private void listKnown() {
-    if (!listed) {
-      listed = true;
-      for (String name : Gallery.NAMES) {
-        Gallery.find(name).ifPresent(known -> getItems().add(known(name, known)));
-      }
-    }
-  }
-
-  private MenuItem known(String name, Scenario known) {
-    Label title = new Label(known.description().name().in(language.locale()));
-    title.getStyleClass().add(Styles.TEXT_BOLD);
-    Label teaches = new Label(known.description().teaches().in(language.locale()));
-    teaches.getStyleClass().addAll(Styles.TEXT_SMALL, Styles.TEXT_MUTED);
-    MenuItem item = new CustomMenuItem(new VBox(title, teaches));
-    item.setId("scenario-" + name);
-    item.setOnAction(event -> actions.openKnown(name));
     return item;
   }
 }

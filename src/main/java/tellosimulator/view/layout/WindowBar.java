@@ -24,6 +24,7 @@ public final class WindowBar extends ToolBar {
     setId("window-bar");
     getItems()
         .setAll(
+            buttons.button("scenarios", Feather.FOLDER, context.scenario().actions()::choose),
             scenarios,
             buttons.toggle(
                 "show-controls", Feather.SLIDERS, state.simulatorControlsShownProperty()),
@@ -46,7 +47,7 @@ public final class WindowBar extends ToolBar {
             buttons.toggle("show-network", Feather.WIFI, state.networkControlsShownProperty()));
   }
 
-  /** The menu of scenarios. */
+  /** The menu of files. */
   public ScenarioMenu scenarios() {
     return scenarios;
   }

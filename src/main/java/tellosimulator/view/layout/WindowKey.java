@@ -35,6 +35,7 @@ public enum WindowKey {
   START_VIEW(KeyCode.DIGIT0, KeyCode.NUMPAD0),
   NEXT_DRONE(KeyCode.PAGE_DOWN),
   PREVIOUS_DRONE(KeyCode.PAGE_UP),
+  GALLERY(KeyCombination.SHORTCUT_DOWN, KeyCode.G),
   OPEN_SCENARIO(KeyCombination.SHORTCUT_DOWN, KeyCode.O),
   SAVE_SCENARIO(KeyCombination.SHORTCUT_DOWN, KeyCode.S),
   SAVE_SCENARIO_AS(KeyCode.S, KeyCombination.SHORTCUT_DOWN, KeyCombination.SHIFT_DOWN),

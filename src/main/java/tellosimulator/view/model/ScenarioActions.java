@@ -3,8 +3,8 @@ package tellosimulator.view.model;
 import java.nio.file.Path;
 
 /**
- * What a person can do with scenarios: open, reload, save. What goes wrong is told in the window,
- * which then goes on as before. For the JavaFX thread.
+ * What a person can do with scenarios and recordings: choose, open, reload, save. What goes wrong is
+ * told in the window, which then goes on as before. For the JavaFX thread.
  */
 public interface ScenarioActions {
 
@@ -12,7 +12,16 @@ public interface ScenarioActions {
   ScenarioActions CLOSED =
       new ScenarioActions() {
         @Override
+        public void choose() {}
+
+        @Override
         public void open(Path file) {}
+
+        @Override
+        public void openEmpty() {}
+
+        @Override
+        public void openRecording(Path place) {}
 
         @Override
         public void openKnown(String name) {}
@@ -24,6 +33,9 @@ public interface ScenarioActions {
         public void save(Path file) {}
       };
 
+  /** Shows what there is, or closes that page. */
+  void choose();
+
   /** Opens a file in place of what is flown; asks before edits are lost, as those below do. */
   void open(Path file);
 
@@ -33,6 +45,16 @@ public interface ScenarioActions {
    * @param name its short name
    */
   void openKnown(String name);
+
+  /** Opens the default room, with one drone and nothing to do. */
+  void openEmpty();
+
+  /**
+   * Opens a recording in a player of its own, beside what is flown.
+   *
+   * @param place its folder, or a file in it
+   */
+  void openRecording(Path place);
 
   /** Opens again what is flown. */
   void reload();

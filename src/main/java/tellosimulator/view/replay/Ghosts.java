@@ -5,9 +5,6 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Optional;
 import javafx.application.Platform;
-import javafx.scene.Scene;
-import javafx.scene.input.DragEvent;
-import javafx.scene.input.TransferMode;
 import javafx.stage.DirectoryChooser;
 import javafx.stage.Window;
 import tellosimulator.concurrent.Verdict;
@@ -65,31 +62,6 @@ final class Ghosts {
     if (chosen != null) {
       read(chosen.toPath());
     }
-  }
-
-  /** Lets somebody drop the folder of a recording, or a file in it. */
-  void takeDrops(Scene scene) {
-    scene.setOnDragOver(
-        event -> {
-          if (dropped(event).isPresent()) {
-            event.acceptTransferModes(TransferMode.COPY);
-          }
-          event.consume();
-        });
-    scene.setOnDragDropped(
-        event -> {
-          Optional<File> place = dropped(event);
-          place.ifPresent(file -> read(file.toPath()));
-          event.setDropCompleted(place.isPresent());
-          event.consume();
-        });
-  }
-
-  /** There is one ghost, so several files are none. */
-  private static Optional<File> dropped(DragEvent event) {
-    return Optional.ofNullable(event.getDragboard().getFiles())
-        .filter(files -> files.size() == 1)
-        .map(files -> files.get(0));
   }
 
   /** Shows a recording as the ghost, as soon as it is read. */

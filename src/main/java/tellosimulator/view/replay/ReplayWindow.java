@@ -15,6 +15,7 @@ import javafx.scene.input.KeyCombination;
 import javafx.stage.Stage;
 import javafx.stage.WindowEvent;
 import tellosimulator.video.camera.DroneOptics;
+import tellosimulator.view.fx.FileDrop;
 import tellosimulator.view.layout.Theme;
 import tellosimulator.view.model.Pulse;
 import tellosimulator.view.model.SceneContext;
@@ -69,7 +70,7 @@ public final class ReplayWindow implements AutoCloseable {
     scene
         .getAccelerators()
         .put(new KeyCodeCombination(KeyCode.Q, KeyCombination.SHORTCUT_DOWN), this::quit);
-    ghosts.takeDrops(scene);
+    FileDrop.install(pane, ghosts::read);
     EventHandler<InputEvent> waking = input -> pulse.wake();
     scene.addEventFilter(InputEvent.ANY, waking);
     scene.widthProperty().subscribe(pulse::wake);

@@ -70,6 +70,11 @@ public final class Settings {
     }
   }
 
+  /** Whether nothing is remembered, as at the first start. */
+  public boolean isNew() {
+    return found.isEmpty();
+  }
+
   /**
    * Gives a property the value that the file has for it, and keeps its value from now on.
    *

@@ -46,6 +46,7 @@ final class AppFixture implements BeforeEachCallback, AfterEachCallback {
   private final List<Path> openedReports = new CopyOnWriteArrayList<>();
   private volatile Predicate<Path> browser = file -> true;
   private Path settingsFile;
+  private boolean galleryFirst;
   private SimulatorApp app;
   private Stage stage;
 
@@ -60,6 +61,22 @@ final class AppFixture implements BeforeEachCallback, AfterEachCallback {
   public void beforeEach(ExtensionContext test) throws IOException, TimeoutException {
     FxToolkit.registerPrimaryStage();
     settingsFile = Files.createTempDirectory("settings").resolve("settings");
+    begin();
+  }
+
+  /** The same as the program does without options: at the first start the gallery is shown. */
+  AppFixture beginningWithGallery() {
+    galleryFirst = true;
+    return this;
+  }
+
+  /** Starts the program once more, after its window was closed. */
+  void startAgain() {
+    app.close();
+    begin();
+  }
+
+  private void begin() {
     Settings settings = Settings.load(settingsFile);
     app =
         new SimulatorApp(
@@ -77,6 +94,9 @@ final class AppFixture implements BeforeEachCallback, AfterEachCallback {
                     List.of())),
             DroneOptics.DEFAULT,
             this::openReport);
+    if (galleryFirst) {
+      app.beginWithGallery();
+    }
     change(
         () -> {
           stage = stageMaker.get();

@@ -168,6 +168,7 @@ class PageOverlayFxTest {
       value = WindowKey.class,
       names = {
         "HELP",
+        "GALLERY",
         "OPEN_SCENARIO",
         "SAVE_SCENARIO",
         "SAVE_SCENARIO_AS",

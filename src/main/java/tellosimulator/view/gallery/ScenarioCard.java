@@ -1,0 +1,177 @@
+package tellosimulator.view.gallery;
+
+import java.util.Locale;
+import javafx.css.PseudoClass;
+import javafx.geometry.Orientation;
+import javafx.scene.AccessibleAction;
+import javafx.scene.AccessibleRole;
+import javafx.scene.Node;
+import javafx.scene.control.Label;
+import javafx.scene.image.ImageView;
+import javafx.scene.input.KeyCode;
+import javafx.scene.input.KeyEvent;
+import javafx.scene.input.MouseButton;
+import javafx.scene.input.MouseEvent;
+import javafx.scene.layout.HBox;
+import javafx.scene.layout.Region;
+import javafx.scene.layout.StackPane;
+import javafx.scene.layout.VBox;
+import tellosimulator.scenario.Description;
+import tellosimulator.scenario.Difficulty;
+import tellosimulator.view.text.Language;
+import tellosimulator.view.text.Messages;
+
+/**
+ * A scenario with its picture, name, difficulty, and what one learns by it. Chosen by a click,
+ * Enter or Space. For the JavaFX thread.
+ */
+final class ScenarioCard extends VBox {
+
+  private static final PseudoClass FILLED = PseudoClass.getPseudoClass("filled");
+
+  private final Language language;
+  private final Messages messages;
+  private final Description description;
+  private final Runnable chosen;
+  private final ImageView picture = new ImageView();
+  private final Label name = new Label();
+  private final Label level = new Label();
+  private final HBox difficulty = new HBox();
+  private final Label teaches = new Label();
+
+  /**
+   * @param chosen what choosing it does
+   */
+  ScenarioCard(Language language, Description description, Runnable chosen) {
+    this.language = language;
+    this.description = description;
+    this.chosen = chosen;
+    messages = language.messages(ScenarioCard.class);
+    initializeSelf();
+    initializeParts();
+    layoutParts();
+    setupEventHandlers();
+    setupBindings();
+  }
+
+  /** What shows its picture. */
+  ImageView picture() {
+    return picture;
+  }
+
+  private void initializeSelf() {
+    getStyleClass().add("scenario-card");
+    setFocusTraversable(true);
+    setAccessibleRole(AccessibleRole.BUTTON);
+  }
+
+  private void initializeParts() {
+    picture.setPreserveRatio(true);
+    picture.setSmooth(true);
+    name.getStyleClass().add("name");
+    name.setWrapText(true);
+    name.setMinHeight(Region.USE_PREF_SIZE);
+    level.getStyleClass().add("level");
+    difficulty.getStyleClass().add("difficulty");
+    teaches.getStyleClass().add("teaches");
+    teaches.setWrapText(true);
+    teaches.setMinHeight(Region.USE_PREF_SIZE);
+  }
+
+  private void layoutParts() {
+    for (Difficulty each : Difficulty.values()) {
+      Region dot = new Region();
+      dot.getStyleClass().add("dot");
+      boolean filled =
+          description.difficulty().filter(said -> each.compareTo(said) <= 0).isPresent();
+      dot.pseudoClassStateChanged(FILLED, filled);
+      difficulty.getChildren().add(dot);
+    }
+    difficulty.getChildren().add(level);
+    difficulty.setVisible(description.difficulty().isPresent());
+    getChildren().addAll(new Frame(picture), name, difficulty, teaches);
+  }
+
+  private void setupEventHandlers() {
+    addEventHandler(
+        MouseEvent.MOUSE_CLICKED,
+        click -> {
+          if (click.getButton() == MouseButton.PRIMARY) {
+            chosen.run();
+          }
+        });
+    addEventHandler(
+        KeyEvent.KEY_PRESSED,
+        key -> {
+          if (key.getCode() == KeyCode.ENTER || key.getCode() == KeyCode.SPACE) {
+            key.consume();
+            chosen.run();
+          }
+        });
+  }
+
+  private void setupBindings() {
+    name.textProperty().bind(language.localeProperty().map(description.name()::in));
+    level.textProperty().bind(language.localeProperty().map(locale -> level()));
+    teaches.textProperty().bind(language.localeProperty().map(this::lesson));
+    accessibleTextProperty()
+        .bind(
+            messages.text(
+                "card", name.textProperty(), level.textProperty(), teaches.textProperty()));
+  }
+
+  private String level() {
+    return description
+        .difficulty()
+        .map(each -> messages.now(each.name().toLowerCase(Locale.ROOT)))
+        .orElse("");
+  }
+
+  private String lesson(Locale locale) {
+    return messages.now("learn", description.teaches().in(locale));
+  }
+
+  @Override
+  public void executeAccessibleAction(AccessibleAction action, Object... parameters) {
+    if (action == AccessibleAction.FIRE) {
+      chosen.run();
+    } else {
+      super.executeAccessibleAction(action, parameters);
+    }
+  }
+
+  /** As wide as the card, whatever picture is in it, or none yet. */
+  private static final class Frame extends StackPane {
+
+    private final ImageView shown;
+
+    Frame(ImageView shown) {
+      super((Node) shown);
+      this.shown = shown;
+      getStyleClass().add("picture");
+      setMinSize(0, 0);
+      shown.setManaged(false);
+    }
+
+    @Override
+    protected double computePrefWidth(double height) {
+      return RoomCamera.WIDTH / 4.0;
+    }
+
+    @Override
+    protected double computePrefHeight(double width) {
+      return Math.rint((width < 0 ? prefWidth(-1) : width) * RoomCamera.HEIGHT / RoomCamera.WIDTH);
+    }
+
+    @Override
+    public Orientation getContentBias() {
+      return Orientation.HORIZONTAL;
+    }
+
+    @Override
+    protected void layoutChildren() {
+      shown.setFitWidth(getWidth());
+      shown.relocate(0, 0);
+    }
+  }
+}
