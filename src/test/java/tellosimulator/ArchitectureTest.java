@@ -92,8 +92,7 @@ class ArchitectureTest {
           Map.entry("view.replay", List.of("replay", "report", "view.layout")),
           Map.entry("view.world", List.of("view.drone")),
           Map.entry(
-              "view.layout",
-              List.of("view.controls", "view.gallery", "view.pilot", "view.world")),
+              "view.layout", List.of("view.controls", "view.gallery", "view.pilot", "view.world")),
           Map.entry(
               "view.app",
               List.of("view.goal", "view.log", "view.plan", "view.projector", "view.replay")));

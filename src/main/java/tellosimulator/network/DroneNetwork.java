@@ -221,6 +221,15 @@ public final class DroneNetwork implements AutoCloseable {
     }
   }
 
+  /** Whether drones are on, none of them at the port of operators, and nothing has come to any. */
+  synchronized boolean silent() {
+    return !on.isEmpty()
+        && drones.stream().allMatch(drone -> drone.traffic().received() == 0)
+        && published.stream()
+            .flatMap(List::stream)
+            .noneMatch(address -> address.getPort() == SilenceWatch.OPERATORS_PORT);
+  }
+
   /** From where the drones that listen on the machine's own addresses can be reached. */
   public Reach reach() {
     return plan.reach();

@@ -4,7 +4,9 @@ import java.net.InetSocketAddress;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.OptionalInt;
+import java.util.function.Consumer;
 import java.util.stream.Collectors;
 import tellosimulator.concurrent.Agent;
 import tellosimulator.concurrent.Verdict;
@@ -36,6 +38,7 @@ public final class OnlineSimulation implements AutoCloseable {
   private final SimulationLoop loop;
   private final Metronome clock = new Metronome();
   private final Worker watch;
+  private volatile Optional<SilenceWatch> silence = Optional.empty();
   private boolean closed;
 
   /**
@@ -64,6 +67,7 @@ public final class OnlineSimulation implements AutoCloseable {
       if (clock.awaitTick(WATCH_NANOS)) {
         network.reportDropped();
         network.refresh();
+        silence.ifPresent(SilenceWatch::look);
       }
       return Outcome.WORKED;
     }
@@ -165,6 +169,17 @@ public final class OnlineSimulation implements AutoCloseable {
   /** Tells one more listener what happens, on the simulation thread. */
   public void listen(SimListener listener) {
     simulation.listen(listener);
+  }
+
+  /**
+   * Tells somebody once if drones are on and nothing comes to them for a while.
+   *
+   * @param listener is called on a thread of the network
+   */
+  public void onSilence(Consumer<Silence> listener) {
+    InetSocketAddress operators =
+        new InetSocketAddress(AddressPlan.loopback(1), SilenceWatch.OPERATORS_PORT);
+    silence = Optional.of(new SilenceWatch(operators, network::silent, listener));
   }
 
   /** Shows somebody what comes to the drones and what leaves them, from now on. */

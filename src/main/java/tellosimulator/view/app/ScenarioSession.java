@@ -163,6 +163,12 @@ final class ScenarioSession implements AutoCloseable {
     return opened.scenario().asIn(simulation.snapshot());
   }
 
+  /** What to begin anew: as it was opened, or the room as it is now if that came from nowhere. */
+  OpenedScenario asItBegins() {
+    boolean plain = opened.file().isEmpty() && opened.known().isEmpty();
+    return plain ? OpenedScenario.once(present()) : opened;
+  }
+
   /** The document of what is there now, as it would be in a file. */
   ScenarioDocument toSave(Path file) {
     Scenario wanted = opened.toSave(present());

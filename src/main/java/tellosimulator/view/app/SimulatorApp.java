@@ -34,6 +34,7 @@ import tellosimulator.view.layout.WindowState;
 import tellosimulator.view.log.LogLevel;
 import tellosimulator.view.log.LogQueue;
 import tellosimulator.view.model.ScenarioActions;
+import tellosimulator.view.model.StartSettings;
 import tellosimulator.view.replay.ReplayWindow.Appearance;
 import tellosimulator.view.settings.Settings;
 import tellosimulator.view.settings.WindowPlacement;
@@ -70,8 +71,9 @@ public final class SimulatorApp implements AutoCloseable, ScenarioActions {
   }
 
   private final LogQueue logQueue = new LogQueue();
+  private final ScenarioWriter writer = new ScenarioWriter(logQueue);
   private final Rules rules;
-  private final DroneOptics optics;
+  private DroneOptics optics;
   private final LastFlightReport report;
   private volatile ScenarioSession running;
   private final RoomPictures pictures = new RoomPictures();
@@ -268,6 +270,22 @@ public final class SimulatorApp implements AutoCloseable, ScenarioActions {
     opened.known().ifPresent(this::openOfProgram);
   }
 
+  @Override
+  public void beginAnew(StartSettings settings) {
+    ask(
+        "begin-anew",
+        new Answer("begin", () -> unlessLost(() -> begin(settings))),
+        new Answer("go-on", () -> {}));
+  }
+
+  private void begin(StartSettings settings) {
+    optics = settings.optics();
+    OpenedScenario opened = running.asItBegins();
+    Scenario scenario = opened.scenario();
+    OpenedScenario next = opened.with(scenario.withConfig(settings.appliedTo(scenario.config())));
+    begin(next, wire(next.scenario()));
+  }
+
   /** Does something, at once or after somebody has said what becomes of unsaved edits. */
   private void unlessLost(Runnable action) {
     running.whenSettled(() -> unlessUnsaved(action));
@@ -315,7 +333,7 @@ public final class SimulatorApp implements AutoCloseable, ScenarioActions {
         return;
       }
     } catch (IOException e) {
-      notSaved(file, e);
+      writer.notSaved(file, e);
       return;
     }
     write(file);
@@ -323,40 +341,18 @@ public final class SimulatorApp implements AutoCloseable, ScenarioActions {
 
   private void write(Path file) {
     ScenarioDocument document = running.toSave(file);
-    try {
-      ScenarioFile.write(document, file);
-    } catch (IOException e) {
-      notSaved(file, e);
-      return;
+    if (writer.write(document, file)) {
+      running.savedAs(document, file);
+      recent.add(file);
+      watch = Optional.of(new FileWatcher(file));
     }
-    say(LogLevel.INFO, "scenario-saved", file);
-    if (document.kept() != ScenarioDocument.Kept.ALL) {
-      say(LogLevel.WARN, "scenario-written-anew", file);
-    }
-    running.savedAs(document, file);
-    recent.add(file);
-    watch = Optional.of(new FileWatcher(file));
-    try {
-      ScenarioFile.read(file);
-    } catch (ScenarioException e) { // a gate may be gone of which a goal speaks
-      e.mistakes().forEach(mistake -> logQueue.say(LogLevel.WARN, saying(mistake)));
-    }
-  }
-
-  private void notSaved(Path file, IOException e) {
-    logQueue.say(
-        LogLevel.ERROR,
-        language ->
-            language
-                .messages(SimulatorApp.class)
-                .now("scenario-not-saved", file, language.reason(e)));
   }
 
   private void say(LogLevel level, String key, Object... about) {
     logQueue.say(level, language -> language.messages(SimulatorApp.class).now(key, about));
   }
 
-  /** Ends what is flown and begins something else, in the same stage. */
+  /** Ends what is flown and begins something else, with what holds for every scenario. */
   private void replaceBy(OpenedScenario chosen) {
     OpenedScenario next;
     Wire wire;
@@ -367,6 +363,11 @@ public final class SimulatorApp implements AutoCloseable, ScenarioActions {
       complain(List.of(language -> title(chosen, language) + ": " + e.getMessage()));
       return;
     }
+    begin(next, wire);
+  }
+
+  /** Ends what is flown and begins something else, in the same stage. */
+  private void begin(OpenedScenario next, Wire wire) {
     boolean on = running.on();
     running.leave();
     running.forget();
@@ -375,9 +376,7 @@ public final class SimulatorApp implements AutoCloseable, ScenarioActions {
     logQueue.say(
         LogLevel.INFO,
         language ->
-            language
-                .messages(SimulatorApp.class)
-                .now("scenario-opened", title(next, language)));
+            language.messages(SimulatorApp.class).now("scenario-opened", title(next, language)));
     show(running);
     if (on) {
       running.switchOn();

@@ -21,6 +21,7 @@ import javafx.stage.WindowEvent;
 import javafx.util.Subscription;
 import tellosimulator.math.Frames;
 import tellosimulator.sim.Control;
+import tellosimulator.view.controls.ContactHint;
 import tellosimulator.view.controls.DroneList;
 import tellosimulator.view.controls.NetworkControls;
 import tellosimulator.view.controls.SimulatorControls;
@@ -93,6 +94,7 @@ public final class SimulatorWindow implements AutoCloseable {
   private final WindowBar bar;
   private final GoalPanel goals;
   private final ProjectorPane projector;
+  private final ContactHint hint;
   private final Scene scene;
   private Subscription following;
 
@@ -120,6 +122,7 @@ public final class SimulatorWindow implements AutoCloseable {
     pages = new PageOverlay(context);
     bar = new WindowBar(context, state, world, pages);
     projector = new ProjectorPane(context);
+    hint = new ContactHint(context, words -> logQueue.say(LogLevel.WARN, words));
     Parent root = new StackPane(pane(), projector, pages);
     FileDrop.install(root, this::open);
     scene = scene(stage, root);
@@ -187,7 +190,7 @@ public final class SimulatorWindow implements AutoCloseable {
     return new SimulatorPane(
         new SimulatorPane.Parts(
             bar,
-            new SimulatorPane.Middle(world, new VBox(ASIDE_GAP, goals, drones), pilot, plan),
+            new SimulatorPane.Middle(world, new VBox(ASIDE_GAP, hint, goals, drones), pilot, plan),
             simulatorControls,
             new NetworkControls(context),
             log),

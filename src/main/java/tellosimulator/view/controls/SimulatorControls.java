@@ -34,6 +34,7 @@ public final class SimulatorControls extends ScrollPane {
   private final FlightPanel flight;
   private final ChartPanel charts;
   private final RoomPanel room;
+  private final MorePanel more;
   private final Button reset = new Button();
   private final ToggleButton cameraSwitch = new ToggleButton();
   private final VBox parts = new VBox();
@@ -46,6 +47,7 @@ public final class SimulatorControls extends ScrollPane {
     flight = new FlightPanel(context);
     charts = new ChartPanel(context);
     room = new RoomPanel(context);
+    more = new MorePanel(context);
     initializeSelf();
     initializeParts();
     layoutParts();
@@ -82,7 +84,7 @@ public final class SimulatorControls extends ScrollPane {
     HBox.setHgrow(cameraSwitch, Priority.ALWAYS);
     HBox buttons = new HBox(8, reset, cameraSwitch);
     VBox.setVgrow(charts, Priority.ALWAYS);
-    parts.getChildren().addAll(choice, flight, buttons, charts, room);
+    parts.getChildren().addAll(choice, flight, buttons, charts, room, more);
     setContent(parts);
   }
 

@@ -3,8 +3,8 @@ package tellosimulator.view.model;
 import java.nio.file.Path;
 
 /**
- * What a person can do with scenarios and recordings: choose, open, reload, save. What goes wrong is
- * told in the window, which then goes on as before. For the JavaFX thread.
+ * What a person can do with scenarios and recordings: choose, open, reload, save. What goes wrong
+ * is told in the window, which then goes on as before. For the JavaFX thread.
  */
 public interface ScenarioActions {
 
@@ -25,6 +25,9 @@ public interface ScenarioActions {
 
         @Override
         public void openKnown(String name) {}
+
+        @Override
+        public void beginAnew(StartSettings settings) {}
 
         @Override
         public void reload() {}
@@ -55,6 +58,9 @@ public interface ScenarioActions {
    * @param place its folder, or a file in it
    */
   void openRecording(Path place);
+
+  /** Begins what is flown anew, with other settings, after a question. */
+  void beginAnew(StartSettings settings);
 
   /** Opens again what is flown. */
   void reload();

@@ -11,12 +11,14 @@ import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.Consumer;
 import java.util.function.ObjIntConsumer;
+import javafx.application.Platform;
 import tellosimulator.concurrent.Agent;
 import tellosimulator.concurrent.Verdict;
 import tellosimulator.concurrent.Worker;
 import tellosimulator.network.OnlineSimulation;
 import tellosimulator.network.PortTakenException;
 import tellosimulator.network.Reach;
+import tellosimulator.network.Silence;
 import tellosimulator.network.Traffic;
 import tellosimulator.sim.Control;
 
@@ -180,6 +182,11 @@ public final class SimulatorActions implements AutoCloseable {
       pending.decrementAndGet();
       answer.run();
     }
+  }
+
+  /** Tells somebody once, on the JavaFX thread, if drones are on and nothing comes to them. */
+  public void onSilence(Consumer<Silence> listener) {
+    simulation.onSilence(silence -> Platform.runLater(() -> listener.accept(silence)));
   }
 
   /** Where a drone listens while it is on. */

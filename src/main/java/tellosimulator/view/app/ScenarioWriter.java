@@ -1,0 +1,58 @@
+package tellosimulator.view.app;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import tellosimulator.scenario.Mistake;
+import tellosimulator.scenario.ScenarioDocument;
+import tellosimulator.scenario.ScenarioException;
+import tellosimulator.scenario.ScenarioFile;
+import tellosimulator.view.log.LogLevel;
+import tellosimulator.view.log.LogQueue;
+
+/** Writes scenarios to files, and tells the log what came of it. For any thread. */
+final class ScenarioWriter {
+
+  private final LogQueue logQueue;
+
+  ScenarioWriter(LogQueue logQueue) {
+    this.logQueue = logQueue;
+  }
+
+  /** Whether it could be written. */
+  boolean write(ScenarioDocument document, Path file) {
+    try {
+      ScenarioFile.write(document, file);
+    } catch (IOException e) {
+      notSaved(file, e);
+      return false;
+    }
+    say(LogLevel.INFO, "scenario-saved", file);
+    if (document.kept() != ScenarioDocument.Kept.ALL) {
+      say(LogLevel.WARN, "scenario-written-anew", file);
+    }
+    try {
+      ScenarioFile.read(file);
+    } catch (ScenarioException e) { // a gate may be gone of which a goal speaks
+      e.mistakes().forEach(this::warn);
+    }
+    return true;
+  }
+
+  private void warn(Mistake mistake) {
+    logQueue.say(LogLevel.WARN, language -> mistake.in(language.translation()));
+  }
+
+  /** Tells why it could not be written. */
+  void notSaved(Path file, IOException e) {
+    logQueue.say(
+        LogLevel.ERROR,
+        language ->
+            language
+                .messages(ScenarioWriter.class)
+                .now("scenario-not-saved", file, language.reason(e)));
+  }
+
+  private void say(LogLevel level, String key, Path file) {
+    logQueue.say(level, language -> language.messages(ScenarioWriter.class).now(key, file));
+  }
+}
