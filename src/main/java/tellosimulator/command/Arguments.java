@@ -3,6 +3,8 @@ package tellosimulator.command;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
+import tellosimulator.board.MatrixEffect;
+import tellosimulator.board.MatrixPicture;
 import tellosimulator.math.Frames;
 import tellosimulator.math.Vec3;
 
@@ -50,6 +52,28 @@ record Arguments(List<String> words) {
 
   PadChoice pad(int index) {
     return new PadChoice(Integer.parseInt(word(index).substring(1)));
+  }
+
+  /** Three words for red, green and blue from {@code index} on, as one writes #rrggbb. */
+  int rgb(int index) {
+    return integer(index) << 16 | integer(index + 1) << 8 | integer(index + 2);
+  }
+
+  /** The colour of dots. */
+  MatrixPicture.Color dotColor(int index) {
+    return MatrixPicture.Color.of(word(index).charAt(0));
+  }
+
+  /** Where a text moves. */
+  MatrixEffect.Move move(int index) {
+    return MatrixEffect.Move.of(word(index).charAt(0));
+  }
+
+  /** A heart, or the first character of a word. Documented: SDK 3.0 User Guide. */
+  MatrixPicture character(int index, MatrixPicture.Color color) {
+    return word(index).equals("heart")
+        ? MatrixPicture.heart(color)
+        : MatrixPicture.ofCharacter(word(index).charAt(0), color);
   }
 
   /** All words for the direction of a flip. */

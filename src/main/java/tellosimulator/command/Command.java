@@ -1,5 +1,6 @@
 package tellosimulator.command;
 
+import tellosimulator.board.LightOrder;
 import tellosimulator.math.Arc;
 import tellosimulator.math.Vec3;
 
@@ -246,10 +247,15 @@ public sealed interface Command {
     }
   }
 
-  /**
-   * A command that only has to be acknowledged: {@code keepalive}, and those for lights of the
-   * extension board.
-   */
+  /** {@code EXT led} and {@code EXT mled}. */
+  record Light(LightOrder order, Reply reply) implements Command {
+    @Override
+    public void on(CommandTarget target, Responder responder) {
+      target.light(this, responder);
+    }
+  }
+
+  /** A command that only has to be acknowledged, such as {@code keepalive}. */
   record Acknowledge(Reply reply) implements Command {
     @Override
     public void on(CommandTarget target, Responder responder) {

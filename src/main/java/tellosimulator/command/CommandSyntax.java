@@ -28,6 +28,10 @@ import java.util.Set;
 import java.util.function.Function;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
+import tellosimulator.board.LampEffect;
+import tellosimulator.board.LightOrder;
+import tellosimulator.board.MatrixEffect;
+import tellosimulator.board.MatrixPicture;
 import tellosimulator.profile.Profile;
 import tellosimulator.profile.Sdk;
 
@@ -210,25 +214,34 @@ public enum CommandSyntax {
   READ_WIFI_VERSION(read("wifiversion?", SDK_3_0, "`wifiv1.0.0.0`"), readOf(Reading.WIFI_VERSION)),
   READ_AP(read("ap?", SDK_3_0, "name and password, here none"), readOf(Reading.JOINED_NETWORK)),
   READ_SSID(read("ssid?", SDK_3_0, "own name and password"), readOf(Reading.OWN_NETWORK)),
-  BOARD_LED(board("EXT led", "led").with(rgb("r"), rgb("g"), rgb("b")), acknowledge("led ok")),
+  BOARD_LED(
+      board("EXT led", "led").with(rgb("r"), rgb("g"), rgb("b")),
+      a -> lamp(LampEffect.steady(a.rgb(0)))),
   BOARD_LED_BREATHE(
       board("EXT led br", "led").with(hertz(), rgb("r"), rgb("g"), rgb("b")),
-      acknowledge("led ok")),
+      a -> lamp(LampEffect.breathing(a.number(0), a.rgb(1)))),
   BOARD_LED_BLINK(
       board("EXT led bl", "led")
           .with(hertz(), rgb("r1"), rgb("g1"), rgb("b1"), rgb("r2"), rgb("g2"), rgb("b2")),
-      acknowledge("led ok")),
-  BOARD_MATRIX(board("EXT mled g", "matrix").with(word("pattern")), acknowledge("matrix ok")),
+      a -> lamp(LampEffect.blinking(a.number(0), a.rgb(1), a.rgb(4)))),
+  BOARD_MATRIX(
+      board("EXT mled g", "matrix").with(word("pattern")),
+      a -> matrix(MatrixEffect.still(MatrixPicture.ofPattern(a.word(0))))),
   BOARD_MATRIX_MOVE(
       board("EXT mled", "matrix")
           .with(choice("direction", "l", "r", "u", "d"), color(), hertz(), text("text")),
-      acknowledge("matrix ok")),
+      a -> matrix(MatrixEffect.text(a.word(3), a.dotColor(1), a.move(0), a.number(2)))),
   BOARD_MATRIX_CHARACTER(
-      board("EXT mled s", "matrix").with(color(), word("character")), acknowledge("matrix ok")),
-  BOARD_MATRIX_BOOT(board("EXT mled sg", "matrix").with(word("pattern")), acknowledge("matrix ok")),
-  BOARD_MATRIX_CLEAR(board("EXT mled sc", "matrix"), acknowledge("matrix ok")),
+      board("EXT mled s", "matrix").with(color(), word("character")),
+      a -> matrix(MatrixEffect.still(a.character(1, a.dotColor(0))))),
+  BOARD_MATRIX_BOOT(
+      board("EXT mled sg", "matrix").with(word("pattern")),
+      a -> dots(new LightOrder.Greet(MatrixPicture.ofPattern(a.word(0))))),
+  BOARD_MATRIX_CLEAR(
+      board("EXT mled sc", "matrix"), a -> dots(new LightOrder.Greet(MatrixPicture.DARK))),
   BOARD_MATRIX_LIGHT(
-      board("EXT mled sl", "matrix").with(whole("n", 0, 255)), acknowledge("matrix ok")),
+      board("EXT mled sl", "matrix").with(whole("n", 0, 255)),
+      a -> dots(new LightOrder.Dim(a.integer(0)))),
   BOARD_TOF(
       row("EXT tof?", SDK_3_0)
           .whileBusy(BusyRule.READ)
@@ -344,6 +357,18 @@ public enum CommandSyntax {
 
   private static Function<Arguments, Command> readOf(Reading reading) {
     return a -> new Command.Read(reading);
+  }
+
+  private static Command lamp(LampEffect effect) {
+    return new Command.Light(new LightOrder.Shine(effect), new Reply("led ok"));
+  }
+
+  private static Command matrix(MatrixEffect effect) {
+    return dots(new LightOrder.Show(effect));
+  }
+
+  private static Command dots(LightOrder order) {
+    return new Command.Light(order, new Reply("matrix ok"));
   }
 
   private static Function<Arguments, Command> acknowledge(String reply) {

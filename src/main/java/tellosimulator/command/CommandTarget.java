@@ -67,6 +67,8 @@ public interface CommandTarget {
 
   void reboot(Command.Reboot command, Responder responder);
 
+  void light(Command.Light command, Responder responder);
+
   void acknowledge(Command.Acknowledge command, Responder responder);
 
   void read(Command.Read command, Responder responder);

@@ -366,6 +366,11 @@ public final class DroneController implements CommandTarget {
   }
 
   @Override
+  public void light(Command.Light command, Responder responder) {
+    equipment.light(command, responder, now);
+  }
+
+  @Override
   public void acknowledge(Command.Acknowledge command, Responder responder) {
     responder.reply(command.reply());
   }

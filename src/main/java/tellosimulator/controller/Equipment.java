@@ -9,9 +9,13 @@ import tellosimulator.model.PadMode;
 import tellosimulator.model.VideoSettings;
 import tellosimulator.profile.Profile;
 import tellosimulator.profile.Sdk;
+import tellosimulator.time.SimTime;
 import tellosimulator.words.Phrase;
 
-/** The commands for what a drone carries: camera and pad detector. For the simulation thread. */
+/**
+ * The commands for what a drone carries: camera, pad detector and extension board. For the
+ * simulation thread.
+ */
 final class Equipment {
 
   private final DroneModel model;
@@ -52,6 +56,11 @@ final class Equipment {
                 ? Phrase.of("films for port %d of its operator", session.link().videoPort())
                 : Phrase.of("films no more")));
     responder.reply(Reply.OK);
+  }
+
+  void light(Command.Light command, Responder responder, SimTime now) {
+    model.setLights(model.lights().after(command.order(), now));
+    responder.reply(command.reply());
   }
 
   void setVideo(Command.SetVideo command, Responder responder) {

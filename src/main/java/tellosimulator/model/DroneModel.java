@@ -1,6 +1,7 @@
 package tellosimulator.model;
 
 import java.util.List;
+import tellosimulator.board.BoardLights;
 import tellosimulator.math.Attitude;
 import tellosimulator.math.Pose;
 import tellosimulator.math.Vec3;
@@ -28,6 +29,7 @@ public final class DroneModel {
   private Reference reference;
   private Perception perception = Perception.OFF;
   private VideoSettings video = VideoSettings.DEFAULT;
+  private BoardLights lights = BoardLights.DARK;
 
   /**
    * @param drone its number, from 1
@@ -44,7 +46,7 @@ public final class DroneModel {
   /** An immutable copy of the present state. */
   public DroneState snapshot(SimTime now) {
     Energy energy = new Energy(battery, temperature, motorTime);
-    return new DroneState(drone, now, motion, phase, energy, reference, perception, video);
+    return new DroneState(drone, now, motion, phase, energy, reference, perception, video, lights);
   }
 
   /** Power comes: SDK-independent state is as new, but for the battery and where it lies. */
@@ -55,11 +57,13 @@ public final class DroneModel {
     reference = new Reference(now, motion.attitude().heading(), 0, motion.position().z());
     look(PadMode.OFF);
     video = VideoSettings.DEFAULT;
+    lights = lights.poweredOn(now);
   }
 
   public void powerOff() {
     phase = FlightPhase.OFF;
     video = VideoSettings.DEFAULT;
+    lights = lights.poweredOff();
   }
 
   /** Back to the start, at rest; instruments count from there. */
@@ -170,6 +174,10 @@ public final class DroneModel {
     video = newVideo;
   }
 
+  public void setLights(BoardLights newLights) {
+    lights = newLights;
+  }
+
   public int drone() {
     return drone;
   }
@@ -211,5 +219,10 @@ public final class DroneModel {
 
   public VideoSettings video() {
     return video;
+  }
+
+  /** Those of the extension board, dark if it has none. */
+  public BoardLights lights() {
+    return lights;
   }
 }

@@ -1,5 +1,6 @@
 package tellosimulator.model;
 
+import tellosimulator.board.BoardLights;
 import tellosimulator.math.Attitude;
 import tellosimulator.math.Frames;
 import tellosimulator.time.SimTime;
@@ -15,6 +16,7 @@ import tellosimulator.time.SimTime;
  * @param reference what its instruments count from
  * @param perception of what is around it
  * @param video what was asked of the video
+ * @param lights of the extension board, dark if it has none
  */
 public record DroneState(
     int drone,
@@ -24,16 +26,32 @@ public record DroneState(
     Energy energy,
     Reference reference,
     Perception perception,
-    VideoSettings video) {
+    VideoSettings video,
+    BoardLights lights) {
+
+  /** Without lights. */
+  public DroneState(
+      int drone,
+      SimTime time,
+      Motion motion,
+      FlightPhase phase,
+      Energy energy,
+      Reference reference,
+      Perception perception,
+      VideoSettings video) {
+    this(drone, time, motion, phase, energy, reference, perception, video, BoardLights.DARK);
+  }
 
   /** The same drone, moving otherwise. */
   public DroneState withMotion(Motion newMotion) {
-    return new DroneState(drone, time, newMotion, phase, energy, reference, perception, video);
+    return new DroneState(
+        drone, time, newMotion, phase, energy, reference, perception, video, lights);
   }
 
   /** The same drone at another moment. */
   public DroneState at(SimTime newTime) {
-    return new DroneState(drone, newTime, motion, phase, energy, reference, perception, video);
+    return new DroneState(
+        drone, newTime, motion, phase, energy, reference, perception, video, lights);
   }
 
   /**

@@ -141,7 +141,8 @@ public final class FlightSnapshots {
             new Battery(percent / 100), was.energy().temperature(), was.energy().motorTime()),
         was.reference(),
         was.perception(),
-        was.video());
+        was.video(),
+        was.lights());
   }
 
   private static Motion motion(Sample sample, Sample next, double time) {

@@ -9,7 +9,9 @@ import tellosimulator.math.Attitude;
 import tellosimulator.math.Pose;
 import tellosimulator.math.Vec3;
 import tellosimulator.model.DroneState;
+import tellosimulator.profile.Profile;
 import tellosimulator.scenery.drone.DroneParts;
+import tellosimulator.scenery.drone.ExtensionBoard;
 import tellosimulator.scenery.drone.Livery;
 import tellosimulator.scenery.drone.PropellerSpin;
 import tellosimulator.scenery.drone.StatusLight;
@@ -34,6 +36,7 @@ public final class SceneBuilder {
   private final PadDecals pads = new PadDecals();
   private final BlobShadow shadows = new BlobShadow();
   private final Furniture furniture = new Furniture();
+  private final ExtensionBoard boards = new ExtensionBoard();
 
   /** By colour; numbers hash without the reflection that records need at first. */
   private final Map<Integer, StartMark> startMarks = new ConcurrentHashMap<>();
@@ -88,6 +91,9 @@ public final class SceneBuilder {
     Pose pose = drone.state().motion().pose();
     instances.add(new Instance(own.body(), pose));
     instances.add(new Instance(own.lamp(StatusLight.seen(drone)), pose));
+    if (drone.product().profile() == Profile.TT) {
+      boards.parts(drone.state()).forEach(part -> instances.add(new Instance(part, pose)));
+    }
   }
 
   private void addPropellers(List<Instance> instances, DroneSnapshot drone) {

@@ -142,6 +142,11 @@ final class CountingTarget implements CommandTarget {
   }
 
   @Override
+  public void light(Command.Light command, Responder responder) {
+    count(responder);
+  }
+
+  @Override
   public void acknowledge(Command.Acknowledge command, Responder responder) {
     count(responder);
   }

@@ -26,7 +26,7 @@ final class StatusLamp {
   private StatusLamp() {}
 
   static Map<StatusLight, Part> parts() {
-    Mesh ball = ball();
+    Mesh ball = ball(PLACE, RADIUS);
     Map<StatusLight, Part> parts = new EnumMap<>(StatusLight.class);
     for (StatusLight light : StatusLight.values()) {
       int[] pixels = new int[4];
@@ -36,12 +36,13 @@ final class StatusLamp {
     return parts;
   }
 
-  private static Mesh ball() {
+  /** A ball in the body frame [m]. */
+  static Mesh ball(Vec3 middle, double radius) {
     List<Section> sections = new ArrayList<>();
     for (int i = 0; i < SIDES / 2; i++) {
       double angle = Math.PI * (2 * i + 1) / SIDES;
-      Vec3 center = PLACE.minus(new Vec3(RADIUS * StrictMath.cos(angle), 0, 0));
-      sections.add(new Section(center, RADIUS * StrictMath.sin(angle)));
+      Vec3 center = middle.minus(new Vec3(radius * StrictMath.cos(angle), 0, 0));
+      sections.add(new Section(center, radius * StrictMath.sin(angle)));
     }
     SmoothMeshBuilder mesh = new SmoothMeshBuilder();
     Loft.tube(mesh, sections, SIDES);

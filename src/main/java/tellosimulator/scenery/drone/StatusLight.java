@@ -52,7 +52,8 @@ public enum StatusLight {
   public static DroneSnapshot steady(DroneSnapshot drone) {
     DroneState state = drone.state();
     boolean calm = of(drone) == WAITING || of(drone) == READY;
-    return calm && !state.phase().moving() ? drone.withState(state.at(SimTime.ZERO)) : drone;
+    boolean changes = state.phase().moving() || state.lights().animated();
+    return calm && !changes ? drone.withState(state.at(SimTime.ZERO)) : drone;
   }
 
   private static StatusLight of(DroneSnapshot drone) {

@@ -103,6 +103,25 @@ public final class MeshBuilder {
     return this;
   }
 
+  /** Adds the six sides of a box along the axes, with the whole texture on each. */
+  public MeshBuilder box(Vec3 middle, Vec3 size) {
+    Vec3 depth = new Vec3(size.x(), 0, 0);
+    Vec3 width = new Vec3(0, size.y(), 0);
+    Vec3 height = new Vec3(0, 0, size.z());
+    sides(middle, depth, width, height);
+    sides(middle, width, height, depth);
+    sides(middle, height, depth, width);
+    return this;
+  }
+
+  /** The two sides of a box across an edge. */
+  private void sides(Vec3 middle, Vec3 across, Vec3 right, Vec3 up) {
+    Vec3 corner = middle.plusScaled(right, -0.5).plusScaled(up, -0.5);
+    quad(new Quad(corner.plusScaled(across, 0.5), right, up), TextureRegion.WHOLE);
+    Vec3 other = corner.plusScaled(across, -0.5).plus(right);
+    quad(new Quad(other, right.times(-1), up), TextureRegion.WHOLE);
+  }
+
   /** The mesh of all triangles. */
   public Mesh build() {
     int count = vertices.size();

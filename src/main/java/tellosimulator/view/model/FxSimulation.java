@@ -12,6 +12,7 @@ import javafx.beans.property.SimpleObjectProperty;
 import javafx.collections.FXCollections;
 import javafx.collections.ObservableList;
 import tellosimulator.sim.SimSnapshot;
+import tellosimulator.sim.SimSnapshot.DroneSnapshot;
 import tellosimulator.time.TimeFactor;
 import tellosimulator.world.Arena;
 import tellosimulator.world.Decor;
@@ -87,10 +88,15 @@ public final class FxSimulation {
     return idle.getAsBoolean() ? IDLE_PERIOD : STILL_PERIOD;
   }
 
-  /** Whether nothing moves, because time stands still or no drone has its motors on or falls. */
+  /**
+   * Whether nothing moves, because time stands still or no drone has its motors on, falls, or has
+   * lights that change.
+   */
   public boolean still() {
     return paused.get()
-        || snapshot.drones().stream().noneMatch(drone -> drone.state().phase().moving());
+        || snapshot.drones().stream()
+            .map(DroneSnapshot::state)
+            .noneMatch(state -> state.phase().moving() || state.lights().animated());
   }
 
   /** What pictures show: the snapshot, but for the lamps of an idle window, which do not blink. */
