@@ -50,6 +50,15 @@ public record Progress(
     return (int) reached.stream().filter(OptionalDouble::isPresent).count();
   }
 
+  /** How one stands with a goal, by its index from 0. */
+  public GoalState state(int index) {
+    if (reached.get(index).isPresent()) {
+      return GoalState.DONE;
+    }
+    boolean turn = !challenge.inOrder() || count() == index;
+    return turn && status() == Status.RUNNING ? GoalState.ACTIVE : GoalState.LATER;
+  }
+
   /** The result in a line: {@code goals: 1 of 3 reached after 60.0 s: time is over}. */
   public Phrase phrase() {
     return failure

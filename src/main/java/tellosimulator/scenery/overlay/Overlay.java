@@ -1,23 +1,41 @@
 package tellosimulator.scenery.overlay;
 
 import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
+import tellosimulator.goal.GoalMark;
 import tellosimulator.math.Pose;
+import tellosimulator.math.Vec3;
 import tellosimulator.scenery.drone.Livery;
 import tellosimulator.scenery.mesh.Instance;
+import tellosimulator.scenery.mesh.Rgb;
 import tellosimulator.sim.SimSnapshot;
 import tellosimulator.sim.SimSnapshot.DroneSnapshot;
 
 /**
  * The overlay of a scene as one window shows it: trails, plumb lines and, where there are several
- * drones, number tags. It follows the drones from snapshot to snapshot. For one thread at a time.
+ * drones, number tags; goals, the way to the next one, and where drones touched something. It
+ * follows the drones from snapshot to snapshot. For one thread at a time.
  */
 public final class Overlay {
+
+  /** Height above a drone's feet from which the line to its goal begins [m]: its middle. */
+  private static final double MIDDLE = 0.02;
 
   private final List<Trail> trails = new ArrayList<>();
   private final List<PlumbLine> plumbLines = new ArrayList<>();
   private final List<NumberTag> tags = new ArrayList<>();
+  private final Map<Integer, Rgb> colors = new HashMap<>();
+  private final GoalMarkers goalMarkers = new GoalMarkers();
+  private final GoalTags goalTags = new GoalTags();
+  private final GoalLine goalLine = new GoalLine();
+  private final ContactMarkers contactMarkers = new ContactMarkers();
+  private List<GoalMark> goals = List.of();
+  private List<ContactMark> contacts = List.of();
   private boolean trailsShown = true;
+  private boolean goalLineShown = true;
 
   /**
    * @param first with as many drones as all that follow
@@ -25,6 +43,7 @@ public final class Overlay {
   public Overlay(SimSnapshot first) {
     for (DroneSnapshot drone : first.drones()) {
       Livery livery = Livery.of(drone);
+      colors.put(drone.state().drone(), livery.color());
       trails.add(new Trail(drone));
       plumbLines.add(new PlumbLine(livery));
       if (first.drones().size() > 1) {
@@ -36,6 +55,17 @@ public final class Overlay {
   /** Shows the trails, or hides them. */
   public void showTrails(boolean shown) {
     trailsShown = shown;
+  }
+
+  /** Shows the line from each drone to its next goal, or hides it. */
+  public void showGoalLine(boolean shown) {
+    goalLineShown = shown;
+  }
+
+  /** Shows these goals and contacts from now on. */
+  public void show(List<GoalMark> newGoals, List<ContactMark> newContacts) {
+    goals = newGoals;
+    contacts = newContacts;
   }
 
   /** Begins all trails anew. */
@@ -55,23 +85,56 @@ public final class Overlay {
   }
 
   /**
-   * The overlay of a snapshot, in drawing order.
-   *
-   * @param camera from where people look, room frame
+   * The overlay of a snapshot, in drawing order: lines first, then what is translucent, the
+   * farthest first, as the nearer is blended over it.
    */
-  public List<Instance> instances(SimSnapshot snapshot, Pose camera) {
+  public List<Instance> instances(SimSnapshot snapshot, Eye eye) {
     List<Instance> instances = new ArrayList<>();
     if (trailsShown) {
       trails.forEach(trail -> instances.addAll(trail.instances()));
     }
     List<DroneSnapshot> drones = snapshot.drones();
+    Vec3 camera = eye.pose().position();
     for (int i = 0; i < plumbLines.size(); i++) {
       Pose pose = drones.get(i).state().motion().pose();
-      plumbLines.get(i).from(pose.position(), camera.position()).ifPresent(instances::add);
+      plumbLines.get(i).from(pose.position(), camera).ifPresent(instances::add);
+      if (goalLineShown) {
+        addGoalLine(instances, drones.get(i), camera);
+      }
+    }
+    markers(drones, eye).stream()
+        .sorted(Comparator.comparingDouble(Marker::distance).reversed())
+        .map(Marker::instance)
+        .forEach(instances::add);
+    return instances;
+  }
+
+  private void addGoalLine(List<Instance> instances, DroneSnapshot drone, Vec3 camera) {
+    Vec3 from = drone.state().motion().position().plusScaled(Vec3.UP, MIDDLE);
+    GoalMark.next(goals, drone.state().drone())
+        .flatMap(mark -> goalLine.of(from, mark.place().middle(), color(mark), camera))
+        .ifPresent(instances::add);
+  }
+
+  private List<Marker> markers(List<DroneSnapshot> drones, Eye eye) {
+    List<Marker> markers = new ArrayList<>(goalMarkers.of(goals, this::color, eye));
+    for (ContactMark contact : contacts) {
+      markers.add(Marker.at(contact.place(), contactMarkers.of(contact, eye.pose()), eye));
     }
     for (int i = 0; i < tags.size(); i++) {
-      instances.add(tags.get(i).above(drones.get(i).state().motion().position(), camera));
+      Vec3 drone = drones.get(i).state().motion().position();
+      markers.add(Marker.at(drone, tags.get(i).above(drone, eye.pose()), eye));
     }
-    return instances;
+    Map<Vec3, Integer> at = new HashMap<>();
+    for (GoalMark mark : goals) {
+      int aside = at.merge(mark.place().middle(), 1, Integer::sum) - 1;
+      markers.add(goalTags.of(mark, color(mark), aside, eye));
+    }
+    return markers;
+  }
+
+  private Rgb color(GoalMark mark) {
+    Rgb ofAny = MarkColors.of(mark.state());
+    return MarkColors.of(mark, drone -> colors.getOrDefault(drone, ofAny));
   }
 }

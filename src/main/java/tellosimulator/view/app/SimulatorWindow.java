@@ -75,6 +75,7 @@ public final class SimulatorWindow implements AutoCloseable {
   private static final List<String> REMEMBERED =
       List.of(
           "show.trail",
+          "show.goal-line",
           "show.inset",
           "show.inset-enlarged",
           "show.smooth-edges",
@@ -222,6 +223,7 @@ public final class SimulatorWindow implements AutoCloseable {
         .on(WindowKey.PROJECTOR, () -> toggle(state.projectorProperty()))
         .on(WindowKey.RECORD, () -> capture().toggleRecording())
         .on(WindowKey.TRAIL, () -> toggle(world.trailVisibleProperty()))
+        .on(WindowKey.GOAL_LINE, () -> toggle(world.goalLineVisibleProperty()))
         .on(WindowKey.PAUSE, context.actions()::togglePause)
         .on(WindowKey.PLAN, () -> toggle(state.planShownProperty()))
         .on(WindowKey.FULL_SCREEN, () -> toggle(state.fullScreenProperty()))
@@ -317,6 +319,7 @@ public final class SimulatorWindow implements AutoCloseable {
   /** Is at first as it was left, and remembers how it is left; not where it is. */
   public void remember(Settings settings) {
     settings.bind("show.trail", world.trailVisibleProperty(), SettingCodec.flag());
+    settings.bind("show.goal-line", world.goalLineVisibleProperty(), SettingCodec.flag());
     settings.bind("show.inset", world.insetVisibleProperty(), SettingCodec.flag());
     settings.bind("show.inset-enlarged", world.insetEnlargedProperty(), SettingCodec.flag());
     settings.bind("show.smooth-edges", world.antialiasingProperty(), SettingCodec.flag());

@@ -17,6 +17,7 @@ import org.kordamp.ikonli.feather.Feather;
 import org.kordamp.ikonli.javafx.FontIcon;
 import tellosimulator.goal.Challenge;
 import tellosimulator.goal.Goal;
+import tellosimulator.goal.GoalState;
 import tellosimulator.goal.Progress;
 import tellosimulator.goal.Progress.Status;
 import tellosimulator.scenario.LocalizedText;
@@ -189,7 +190,7 @@ public final class GoalPanel extends VBox {
   private void show() {
     Progress now = progress.getValue();
     for (int i = 0; i < rows.size(); i++) {
-      rows.get(i).show(now.reached().get(i), isNext(now, i));
+      rows.get(i).show(now.reached().get(i), now.state(i) == GoalState.ACTIVE);
     }
     String elapsed = seconds(now.elapsed());
     time.setText(
@@ -205,14 +206,6 @@ public final class GoalPanel extends VBox {
         now.failure()
             .map(reason -> messages.now("failed", language.say(reason)))
             .orElseGet(() -> messages.now("reached", elapsed)));
-  }
-
-  /** Whether a goal counts next. */
-  private boolean isNext(Progress now, int index) {
-    if (now.status() != Status.RUNNING || now.reached().get(index).isPresent()) {
-      return false;
-    }
-    return !challenge().inOrder() || now.count() == index;
   }
 
   private String seconds(double seconds) {

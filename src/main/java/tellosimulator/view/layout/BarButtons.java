@@ -11,6 +11,7 @@ import org.kordamp.ikonli.Ikon;
 import org.kordamp.ikonli.feather.Feather;
 import org.kordamp.ikonli.javafx.FontIcon;
 import tellosimulator.view.fx.Tooltips;
+import tellosimulator.view.model.FxMarks;
 import tellosimulator.view.text.Language;
 import tellosimulator.view.text.Messages;
 import tellosimulator.view.world.Simulator3DScene;
@@ -51,6 +52,14 @@ public final class BarButtons {
   /** Shows the flown path. */
   public ToggleButton trail(Simulator3DScene scene) {
     return toggle("show-trail", Feather.ACTIVITY, scene.trailVisibleProperty());
+  }
+
+  /** Shows the line to the next goal; only there if there are goals. */
+  public ToggleButton goalLine(Simulator3DScene scene, FxMarks marks) {
+    ToggleButton button = toggle("show-goal-line", Feather.TARGET, scene.goalLineVisibleProperty());
+    button.setVisible(marks.asked());
+    button.setManaged(marks.asked());
+    return button;
   }
 
   /** Changes between light and dark. */

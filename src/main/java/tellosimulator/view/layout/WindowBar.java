@@ -35,6 +35,7 @@ public final class WindowBar extends ToolBar {
             new Separator(Orientation.VERTICAL),
             buttons.inset(scene),
             buttons.trail(scene),
+            buttons.goalLine(scene, context.marks()),
             drones(context),
             buttons.toggle("show-plan", Feather.MAP, state.planShownProperty()),
             new Spacer(),

@@ -19,6 +19,7 @@ public enum WindowKey {
   DRONES(KeyCode.F5),
   INSET(KeyCode.F6),
   TRAIL(KeyCode.F7),
+  GOAL_LINE(KeyCode.G),
   STILL(KeyCode.F8),
   PAUSE(KeyCode.F9),
   PLAN(KeyCode.F10),

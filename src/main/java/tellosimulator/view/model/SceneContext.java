@@ -10,6 +10,7 @@ import tellosimulator.view.video.WindowVideo;
  * @param language in which they speak
  * @param pulse when they move on
  * @param video what the drones film
+ * @param marks what is marked in them
  */
 public record SceneContext(
-    FxSimulation simulation, Language language, Pulse pulse, WindowVideo video) {}
+    FxSimulation simulation, Language language, Pulse pulse, WindowVideo video, FxMarks marks) {}

@@ -3,6 +3,7 @@ package tellosimulator.view.model;
 import java.util.List;
 import tellosimulator.network.OnlineSimulation;
 import tellosimulator.scenario.Scenario;
+import tellosimulator.scenery.overlay.ContactLog;
 import tellosimulator.sim.DroneSetup;
 import tellosimulator.sim.SimConfig;
 import tellosimulator.sim.SimEvent;
@@ -21,6 +22,7 @@ import tellosimulator.view.video.WindowVideo;
  * @param video what the drones film
  * @param scenario what the drones shall do
  * @param lastCommand what the drones were told last
+ * @param marks where the drones shall do it, and what they touched
  */
 public record ViewContext(
     FxSimulation simulation,
@@ -29,7 +31,8 @@ public record ViewContext(
     Pulse pulse,
     WindowVideo video,
     FxScenario scenario,
-    LastCommand lastCommand) {
+    LastCommand lastCommand,
+    FxMarks marks) {
 
   /** Lets the window show at once what happens. */
   private record WakeOnEvent(Pulse pulse) implements SimListener {
@@ -41,7 +44,7 @@ public record ViewContext(
 
   /** What views of the room need of it. */
   public SceneContext scene() {
-    return new SceneContext(simulation, language, pulse, video);
+    return new SceneContext(simulation, language, pulse, video, marks);
   }
 
   /** The context of a window on a running simulation that nobody asks for anything. */
@@ -73,8 +76,12 @@ public record ViewContext(
     pulse.onBeat(nanos -> actions.deliver());
     LastCommand lastCommand = new LastCommand();
     online.listen(lastCommand);
+    ContactLog contacts = new ContactLog();
+    online.listen(contacts); // before it wakes the window, which shows what it has
     online.listen(new WakeOnEvent(pulse));
     pulse.onBeat(nanos -> video.advance());
-    return new ViewContext(simulation, actions, language, pulse, video, scenario, lastCommand);
+    FxMarks marks = new FxMarks(scenario.progressProperty()::get, contacts::marks);
+    return new ViewContext(
+        simulation, actions, language, pulse, video, scenario, lastCommand, marks);
   }
 }

@@ -1,5 +1,6 @@
 package tellosimulator.view.plan;
 
+import java.util.List;
 import java.util.function.IntFunction;
 import javafx.geometry.VPos;
 import javafx.scene.canvas.GraphicsContext;
@@ -7,9 +8,11 @@ import javafx.scene.paint.Color;
 import javafx.scene.text.Font;
 import javafx.scene.text.FontWeight;
 import javafx.scene.text.TextAlignment;
+import tellosimulator.goal.GoalMark;
 import tellosimulator.math.Frames;
 import tellosimulator.math.Vec3;
 import tellosimulator.model.DroneSpec;
+import tellosimulator.scenery.overlay.ContactMark;
 import tellosimulator.view.drone.DroneColors;
 import tellosimulator.view.plan.PlanItem.ObstacleItem;
 import tellosimulator.view.plan.PlanItem.Pad;
@@ -51,6 +54,7 @@ final class PlanPainter {
 
   private final GraphicsContext pen;
   private final IntFunction<Color> colors;
+  private final MarkPainter marks;
   private PlanViewport scale;
 
   /**
@@ -59,24 +63,31 @@ final class PlanPainter {
   PlanPainter(GraphicsContext pen, IntFunction<Color> colors) {
     this.pen = pen;
     this.colors = colors;
+    marks = new MarkPainter(pen, colors);
   }
 
   /**
-   * Draws everything anew.
+   * What is drawn beside what one can place.
    *
    * @param front what is written at the front wall
    */
-  void paint(FloorPlan plan, PlanViewport newScale, String front) {
+  record Remarks(List<GoalMark> goals, List<ContactMark> contacts, String front) {}
+
+  /** Draws everything anew. */
+  void paint(FloorPlan plan, PlanViewport newScale, Remarks remarks) {
     scale = newScale;
     pen.clearRect(0, 0, scale.width(), scale.height());
     paintRoom(plan.arena().room(), plan.arena().decor().grid());
     pen.setFill(WALL);
     Vec3 middleOfFront = new Vec3(plan.arena().room().depth() / 2, 0, 0);
-    write(front, scale.screenX(middleOfFront), scale.screenY(middleOfFront) - 14, TEXT_SIZE);
+    write(
+        remarks.front, scale.screenX(middleOfFront), scale.screenY(middleOfFront) - 14, TEXT_SIZE);
     paintWind(plan.arena().wind());
+    marks.paintPlaces(remarks.goals, scale);
     for (PlanItem item : plan.items()) {
       paint(plan, item);
     }
+    marks.paintSigns(remarks.goals, remarks.contacts, scale);
   }
 
   private void paintRoom(Room room, double grid) {

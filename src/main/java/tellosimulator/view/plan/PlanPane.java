@@ -26,6 +26,7 @@ import tellosimulator.view.fx.Tooltips;
 import tellosimulator.view.model.ViewContext;
 import tellosimulator.view.text.Language;
 import tellosimulator.view.text.Messages;
+import tellosimulator.world.Arena;
 
 /**
  * The room from above, in which one places drones, mission pads and obstacles with the mouse: a
@@ -37,6 +38,7 @@ public final class PlanPane extends BorderPane {
 
   private final ObservableValue<Boolean> never = new SimpleBooleanProperty();
   private final BooleanProperty shown = new SimpleBooleanProperty(this, "shown");
+  private final ViewContext context;
   private final Language language;
   private final Messages messages;
   private final PlanEditor editor;
@@ -48,6 +50,7 @@ public final class PlanPane extends BorderPane {
   private final Label status = new Label();
 
   public PlanPane(ViewContext context) {
+    this.context = context;
     language = context.language();
     messages = language.messages(PlanPane.class);
     editor =
@@ -142,7 +145,8 @@ public final class PlanPane extends BorderPane {
   private void advance() {
     if (shown.get()) {
       editor.advance();
-      view.advance();
+      Arena arena = context.simulation().snapshot().arena();
+      view.advance(context.marks().goals(arena), context.marks().contacts());
     }
   }
 

@@ -7,7 +7,9 @@ import javafx.beans.value.ObservableValue;
 import javafx.scene.canvas.Canvas;
 import javafx.scene.layout.Region;
 import javafx.scene.paint.Color;
+import tellosimulator.goal.GoalMark;
 import tellosimulator.math.Vec3;
+import tellosimulator.scenery.overlay.ContactMark;
 
 /** The plan itself: all that is in the room, seen from above. For the JavaFX thread. */
 final class PlanView extends Region {
@@ -26,6 +28,7 @@ final class PlanView extends Region {
   private boolean whole = true;
 
   private boolean stale = true;
+  private PlanPainter.Remarks remarks = new PlanPainter.Remarks(List.of(), List.of(), "");
 
   /**
    * @param colors gives that of the drone of a number
@@ -43,12 +46,14 @@ final class PlanView extends Region {
     getChildren().add(canvas);
     editor.planProperty().addListener((property, before, now) -> stale = true);
     editor.selectionProperty().addListener((property, before, now) -> stale = true);
-    front.addListener((property, before, now) -> stale = true);
     editor.problemProperty().addListener((property, before, now) -> stale = true);
   }
 
   /** Draws it anew if something has changed. */
-  void advance() {
+  void advance(List<GoalMark> goals, List<ContactMark> contacts) {
+    PlanPainter.Remarks newest = new PlanPainter.Remarks(goals, contacts, front.getValue());
+    stale |= !newest.equals(remarks);
+    remarks = newest;
     PlanViewport wanted =
         whole
             ? PlanViewport.whole(editor.plan().arena().room(), getWidth(), getHeight())
@@ -56,7 +61,7 @@ final class PlanView extends Region {
     if (stale || !wanted.equals(scale)) {
       scale = wanted;
       stale = false;
-      painter.paint(editor.plan(), scale, front.getValue());
+      painter.paint(editor.plan(), scale, remarks);
       boolean wrong = editor.problemProperty().get().isPresent();
       editor.selection().stream()
           .filter(editor.plan()::has)

@@ -53,13 +53,14 @@ final class ReplayPane extends BorderPane {
     side.setPrefWidth(SIDE_WIDTH);
     side.setMaxWidth(SIDE_WIDTH);
     VBox.setVgrow(entries, Priority.ALWAYS);
-    setTop(bar(new BarButtons(context.language()), looks));
+    setTop(bar(context, looks));
     setCenter(world);
     setRight(side);
     setBottom(new TransportBar(replay, context.language(), entries));
   }
 
-  private ToolBar bar(BarButtons buttons, Looks looks) {
+  private ToolBar bar(SceneContext context, Looks looks) {
+    BarButtons buttons = new BarButtons(context.language());
     Button theme = buttons.theme(looks.theme());
     theme.setFocusTraversable(true); // there is no key for it
     ToolBar bar =
@@ -69,6 +70,7 @@ final class ReplayPane extends BorderPane {
             buttons.follow(world),
             buttons.inset(world),
             buttons.trail(world),
+            buttons.goalLine(world, context.marks()),
             new Spacer(),
             theme,
             new Separator(Orientation.VERTICAL),
@@ -109,7 +111,8 @@ final class ReplayPane extends BorderPane {
         .on(KeyCode.DIGIT9, world::fit)
         .on(KeyCode.DIGIT0, () -> world.look(RoomView.START))
         .on(KeyCode.F6, () -> toggle(world.insetVisibleProperty()))
-        .on(KeyCode.F7, () -> toggle(world.trailVisibleProperty()));
+        .on(KeyCode.F7, () -> toggle(world.trailVisibleProperty()))
+        .on(KeyCode.G, () -> toggle(world.goalLineVisibleProperty()));
   }
 
   static void toggle(Property<Boolean> property) {

@@ -59,7 +59,8 @@ public final class ReplayWindow implements AutoCloseable {
     BooleanProperty fullScreen = new SimpleBooleanProperty();
     stage.fullScreenProperty().subscribe(fullScreen::set);
     fullScreen.subscribe(stage::setFullScreen);
-    SceneContext context = new SceneContext(replay.simulation(), language, pulse, video);
+    SceneContext context =
+        new SceneContext(replay.simulation(), language, pulse, video, ReplayMarks.of(replay));
     pane = new ReplayPane(replay, ghosts, context, new ReplayPane.Looks(theme, fullScreen));
     pulse.onBeat(nanos -> video.advance());
     video.onReport(

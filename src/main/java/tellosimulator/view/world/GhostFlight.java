@@ -71,7 +71,7 @@ public final class GhostFlight {
   List<Instance> instances(SceneBuilder scenes, Viewpoint viewpoint, long nanos) {
     overlay.advance(snapshot, nanos);
     List<Instance> instances = new ArrayList<>(ghosts.of(scenes.scene(snapshot).drones()));
-    instances.addAll(overlay.instances(snapshot, viewpoint.pose()));
+    instances.addAll(overlay.instances(snapshot, viewpoint.eye()));
     return instances;
   }
 

@@ -24,6 +24,7 @@ import tellosimulator.scenery.mesh.Instance;
 import tellosimulator.scenery.overlay.Overlay;
 import tellosimulator.sim.SimSnapshot;
 import tellosimulator.video.camera.DroneOptics;
+import tellosimulator.view.model.FxMarks;
 import tellosimulator.view.model.FxSimulation;
 import tellosimulator.view.model.Pulse;
 import tellosimulator.view.model.SceneContext;
@@ -42,6 +43,8 @@ public final class Simulator3DScene extends Region {
       new SimpleObjectProperty<>(this, "viewCamera", ViewCamera.SIMULATOR);
   private final BooleanProperty trailVisible =
       new SimpleBooleanProperty(this, "trailVisible", true);
+  private final BooleanProperty goalLineVisible =
+      new SimpleBooleanProperty(this, "goalLineVisible", true);
   private final BooleanProperty antialiasing = new SimpleBooleanProperty(this, "antialiasing");
   private final SimulatorCamera camera;
   private final FxSimulation simulation;
@@ -49,6 +52,7 @@ public final class Simulator3DScene extends Region {
   private final DroneOptics optics;
   private final SceneBuilder scenes;
   private final Overlay overlay;
+  private final FxMarks marks;
   private final SceneView view;
   private final DroneCameraInset inset;
   private final WindArrow wind;
@@ -62,6 +66,7 @@ public final class Simulator3DScene extends Region {
     pulse = context.pulse();
     optics = context.video().optics();
     scenes = context.video().scenes();
+    marks = context.marks();
     overlay = new Overlay(simulation.snapshot());
     camera = new SimulatorCamera(simulation);
     view =
@@ -127,6 +132,11 @@ public final class Simulator3DScene extends Region {
     return trailVisible;
   }
 
+  /** Whether a line leads from each drone to its next goal. */
+  public BooleanProperty goalLineVisibleProperty() {
+    return goalLineVisible;
+  }
+
   /** Whether the inset shows the picture of the drone's camera. */
   public BooleanProperty insetVisibleProperty() {
     return inset.shownProperty();
@@ -185,6 +195,7 @@ public final class Simulator3DScene extends Region {
 
   private void setupBindings() {
     trailVisible.subscribe(overlay::showTrails);
+    goalLineVisible.subscribe(overlay::showGoalLine);
     antialiasing.subscribe(view::smoothEdges);
     viewCamera.subscribe(this::requestLayout);
     selection.stillProperty().bind(camera.reducedMotionProperty());
@@ -257,7 +268,8 @@ public final class Simulator3DScene extends Region {
           other.showTrails(trailVisible.get());
           aids.addAll(other.instances(scenes, viewpoint, nanos));
         });
-    aids.addAll(overlay.instances(snapshot, viewpoint.pose()));
+    overlay.show(marks.goals(snapshot.arena()), marks.contacts());
+    aids.addAll(overlay.instances(snapshot, viewpoint.eye()));
     return aids;
   }
 

@@ -5,6 +5,7 @@ import javafx.geometry.Point2D;
 import javafx.geometry.Rectangle2D;
 import tellosimulator.math.Pose;
 import tellosimulator.math.Vec3;
+import tellosimulator.scenery.overlay.Eye;
 import tellosimulator.video.camera.CameraIntrinsics;
 import tellosimulator.video.camera.PinholeCamera;
 
@@ -34,6 +35,11 @@ record Viewpoint(Pose pose, double fieldOfView, boolean vertical, double near, d
             height / 2 - focalLength * seen.z() / seen.x());
     boolean inImage = new Rectangle2D(0, 0, width, height).contains(pixel);
     return seen.x() > near && inImage ? Optional.of(pixel) : Optional.empty();
+  }
+
+  /** For what helps people alone. */
+  Eye eye() {
+    return new Eye(pose, near);
   }
 
   /** A pinhole camera with an image of this size [pixels]. */

@@ -21,7 +21,7 @@ import tellosimulator.world.Room;
 /** What people see in the room, and drones do not. */
 class OverlayTest {
 
-  private static final Pose CAMERA = new Pose(new Vec3(-2, 0, 1), Attitude.LEVEL);
+  private static final Eye CAMERA = new Eye(new Pose(new Vec3(-2, 0, 1), Attitude.LEVEL), 0.1);
 
   private static final Peer OPERATOR =
       new Peer(SteppedDrone.address("127.0.0.1", 50_000), SteppedDrone.DRONE);

@@ -7,9 +7,12 @@ import atlantafx.base.theme.PrimerLight;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.concurrent.TimeoutException;
 import java.util.function.Predicate;
 import java.util.function.UnaryOperator;
+import java.util.stream.Stream;
 import javafx.application.Application;
 import javafx.scene.Node;
 import javafx.scene.Scene;
@@ -27,16 +30,21 @@ import org.testfx.util.WaitForAsyncUtils;
 import tellosimulator.fault.ActiveFaults;
 import tellosimulator.fault.Fault;
 import tellosimulator.fault.LinkPreset;
+import tellosimulator.goal.Challenge;
+import tellosimulator.goal.Goal;
+import tellosimulator.goal.Progress;
 import tellosimulator.math.Pose;
 import tellosimulator.model.DroneState;
 import tellosimulator.model.FlightPhase;
 import tellosimulator.model.Motion;
+import tellosimulator.scenery.overlay.ContactMark;
 import tellosimulator.sim.SimConfig;
 import tellosimulator.sim.SimSnapshot;
 import tellosimulator.sim.SimSnapshot.DroneSnapshot;
 import tellosimulator.sim.Simulation;
 import tellosimulator.time.SimTime;
 import tellosimulator.video.camera.DroneOptics;
+import tellosimulator.view.model.FxMarks;
 import tellosimulator.view.model.FxSimulation;
 import tellosimulator.view.model.Pulse;
 import tellosimulator.view.model.SceneContext;
@@ -59,6 +67,8 @@ public final class SceneFixture implements BeforeEachCallback, AfterEachCallback
 
   private final SimConfig config;
   private volatile SimSnapshot snapshot;
+  private volatile Progress progress;
+  private volatile List<ContactMark> contacts = List.of();
   private FxSimulation simulation;
   private WindowVideo video;
   private Language language;
@@ -80,6 +90,7 @@ public final class SceneFixture implements BeforeEachCallback, AfterEachCallback
     FxToolkit.registerPrimaryStage();
     snapshot =
         new Simulation(config, drone -> (peer, text) -> {}, report -> {}, List.of()).snapshot();
+    ask();
     video = new WindowVideo(() -> snapshot, DroneOptics.DEFAULT, MediaFolder.ofUser());
     onFxThread(
         () -> {
@@ -87,7 +98,14 @@ public final class SceneFixture implements BeforeEachCallback, AfterEachCallback
           simulation = new FxSimulation(snapshot);
           language = new Language(Locale.ENGLISH);
           pulse = new Pulse(() -> simulation.update(snapshot), simulation::still);
-          scene = new Simulator3DScene(new SceneContext(simulation, language, pulse, video));
+          scene =
+              new Simulator3DScene(
+                  new SceneContext(
+                      simulation,
+                      language,
+                      pulse,
+                      video,
+                      new FxMarks(() -> progress, () -> contacts)));
           scene.setPrefSize(WIDTH, HEIGHT);
           stage = new Stage(StageStyle.UNDECORATED);
           stage.setScene(new Scene(scene, WIDTH, HEIGHT));
@@ -181,6 +199,18 @@ public final class SceneFixture implements BeforeEachCallback, AfterEachCallback
         0,
         new DroneSnapshot(old.state(), old.link(), old.product(), old.start(), old.rgb(), acting));
     snapshot = snapshot.withDrones(drones);
+  }
+
+  /** Asks for goals in any order; the next beat shows them. */
+  void ask(Goal... goals) {
+    List<OptionalDouble> none = Stream.of(goals).map(goal -> OptionalDouble.empty()).toList();
+    Challenge challenge = new Challenge(List.of(goals), false, OptionalDouble.empty(), false);
+    progress = new Progress(challenge, none, 0, Optional.empty());
+  }
+
+  /** Marks where drones touched something; the next beat shows it. */
+  void mark(ContactMark... marks) {
+    contacts = List.of(marks);
   }
 
   /** Changes the looks of the room; the next beat shows it. */

@@ -1,0 +1,129 @@
+package tellosimulator.goal;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.OptionalInt;
+import tellosimulator.math.Pose;
+import tellosimulator.math.Vec3;
+import tellosimulator.world.Arena;
+import tellosimulator.world.MissionPad;
+import tellosimulator.world.Obstacle;
+import tellosimulator.world.Obstacles;
+import tellosimulator.world.Shape;
+import tellosimulator.world.Surface;
+
+/**
+ * Where a goal is in the room, and how one stands with it, for whoever draws it. Immutable.
+ *
+ * @param number of the goal, from 1
+ * @param drone the number of the drone that shall do it; empty if any may
+ */
+public record GoalMark(int number, OptionalInt drone, GoalState state, Place place) {
+
+  private static final Vec3 DOWN = Vec3.UP.times(-1);
+
+  /** What is to be reached. Room frame [m]. */
+  public sealed interface Place {
+
+    /** Its middle, to which one flies. */
+    Vec3 middle();
+  }
+
+  /** A ball in which the drone's feet shall be. */
+  public record Ball(Vec3 middle, double radius) implements Place {}
+
+  /** A circle to land on, on the floor or on an obstacle. */
+  public record Circle(Vec3 middle, double radius) implements Place {}
+
+  /**
+   * The opening of a gate.
+   *
+   * @param pose of the gate's foot
+   */
+  public record Opening(Shape.Gate gate, Pose pose, Goal.Direction direction) implements Place {
+
+    @Override
+    public Vec3 middle() {
+      return pose.position().plusScaled(Vec3.UP, gate.middle());
+    }
+
+    /** Where one shall fly, a unit vector; empty if either way counts. */
+    public Optional<Vec3> way() {
+      Vec3 along = pose.attitude().toRoom(new Vec3(1, 0, 0));
+      return switch (direction) {
+        case EITHER -> Optional.empty();
+        case ALONG -> Optional.of(along);
+        case AGAINST -> Optional.of(along.times(-1));
+      };
+    }
+  }
+
+  /** The marks of all goals that are somewhere in a room, in the order of their numbers. */
+  public static List<GoalMark> of(Progress progress, Arena arena) {
+    List<Goal> goals = progress.challenge().goals();
+    if (goals.isEmpty()) {
+      return List.of();
+    }
+    Obstacles obstacles = Obstacles.of(arena);
+    List<GoalMark> marks = new ArrayList<>();
+    for (int i = 0; i < goals.size(); i++) {
+      int index = i;
+      Goal goal = goals.get(i);
+      place(goal, arena, obstacles)
+          .map(place -> new GoalMark(index + 1, goal.drone(), progress.state(index), place))
+          .ifPresent(marks::add);
+    }
+    return List.copyOf(marks);
+  }
+
+  /** The first mark that can be reached now by a drone. */
+  public static Optional<GoalMark> next(List<GoalMark> marks, int drone) {
+    return marks.stream()
+        .filter(mark -> mark.state == GoalState.ACTIVE && mark.drone.orElse(drone) == drone)
+        .findFirst();
+  }
+
+  /** Empty if what the goal names is not there. */
+  private static Optional<Place> place(Goal goal, Arena arena, Obstacles obstacles) {
+    if (goal instanceof Goal.Reach reach) {
+      return Optional.of(new Ball(reach.spot().place(), reach.spot().radius()));
+    }
+    if (goal instanceof Goal.Hover hover) {
+      return Optional.of(new Ball(hover.spot().place(), hover.spot().radius()));
+    }
+    if (goal instanceof Goal.Pass pass) {
+      return arena.obstacles().stream()
+          .filter(obstacle -> obstacle.name().equals(pass.gate()))
+          .flatMap(obstacle -> opening(obstacle, pass.direction()).stream())
+          .findFirst();
+    }
+    if (goal instanceof Goal.Land land) {
+      Vec3 on = onTop(land.spot().place(), arena, obstacles);
+      return Optional.of(new Circle(on, land.spot().radius()));
+    }
+    int id = ((Goal.LandOn) goal).pad();
+    return arena.pads().stream()
+        .filter(pad -> pad.id() == id && pad.surface() == Surface.FLOOR)
+        .map(pad -> (Place) around(pad, arena))
+        .findFirst();
+  }
+
+  private static Optional<Place> opening(Obstacle obstacle, Goal.Direction direction) {
+    return obstacle.shape() instanceof Shape.Gate gate
+        ? Optional.of(new Opening(gate, obstacle.pose(), direction))
+        : Optional.empty();
+  }
+
+  /** The circle through the corners of a card. */
+  private static Circle around(MissionPad pad, Arena arena) {
+    return new Circle(pad.pose(arena.room()).position(), MissionPad.EDGE * Math.sqrt(0.5));
+  }
+
+  /** On the highest thing that is at a place of the floor. */
+  private static Vec3 onTop(Vec3 place, Arena arena, Obstacles obstacles) {
+    double ceiling = arena.room().height();
+    double down = obstacles.distance(place.withZ(ceiling), DOWN, ceiling);
+    return place.withZ(down < ceiling ? ceiling - down : 0);
+  }
+}

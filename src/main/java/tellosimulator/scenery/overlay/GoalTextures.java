@@ -1,0 +1,119 @@
+package tellosimulator.scenery.overlay;
+
+import java.util.Arrays;
+import java.util.function.DoubleBinaryOperator;
+import tellosimulator.scenery.mesh.Rgb;
+import tellosimulator.scenery.mesh.Texture;
+
+/**
+ * The translucent textures of goals: light and shade are painted into them, as no light shines on
+ * them. All proportions are decided, by eye.
+ */
+final class GoalTextures {
+
+  /** Texels around a ball, and from its top to its bottom. */
+  private static final int AROUND = 256;
+
+  static final int DOWN = 64;
+
+  /** Lines from pole to pole. */
+  private static final int MERIDIANS = 8;
+
+  /** Edge of the texture of a circle [texels]. */
+  private static final int CIRCLE = 128;
+
+  /** Length of the gradient of a beacon, and of a dash with its gap [texels]. */
+  static final int LENGTH = 16;
+
+  private GoalTextures() {}
+
+  /**
+   * A ball that one can look into, brighter at its top, with an equator and meridians.
+   *
+   * @param opacity of the lines, 0 to 1; what is between them hides a third as much
+   */
+  static Texture ball(Rgb color, double opacity) {
+    int[] argb = new int[AROUND * DOWN];
+    Arrays.setAll(
+        argb,
+        i -> {
+          int row = i / AROUND;
+          int column = i % AROUND;
+          boolean equator = row == DOWN / 2 - 1 || row == DOWN / 2;
+          int next = Math.floorMod(column + 1, AROUND / MERIDIANS);
+          boolean line = equator || next < 2;
+          double up = 1 - 2 * (row + 0.5) / DOWN;
+          Rgb lit = up > 0 ? color.towards(Rgb.WHITE, 0.4 * up) : color.shaded(1 + 0.35 * up);
+          return lit.argb(line ? opacity : 0.33 * opacity);
+        });
+    return new Texture(AROUND, DOWN, argb);
+  }
+
+  /**
+   * A disc with a strong rim and a ring within.
+   *
+   * @param opacity of its rim, 0 to 1
+   */
+  static Texture circle(Rgb color, double opacity) {
+    return disc(
+        (x, y) -> {
+          double radius = Math.sqrt(x * x + y * y);
+          double rim = edge(1 - radius) * edge(radius - 0.86);
+          double ring = edge(0.55 - radius) * edge(radius - 0.45);
+          double middle = edge(0.1 - radius);
+          double inside = 0.25 * edge(1 - radius);
+          return opacity * Math.max(Math.max(rim, inside), 0.8 * Math.max(ring, middle));
+        },
+        color);
+  }
+
+  /** How far a place is within an edge, 0 to 1 over two texels. */
+  private static double edge(double within) {
+    return Math.max(0, Math.min(1, 0.5 + within * CIRCLE / 4));
+  }
+
+  private static Texture disc(DoubleBinaryOperator opacity, Rgb color) {
+    int[] argb = new int[CIRCLE * CIRCLE];
+    Arrays.setAll(
+        argb,
+        i -> {
+          int row = i / CIRCLE;
+          double x = (i - row * CIRCLE + 0.5) * 2 / CIRCLE - 1;
+          double y = (row + 0.5) * 2 / CIRCLE - 1;
+          return color.argb(opacity.applyAsDouble(x, y));
+        });
+    return new Texture(CIRCLE, CIRCLE, argb);
+  }
+
+  /** Light that rises from the rim of a circle and fades. */
+  static Texture beacon(Rgb color) {
+    int[] argb = new int[LENGTH];
+    Arrays.setAll(argb, row -> color.argb(0.6 * row / (LENGTH - 1)));
+    return new Texture(1, LENGTH, argb);
+  }
+
+  /** A dash and a gap. */
+  static Texture dash(Rgb color) {
+    int[] argb = new int[LENGTH];
+    Arrays.setAll(argb, row -> color.argb(row < LENGTH * 5 / 8 ? 0.9 : 0));
+    return new Texture(1, LENGTH, argb);
+  }
+
+  /** Something round whose upper side is in the middle of the texture. */
+  static Texture round(Rgb color, double opacity) {
+    int[] argb = new int[LENGTH];
+    Arrays.setAll(
+        argb,
+        column -> {
+          double up = -StrictMath.cos(2 * Math.PI * (column + 0.5) / LENGTH);
+          Rgb lit = up > 0 ? color.towards(Rgb.WHITE, 0.45 * up) : color.shaded(1 + 0.35 * up);
+          return lit.argb(opacity);
+        });
+    return new Texture(LENGTH, 1, argb);
+  }
+
+  /** One colour everywhere. */
+  static Texture plain(Rgb color, double opacity) {
+    return new Texture(1, 1, new int[] {color.argb(opacity)});
+  }
+}

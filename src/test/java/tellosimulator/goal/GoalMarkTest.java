@@ -1,0 +1,155 @@
+package tellosimulator.goal;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+import static tellosimulator.goal.GoalState.ACTIVE;
+import static tellosimulator.goal.GoalState.DONE;
+import static tellosimulator.goal.GoalState.LATER;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.OptionalInt;
+import org.junit.jupiter.api.Test;
+import tellosimulator.goal.Goal.Direction;
+import tellosimulator.math.Vec3;
+import tellosimulator.words.Phrase;
+import tellosimulator.world.Arena;
+import tellosimulator.world.Cover;
+import tellosimulator.world.MissionPad;
+import tellosimulator.world.Obstacle;
+import tellosimulator.world.Shape;
+
+class GoalMarkTest {
+
+  private static final OptionalInt ANY = OptionalInt.empty();
+  private static final Goal FIRST = new Goal.Reach(ANY, new Spot(new Vec3(1, 0, 0.6), 0.4));
+  private static final Goal SECOND = new Goal.Hover(ANY, new Spot(new Vec3(0, 1, 0.8), 0.3), 2);
+  private static final Goal THIRD = new Goal.Land(ANY, new Spot(new Vec3(1.5, 1, 0), 0.12));
+
+  private static final Obstacle TABLE =
+      new Obstacle("table", new Shape.Box(0.5, 0.5, 0.6), new Vec3(1.5, 1, 0), 0, Cover.DEFAULT);
+
+  /** Its way leads to the left: its x axis along the room's y. */
+  private static final Obstacle GATE =
+      new Obstacle(
+          "ring", new Shape.Ring(0.5, 0.05, 1), new Vec3(2, 0, 0), Math.PI / 2, Cover.DEFAULT);
+
+  @Test
+  void inOrderOneIsActiveAfterThoseThatAreDoneAndBeforeThoseThatFollow() {
+    assertThat(states(true, 0)).containsExactly(ACTIVE, LATER, LATER);
+    assertThat(states(true, 1)).containsExactly(DONE, ACTIVE, LATER);
+    assertThat(states(true, 3)).containsExactly(DONE, DONE, DONE);
+  }
+
+  @Test
+  void inAnyOrderAllThatAreLeftAreActive() {
+    assertThat(states(false, 1)).containsExactly(DONE, ACTIVE, ACTIVE);
+  }
+
+  @Test
+  void nothingIsActiveOnceItHasFailed() {
+    Progress failed =
+        new Progress(challenge(true), reached(1), 7, Optional.of(Phrase.of("time is over")));
+
+    assertThat(GoalMark.of(failed, Arena.DEFAULT))
+        .extracting(GoalMark::state)
+        .containsExactly(DONE, LATER, LATER);
+  }
+
+  @Test
+  void placesToReachAreBallsAndPlacesToLandAreCirclesOnWhatIsThere() {
+    Arena arena = Arena.DEFAULT.withObstacles(List.of(TABLE));
+
+    List<GoalMark> marks = GoalMark.of(progress(true, 0), arena);
+
+    assertThat(marks).extracting(GoalMark::number).containsExactly(1, 2, 3);
+    assertThat(marks.get(0).place()).isEqualTo(new GoalMark.Ball(new Vec3(1, 0, 0.6), 0.4));
+    assertThat(marks.get(1).place()).isEqualTo(new GoalMark.Ball(new Vec3(0, 1, 0.8), 0.3));
+    GoalMark.Circle circle = (GoalMark.Circle) marks.get(2).place();
+    assertThat(circle.middle().distanceTo(new Vec3(1.5, 1, 0.6))).isLessThan(1e-9);
+    assertThat(circle.radius()).isEqualTo(0.12);
+  }
+
+  @Test
+  void aMissionPadHasACircleThroughItsCorners() {
+    Goal pad = new Goal.LandOn(ANY, 4);
+    Arena arena = Arena.DEFAULT.withPads(List.of(MissionPad.onFloor(4, new Vec3(1, -1, 0), 0.3)));
+
+    GoalMark.Circle circle = (GoalMark.Circle) only(pad, arena).place();
+
+    assertThat(circle.middle().distanceTo(new Vec3(1, -1, 0))).isLessThan(1e-9);
+    assertThat(circle.radius()).isCloseTo(0.1414, within(1e-4)); // half the diagonal of 20 cm
+  }
+
+  @Test
+  void theOpeningOfAGateHasAWayIfTheGoalHasOne() {
+    assertThat(opening(Direction.EITHER).way()).isEmpty();
+    assertThat(opening(Direction.EITHER).middle().distanceTo(new Vec3(2, 0, 1))).isLessThan(1e-9);
+    Vec3 along = opening(Direction.ALONG).way().orElseThrow();
+    assertThat(along.distanceTo(new Vec3(0, 1, 0))).isLessThan(1e-9);
+    Vec3 against = opening(Direction.AGAINST).way().orElseThrow();
+    assertThat(against.distanceTo(new Vec3(0, -1, 0))).isLessThan(1e-9);
+  }
+
+  @Test
+  void whatIsNotThereHasNoMark() {
+    Challenge challenge =
+        new Challenge(
+            List.of(new Goal.Pass(ANY, "gone", Direction.EITHER), new Goal.LandOn(ANY, 7), FIRST),
+            false,
+            OptionalDouble.empty(),
+            false);
+
+    assertThat(GoalMark.of(Progress.start(challenge), Arena.DEFAULT))
+        .extracting(GoalMark::number)
+        .containsExactly(3);
+  }
+
+  @Test
+  void theNextOneOfADroneIsItsOwnOrThatOfAny() {
+    Spot spot = new Spot(new Vec3(1, 0, 1), 0.3);
+    List<Goal> goals =
+        List.of(
+            new Goal.Reach(OptionalInt.of(2), spot),
+            new Goal.Reach(OptionalInt.of(1), spot),
+            new Goal.Reach(ANY, spot));
+    Challenge challenge = new Challenge(goals, false, OptionalDouble.empty(), false);
+    List<GoalMark> marks = GoalMark.of(Progress.start(challenge), Arena.DEFAULT);
+
+    assertThat(GoalMark.next(marks, 1)).map(GoalMark::number).hasValue(2);
+    assertThat(GoalMark.next(marks, 2)).map(GoalMark::number).hasValue(1);
+    assertThat(GoalMark.next(marks, 3)).map(GoalMark::number).hasValue(3);
+    assertThat(GoalMark.next(List.of(), 1)).isEmpty();
+  }
+
+  private static GoalMark.Opening opening(Direction direction) {
+    Arena arena = Arena.DEFAULT.withObstacles(List.of(GATE));
+    return (GoalMark.Opening) only(new Goal.Pass(ANY, "ring", direction), arena).place();
+  }
+
+  private static GoalMark only(Goal goal, Arena arena) {
+    Challenge challenge = new Challenge(List.of(goal), true, OptionalDouble.empty(), false);
+    return GoalMark.of(Progress.start(challenge), arena).get(0);
+  }
+
+  private static List<GoalState> states(boolean inOrder, int done) {
+    return GoalMark.of(progress(inOrder, done), Arena.DEFAULT).stream()
+        .map(GoalMark::state)
+        .toList();
+  }
+
+  private static Progress progress(boolean inOrder, int done) {
+    return new Progress(challenge(inOrder), reached(done), 7, Optional.empty());
+  }
+
+  private static Challenge challenge(boolean inOrder) {
+    return new Challenge(List.of(FIRST, SECOND, THIRD), inOrder, OptionalDouble.empty(), false);
+  }
+
+  private static List<OptionalDouble> reached(int done) {
+    return List.of(0, 1, 2).stream()
+        .map(i -> i < done ? OptionalDouble.of(i + 1) : OptionalDouble.empty())
+        .toList();
+  }
+}

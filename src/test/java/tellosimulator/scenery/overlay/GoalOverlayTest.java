@@ -1,0 +1,213 @@
+package tellosimulator.scenery.overlay;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.List;
+import java.util.OptionalInt;
+import java.util.function.Predicate;
+import org.junit.jupiter.api.Test;
+import tellosimulator.goal.Goal.Direction;
+import tellosimulator.goal.GoalMark;
+import tellosimulator.goal.GoalState;
+import tellosimulator.math.Attitude;
+import tellosimulator.math.Pose;
+import tellosimulator.math.Vec3;
+import tellosimulator.scenery.mesh.Instance;
+import tellosimulator.scenery.mesh.Rgb;
+import tellosimulator.scenery.mesh.Shading;
+import tellosimulator.sim.SimConfig;
+import tellosimulator.sim.SimSnapshot;
+import tellosimulator.sim.Simulation;
+import tellosimulator.sim.Swarm;
+import tellosimulator.world.Room;
+import tellosimulator.world.Shape;
+
+/** The goals and contacts of an overlay. */
+class GoalOverlayTest {
+
+  private static final Eye EYE = new Eye(new Pose(new Vec3(-3, 0, 1), Attitude.LEVEL), 0.1);
+
+  /** Two drones. The second one has the orange of its number. */
+  private static final SimSnapshot SNAPSHOT = snapshot();
+
+  private static final Rgb ORANGE = Rgb.of(0xe69f00);
+  private static final GoalMark.Ball BALL = new GoalMark.Ball(new Vec3(1, 0, 1), 0.4);
+
+  private static final Shape.Gate RING = new Shape.Ring(0.5, 0.05, 1);
+
+  private final Overlay overlay = new Overlay(SNAPSHOT);
+  private final int others = shown().size();
+
+  @Test
+  void aBallHasANumberAndALineFromEachDroneThatMayReachIt() {
+    show(mark(1, GoalState.ACTIVE, BALL));
+    assertThat(shown()).as("ball, number, two lines").hasSize(others + 4);
+
+    overlay.showGoalLine(false);
+    assertThat(shown()).as("ball and number").hasSize(others + 2);
+  }
+
+  @Test
+  void noLineLeadsToWhatIsDoneOrComesLater() {
+    show(mark(1, GoalState.DONE, BALL), mark(2, GoalState.LATER, moved(1)));
+
+    assertThat(shown()).as("two balls, two numbers").hasSize(others + 4);
+  }
+
+  @Test
+  void doneIsGreenActiveHasTheAccentAndLaterIsGrey() {
+    overlay.showGoalLine(false);
+    for (GoalState state : GoalState.values()) {
+      show(mark(1, state, BALL));
+      assertThat(count(hasColor(MarkColors.of(state)))).as(state.name()).isEqualTo(2);
+    }
+    assertThat(MarkColors.of(GoalState.DONE).green()).isGreaterThan(100);
+    assertThat(MarkColors.of(GoalState.ACTIVE).blue()).isGreaterThan(200);
+  }
+
+  @Test
+  void theGoalOfADroneHasItsColorUntilItIsReached() {
+    overlay.showGoalLine(false);
+    long before = count(hasColor(ORANGE)); // its number
+    show(new GoalMark(1, OptionalInt.of(2), GoalState.ACTIVE, BALL));
+    assertThat(count(hasColor(ORANGE))).isEqualTo(before + 2);
+
+    show(new GoalMark(1, OptionalInt.of(2), GoalState.DONE, BALL));
+    assertThat(count(hasColor(ORANGE))).isEqualTo(before);
+  }
+
+  @Test
+  void onlyTheCircleThatComesNextShines() {
+    overlay.showGoalLine(false);
+    GoalMark.Circle circle = new GoalMark.Circle(new Vec3(1, 1, 0.6), 0.2);
+    show(mark(1, GoalState.LATER, circle));
+    assertThat(shown()).as("circle and number").hasSize(others + 2);
+    assertThat(shown())
+        .as("on the table, but above its top")
+        .anyMatch(one -> one.pose().position().distanceTo(new Vec3(1, 1, 0.606)) < 1e-9);
+
+    show(mark(1, GoalState.ACTIVE, circle));
+    assertThat(shown()).as("and the light inside and outside").hasSize(others + 4);
+  }
+
+  @Test
+  void onlyTheGateThatComesNextHasAnArrowAndOnlyIfThereIsAWay() {
+    overlay.showGoalLine(false);
+    show(mark(1, GoalState.ACTIVE, gate(Direction.ALONG)));
+    assertThat(shown()).as("outline, arrow, number").hasSize(others + 3);
+    show(mark(1, GoalState.ACTIVE, gate(Direction.EITHER)));
+    assertThat(shown()).as("outline, number").hasSize(others + 2);
+    show(mark(1, GoalState.LATER, gate(Direction.ALONG)));
+    assertThat(shown()).as("outline, number").hasSize(others + 2);
+  }
+
+  @Test
+  void anArrowPointsWhereOneShallFly() {
+    overlay.showGoalLine(false);
+    show(mark(1, GoalState.ACTIVE, gate(Direction.AGAINST)));
+
+    Instance arrow =
+        shown().stream()
+            .filter(one -> one.pose().position().distanceTo(new Vec3(1, 0, 1)) < 1e-9)
+            .findFirst()
+            .orElseThrow();
+    // its mesh points along z
+    Vec3 tip = arrow.pose().attitude().toRoom(Vec3.UP);
+    assertThat(tip.distanceTo(new Vec3(0, 1, 0))).isLessThan(1e-9);
+  }
+
+  @Test
+  void aGateThatIsPassedTwiceHasOneOutlineAndTwoNumbersSideBySide() {
+    overlay.showGoalLine(false);
+    show(
+        mark(1, GoalState.DONE, gate(Direction.EITHER)),
+        mark(2, GoalState.ACTIVE, gate(Direction.EITHER)));
+
+    assertThat(shown()).hasSize(others + 3);
+    assertThat(count(hasColor(MarkColors.of(GoalState.DONE)))).as("the tick").isEqualTo(1);
+    assertThat(count(hasColor(MarkColors.of(GoalState.ACTIVE)))).isEqualTo(2);
+  }
+
+  @Test
+  void theFarthestIsDrawnFirstAndNumbersAreBeforeEverything() {
+    overlay.showGoalLine(false);
+    show(mark(1, GoalState.ACTIVE, BALL), mark(2, GoalState.ACTIVE, moved(2)));
+
+    List<Instance> all = shown();
+    List<Instance> balls = all.stream().filter(one -> one.scale().x() == 0.4).toList();
+    assertThat(balls.get(0).pose().position().x()).isEqualTo(3);
+    assertThat(balls.get(1).pose().position().x()).isEqualTo(1);
+    for (Instance number : all.subList(all.size() - 2, all.size())) {
+      // clipped is what is nearer than 0.1 m; no other thing is nearer than 0.3 m
+      assertThat(number.pose().position().distanceTo(EYE.pose().position())).isBetween(0.15, 0.3);
+    }
+    assertThat(all).allMatch(one -> one.part().material().shading() == Shading.TRANSLUCENT);
+  }
+
+  @Test
+  void theSameMomentIsTheSameInstances() {
+    show(mark(1, GoalState.ACTIVE, BALL), mark(2, GoalState.LATER, gate(Direction.ALONG)));
+
+    assertThat(shown()).isEqualTo(shown());
+  }
+
+  @Test
+  void touchesAndCrashesAreRed() {
+    overlay.show(
+        List.of(),
+        List.of(
+            new ContactMark(1, new Vec3(1, 0, 1), false),
+            new ContactMark(1, new Vec3(2, 0, 0), true)));
+
+    assertThat(count(hasColor(MarkColors.CONTACT))).isEqualTo(2);
+  }
+
+  private void show(GoalMark... marks) {
+    overlay.show(List.of(marks), List.of());
+  }
+
+  private List<Instance> shown() {
+    return overlay.instances(SNAPSHOT, EYE);
+  }
+
+  private long count(Predicate<Instance> wanted) {
+    return shown().stream().filter(wanted).count();
+  }
+
+  private static Predicate<Instance> hasColor(Rgb color) {
+    return instance -> {
+      for (int texel : instance.part().material().texture().argbArray()) {
+        Rgb found = Rgb.of(texel & 0xffffff);
+        if (texel >>> 24 > 0 && distance(found, color) <= 8) { // the middle of a lit ball
+          return true;
+        }
+      }
+      return false;
+    };
+  }
+
+  private static int distance(Rgb one, Rgb other) {
+    return Math.abs(one.red() - other.red())
+        + Math.abs(one.green() - other.green())
+        + Math.abs(one.blue() - other.blue());
+  }
+
+  private static GoalMark mark(int number, GoalState state, GoalMark.Place place) {
+    return new GoalMark(number, OptionalInt.empty(), state, place);
+  }
+
+  private static GoalMark.Ball moved(double ahead) {
+    return new GoalMark.Ball(new Vec3(1 + ahead, 0, 1), 0.4);
+  }
+
+  /** Its way along x leads to the right. */
+  private static GoalMark.Opening gate(Direction direction) {
+    Pose foot = new Pose(new Vec3(1, 0, 0), Attitude.ofHeading(-Math.PI / 2));
+    return new GoalMark.Opening(RING, foot, direction);
+  }
+
+  private static SimSnapshot snapshot() {
+    SimConfig two = SimConfig.DEFAULT.withRoom(Room.DEFAULT, Swarm.row(2, Vec3.ZERO, Room.DEFAULT));
+    return new Simulation(two, drone -> (peer, text) -> {}, report -> {}, List.of()).snapshot();
+  }
+}
