@@ -70,6 +70,7 @@ final class ReportData {
     data.put("goals", summary.goals());
     data.put("room", room());
     data.put("things", FloorItems.of(snapshots.arena(), texts));
+    data.putAll(new GoalItems(flight, snapshots.arena(), texts).members());
     data.put("drones", drones());
     data.put("entries", entries.stream().map(ReportEntry::members).toList());
     data.put("marks", marks(entries));

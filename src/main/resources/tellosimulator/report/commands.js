@@ -28,7 +28,7 @@ const commandList = {
   },
 
   sign(entry) {
-    const signs = {answered: '✓', refused: '✕', failed: '✕', crashed: '✕', ignored: '✕', lost: '✕', touched: '!', goal: '★'};
+    const signs = {answered: '✓', refused: '✕', failed: '✕', crashed: '✕', ignored: '✕', lost: '✕', touched: '✕', goal: '★'};
     const sign = entry.wrong && entry.kind === 'goal' ? '✕' : signs[entry.kind] || '·';
     return make('span', {class: 'sign' + (sign === '✓' || sign === '★' ? ' good' : ''), 'aria-hidden': 'true'}, sign);
   },

@@ -14,9 +14,12 @@ const plan = {
     svg.append(draw('rect', {class: 'floor', x: -width / 2, y: -depth / 2, width, height: depth, 'stroke-width': this.unit}));
     svg.append(this.grid(width, depth, grid));
     svg.append(draw('text', {class: 'side', x: 0, y: -depth / 2 - 1.5 * this.unit, 'font-size': 2.6 * this.unit}, say('front')));
+    this.goals = data.goalPlaces.map(goal => this.goal(goal));
+    svg.append(...this.goals.map(goal => goal.area));
     for (const thing of data.things) svg.append(this.thing(thing));
     for (const drone of data.drones) svg.append(this.start(drone));
     this.tracks = data.drones.map(drone => this.track(svg, drone));
+    svg.append(...this.goals.map(goal => goal.sign));
     this.marks = data.marks.map(mark => this.mark(svg, mark));
     this.markers = data.drones.map(drone => {
       const marker = draw('g', {}, draw('path', {d: 'M0,-3.2 L2.2,2.4 L0,1.2 L-2.2,2.4 Z', fill: drone.color,
@@ -72,6 +75,52 @@ const plan = {
     return draw('g', {}, group, draw('text', {class: 'name', x: -thing.y, y: -thing.x + below, 'font-size': 2.4 * u, 'stroke-width': 0.7 * u}, thing.name));
   },
 
+  /** What lies below everything, and the number or tick that lies above; the state of the moment colours both. */
+  goal(goal) {
+    const u = this.unit;
+    const radius = Math.max(goal.radius || 0, 1.2 * u);
+    const area = draw('g', {class: 'goal', transform: this.at(goal.x, goal.y, goal.heading || 0)}, draw('title', {}, goal.label));
+    const sign = draw('g', {class: 'goal-sign'}, draw('title', {}, goal.label));
+    if (goal.radius) {
+      area.append(draw('circle', {r: radius, 'stroke-width': u / 2}));
+      if (goal.landing) area.append(draw('circle', {r: radius / 2, 'stroke-width': u / 2}));
+    } else {
+      const gate = draw('g', {class: 'goal', transform: this.at(goal.x, goal.y, goal.heading)},
+          draw('path', {d: `M${-goal.width / 2},0h${goal.width}`, 'stroke-width': 1.1 * u, 'stroke-linecap': 'round'}));
+      if (goal.way !== 'either') {
+        const up = goal.way === 'along' ? -1 : 1;
+        const way = Math.max(30, 6 * u);
+        gate.append(draw('path', {class: 'way', d: `M0,${-up * way}V${up * way}m${-1.3 * u},${-1.3 * up * u}L0,${up * way}l${1.3 * u},${-1.3 * up * u}`,
+          fill: 'none', 'stroke-width': 0.6 * u}));
+      }
+      sign.append(gate);
+    }
+    const earlier = data.goalPlaces.filter(other => other.number < goal.number && other.x === goal.x && other.y === goal.y).length;
+    const text = draw('text', {y: 0.9 * u, 'font-size': 2.5 * u});
+    sign.append(draw('g', {class: 'tag', transform: `translate(${-goal.y + 3.8 * u * earlier} ${-goal.x - (goal.radius ? radius : 0)})`},
+        draw('rect', {x: -1.7 * u, y: -1.7 * u, width: 3.4 * u, height: 3.4 * u, rx: 0.8 * u, 'stroke-width': u / 4}), text));
+    return {goal, area, sign, text};
+  },
+
+  /** How one stands with a goal at a moment: done, active or later. */
+  goalState(goal, time) {
+    const reached = other => other.reached !== undefined && other.reached <= time;
+    if (reached(goal)) return 'done';
+    return data.goalsInOrder && data.goalPlaces.some(other => other.number < goal.number && !reached(other)) ? 'later' : 'active';
+  },
+
+  showGoals(time) {
+    for (const {goal, area, sign, text} of this.goals) {
+      const state = this.goalState(goal, time);
+      const own = state === 'done' ? undefined : data.drones.find(drone => drone.number === goal.drone);
+      for (const part of [area, sign]) {
+        part.style.color = own ? own.color : data.markColors[state];
+        part.dataset.state = state;
+      }
+      text.textContent = state === 'done' ? '✓' : String(goal.number);
+    }
+  },
+
   start(drone) {
     return draw('g', {transform: this.at(drone.start.x, drone.start.y, drone.start.heading)},
         draw('title', {}, say('start-of', drone.number)),
@@ -91,13 +140,14 @@ const plan = {
 
   mark(svg, mark) {
     const u = this.unit;
-    const group = draw('g', {class: 'mark', transform: `translate(${-mark.y} ${-mark.x})`}, draw('title', {}, seconds(mark.t) + ': ' + mark.text));
+    const contact = mark.kind === 'touched' || mark.kind === 'crashed';
+    const group = draw('g', {class: contact ? 'mark contact' : 'mark', color: contact ? data.markColors.contact : undefined, transform: `translate(${-mark.y} ${-mark.x})`}, draw('title', {}, seconds(mark.t) + ': ' + mark.text));
     if (mark.kind === 'crashed') {
       group.append(draw('path', {class: 'back', d: `M0,${-2.6 * u}L${2.6 * u},0L0,${2.6 * u}L${-2.6 * u},0Z`, 'stroke-width': u / 2}));
     } else {
       group.append(draw('circle', {class: 'back', r: 1.7 * u, 'stroke-width': u / 2}));
     }
-    group.append(draw('text', {y: 0.95 * u, 'font-size': 2.7 * u}, mark.kind === 'touched' ? '!' : '✕'));
+    group.append(draw('text', {y: 0.95 * u, 'font-size': 2.7 * u}, '✕'));
     group.addEventListener('click', event => {
       event.stopPropagation();
       clock.set(mark.t);
@@ -129,6 +179,7 @@ const plan = {
       flown.setAttribute('points', points.slice(0, ends[state.index]) + `${-state.y},${-state.x}`);
     });
     data.marks.forEach((mark, i) => this.marks[i].classList.toggle('chosen', Math.abs(mark.t - time) < 0.051));
+    this.showGoals(time);
     const state = stateAt(clock.drone, time);
     document.getElementById('place').textContent = state
         ? say('place', figure(state.x), figure(state.y), figure(state.z)) + ' · ' + state.phase + (state.command ? ' · ' + state.command : '')

@@ -73,6 +73,44 @@ class FlightReportTest {
     assertThat((List<?>) data.get("remarks")).hasSize(1);
   }
 
+  @Test
+  void theDataSaysWhereGoalsAreAndWhenTheyWereReached() throws Exception {
+    RecordingFixture.in(folder);
+    new RecordingFixture(folder)
+        .with(
+            "scenario.yaml",
+            """
+            pads:
+              - {id: 3, at: [100, 50]}
+            goals:
+              - reach: {at: [0, 50, 80], radius: 30}
+              - land-on: {pad: 3}
+            in-order: true
+            """);
+
+    Map<?, ?> data = data(html(RecordedFlight.read(folder)));
+
+    List<?> goals = (List<?>) data.get("goalPlaces");
+    assertThat(goals).hasSize(2);
+    assertThat(goal(goals, 0))
+        .containsEntry("number", 1L)
+        .containsEntry("reached", 10.5)
+        .containsEntry("radius", 30.0)
+        .doesNotContainKey("landing");
+    assertThat(goal(goals, 1))
+        .containsEntry("x", 100.0)
+        .containsEntry("y", 50.0)
+        .containsEntry("landing", true)
+        .doesNotContainKey("reached");
+    assertThat(data.get("goalsInOrder")).isEqualTo(true);
+    assertThat(data.get("markColors")).asString().contains("contact=#cf222e");
+  }
+
+  @SuppressWarnings("unchecked")
+  private static Map<String, Object> goal(List<?> goals, int index) {
+    return (Map<String, Object>) goals.get(index);
+  }
+
   private String html() throws Exception {
     return html(RecordedFlight.read(RecordingFixture.in(folder)));
   }

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.junit.jupiter.api.BeforeEach;
@@ -84,6 +85,34 @@ class ReportInBrowserTest {
         .contains("aria-label=\"Height over time, at least 0 cm, at most 80 cm\"")
         .contains("aria-label=\"Battery over time, at least 75 %, at most 86 %\"")
         .contains("aria-label=\"The room from above, 500 cm wide and 600 cm deep");
+  }
+
+  @Test
+  void aGoalBecomesGreenWhenItIsReached() throws Exception {
+    Path goals = RecordingFixture.in(folder.resolve("goals"));
+    new RecordingFixture(goals)
+        .with(
+            "scenario.yaml",
+            """
+            pads: [{id: 3, at: [100, 50]}]
+            goals: [{reach: {at: [0, 50, 80]}}, {land-on: {pad: 3}}]
+            in-order: true
+            """);
+    new FlightReport(RecordedFlight.read(goals), new ReportTexts(Translation.ENGLISH)).write(page);
+
+    assertThat(states(dom(page, "#t=9"))).containsExactly("active", "later");
+    assertThat(states(dom(page, "#t=11")))
+        .as("reached at 10.5 s")
+        .containsExactly("done", "active");
+  }
+
+  /** Of the goals' places. */
+  private static List<String> states(String dom) {
+    return Pattern.compile("<g class=\"goal\"[^>]*data-state=\"([a-z]+)\"")
+        .matcher(dom)
+        .results()
+        .map(found -> found.group(1))
+        .toList();
   }
 
   /** Neither with the page's policy nor with escaping alone. */
