@@ -236,7 +236,7 @@ class MainTest {
     assertThat(lines(err))
         .isEqualTo(
             file
-                + ":1:8: expected one of plain, textured, found \"high\"\n"
+                + ":1:8: expected one of auto, plain, textured, found \"high\"\n"
                 + file
                 + ":2:1: a scenario has no key \"rom\", did you mean room?\n");
   }

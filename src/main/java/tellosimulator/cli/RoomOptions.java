@@ -27,10 +27,10 @@ final class RoomOptions {
         choices
             .option(
                 "--walls",
-                "textured|plain",
+                "auto|textured|plain",
                 "textured: walls and floor with patterns that cameras can see. plain: even colours."
-                    + " Default: textured.")
-            .read(OptionTypes::wallsName, "textured");
+                    + " auto: textured in the drones' film, calm in the window. Default: auto.")
+            .read(OptionTypes::wallsName, "auto");
     posters =
         choices
             .option(

@@ -126,7 +126,10 @@ final class ScenarioCodec extends RecordCodec<ScenarioCodec.Noted> {
                   .or(Decor.DEFAULT.grid()),
               noted -> noted.arena().decor().grid());
   private final Field<Noted, Walls> walls =
-      key("walls", "What floor, walls and ceiling are covered with.")
+      key(
+              "walls",
+              "What floor, walls and ceiling are covered with; auto is textured in the drones' film"
+                  + " and calm in the window.")
           .usual(
               WordCodec.of(Walls.values()).or(Decor.DEFAULT.walls()),
               noted -> noted.arena().decor().walls());

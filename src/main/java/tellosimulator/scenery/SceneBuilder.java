@@ -20,6 +20,7 @@ import tellosimulator.scenery.mesh.Instance;
 import tellosimulator.scenery.mesh.Rgb;
 import tellosimulator.scenery.pad.PadDecals;
 import tellosimulator.scenery.room.BlobShadow;
+import tellosimulator.scenery.room.Finish;
 import tellosimulator.scenery.room.Interior;
 import tellosimulator.scenery.room.StartMark;
 import tellosimulator.sim.SimSnapshot;
@@ -28,7 +29,8 @@ import tellosimulator.world.Arena;
 
 /**
  * Builds the scene of a snapshot. Equal snapshots give equal scenes. Keeps the meshes and textures
- * of what does not change, so all cameras share one builder. For any thread.
+ * of what does not change, so all cameras share one builder. The room is finished for those who
+ * look: people or a drone's film. For any thread.
  */
 public final class SceneBuilder {
 
@@ -45,7 +47,7 @@ public final class SceneBuilder {
 
   /** The scene as people see it, without an overlay. */
   public Scene scene(SimSnapshot snapshot) {
-    return scene(snapshot, OptionalInt.empty());
+    return scene(snapshot, OptionalInt.empty(), Finish.forPeople(snapshot.decor().walls()));
   }
 
   /**
@@ -54,10 +56,10 @@ public final class SceneBuilder {
    * @param drone its number, from 1
    */
   public Scene scene(SimSnapshot snapshot, int drone) {
-    return scene(snapshot, OptionalInt.of(drone));
+    return scene(snapshot, OptionalInt.of(drone), Finish.forFilm(snapshot.decor().walls()));
   }
 
-  private Scene scene(SimSnapshot snapshot, OptionalInt without) {
+  private Scene scene(SimSnapshot snapshot, OptionalInt without, Finish finish) {
     Arena arena = snapshot.arena();
     List<DroneSnapshot> seen =
         snapshot.drones().stream()
@@ -67,7 +69,7 @@ public final class SceneBuilder {
     seen.forEach(drone -> addBody(drones, drone));
     seen.forEach(drone -> addPropellers(drones, drone)); // last, because they may be translucent
     return new Scene(
-        interior.instances(arena.room(), arena.decor()),
+        interior.instances(arena.room(), arena.decor(), finish),
         ground(snapshot),
         furniture.instances(arena.obstacles()),
         drones,

@@ -15,8 +15,8 @@ public record Decor(double grid, Walls walls, List<Poster> posters) {
 
   public static final double LARGEST_GRID = 2;
 
-  /** Decided: the grid of the predecessor, and walls that cameras can see. */
-  public static final Decor DEFAULT = new Decor(0.4, Walls.TEXTURED, List.of());
+  /** Decided: the grid of the predecessor, and walls that suit cameras and people. */
+  public static final Decor DEFAULT = new Decor(0.4, Walls.AUTO, List.of());
 
   public Decor {
     if (!(grid >= SMALLEST_GRID && grid <= LARGEST_GRID)) {

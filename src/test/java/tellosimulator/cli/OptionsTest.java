@@ -133,8 +133,8 @@ class OptionsTest {
   }
 
   @Test
-  void wallsAreTexturedOrPlain() {
-    assertThat(options("").scenario().config().arena().decor().walls()).isEqualTo(Walls.TEXTURED);
+  void wallsAreTexturedOrPlainOrSuitWhoLooks() {
+    assertThat(options("").scenario().config().arena().decor().walls()).isEqualTo(Walls.AUTO);
     assertThat(options("--walls textured").scenario().config().arena().decor().walls())
         .isEqualTo(Walls.TEXTURED);
     assertThat(options("--walls plain").scenario().config().arena().decor().walls())
@@ -307,7 +307,7 @@ class OptionsTest {
           --behaviour    | real      | expected one of report, measured, found real
           --room         | 500x500   | expected width, depth and height in cm such as 500x500x300, found 500x500
           --room         | 5x5x3     | expected width, depth and height from 100 to 20000 cm, found 5x5x3
-          --walls        | brick     | expected one of plain, textured, found brick
+          --walls        | brick     | expected one of auto, plain, textured, found brick
           --start        | 100       | expected X,Y in cm such as 100,-50, found 100
           --start        | NaN,0     | expected X,Y in cm such as 100,-50, found NaN,0
           --time-factor  | fast      | expected a number from 0.01 to 5000, or max, found fast

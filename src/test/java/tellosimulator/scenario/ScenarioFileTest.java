@@ -329,8 +329,8 @@ class ScenarioFileTest {
           {name: a, name: b}                  | 1:11: the key name is there twice
           [1, 2]                              | 1:1: expected a scenario, found a list of 2
           just words                          | 1:1: expected a scenario, found "just words"
-          walls: papered                      | 1:8: expected one of plain, textured, found "papered"
-          walls: plane                        | 1:8: expected one of plain, textured, found "plane", did you mean plain?
+          walls: papered                      | 1:8: expected one of auto, plain, textured, found "papered"
+          walls: plane                        | 1:8: expected one of auto, plain, textured, found "plane", did you mean plain?
           drones: {start: [0, 0]}             | 1:9: expected a list, found a mapping
           drones: [{}]                        | 1:10: a drone needs the key start
           drones: [{start: 5}]                | 1:18: expected [x, y] in cm, each from -20000 to 20000, found "5"

@@ -37,10 +37,22 @@ class SceneBuilderTest {
     Scene everything = scenes.scene(two);
     Scene fromFirst = scenes.scene(two, 1);
 
-    assertThat(fromFirst.instances()).hasSize(everything.instances().size() - PARTS_OF_DRONE);
+    assertThat(fromFirst.drones()).hasSize(everything.drones().size() - PARTS_OF_DRONE);
     assertThat(lit(everything)).hasSize(2 + 2 * 4);
     assertThat(lit(fromFirst)).hasSize(1 + 4).allMatch(part -> isNear(part, start(two, 2)));
-    assertThat(decals(fromFirst)).isEqualTo(decals(everything));
+    assertThat(fromFirst.ground()).isEqualTo(everything.ground());
+  }
+
+  @Test
+  void peopleSeeACalmRoomAndDronesATexturedOne() {
+    SimSnapshot one = drones(1);
+
+    List<Instance> seen = scenes.scene(one).room();
+    List<Instance> filmed = scenes.scene(one, 1).room();
+
+    assertThat(seen.get(0).part().material()).isNotEqualTo(filmed.get(0).part().material());
+    assertThat(scenes.scene(one).room()).isSameAs(seen);
+    assertThat(scenes.scene(one, 1).room()).isSameAs(filmed);
   }
 
   @Test
@@ -79,7 +91,7 @@ class SceneBuilderTest {
   void aFlyingDroneHasTranslucentDiscsAtTheEnd() {
     Pose pose = new Pose(new Vec3(0, 0, 1), Attitude.LEVEL);
 
-    List<Instance> instances = scenes.scene(flying(pose)).instances();
+    List<Instance> instances = scenes.scene(flying(pose)).drones();
 
     List<Instance> last = instances.subList(instances.size() - 4, instances.size());
     assertThat(last).allMatch(part -> part.part().material().shading() == Shading.TRANSLUCENT);
@@ -128,12 +140,6 @@ class SceneBuilderTest {
   private static List<Instance> lit(Scene scene) {
     return scene.instances().stream()
         .filter(part -> part.part().material().shading() == Shading.GLOSSY)
-        .toList();
-  }
-
-  private static List<Instance> decals(Scene scene) {
-    return scene.instances().stream()
-        .filter(part -> part.part().material().shading() == Shading.DECAL)
         .toList();
   }
 

@@ -1,7 +1,9 @@
 package tellosimulator.scenery.room;
 
 import java.util.ArrayList;
+import java.util.EnumMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.function.Function;
 import tellosimulator.scenery.mesh.Instance;
@@ -13,12 +15,11 @@ import tellosimulator.scenery.mesh.Texture;
 import tellosimulator.world.Decor;
 import tellosimulator.world.Room;
 import tellosimulator.world.Surface;
-import tellosimulator.world.Walls;
 
 /**
  * The inside of a room: floor, walls and ceiling, and the decals on them. It has no outside: a wall
  * between the camera and the room is a back face and not drawn. Keeps what it made for the latest
- * room. For any thread.
+ * room of each finish. For any thread.
  */
 public final class Interior {
 
@@ -50,30 +51,44 @@ public final class Interior {
     }
   }
 
-  private final Cached<Look, List<Instance>> instances =
-      new Cached<>(look -> make(look.room, look.decor));
+  private final Map<Finish, Cached<Look, List<Instance>>> instances = new EnumMap<>(Finish.class);
   private final Posters posters = new Posters();
   private final Cached<Double, Texture> plainFloor = new Cached<>(PlainTextures::floor);
-  private final Cached<Double, Texture> parquet = new Cached<>(Parquet::texture);
+  private final Cached<Double, Texture> texturedFloor = new Cached<>(Parquet.TEXTURED::texture);
+  private final Cached<Double, Texture> calmFloor = new Cached<>(Parquet.CALM::texture);
+  private final Cached<Room, Map<Surface, Texture>> calmWalls =
+      new Cached<>(CalmTextures::plastered);
   private final Cached<Double, Texture> plainWall =
       new Cached<>(height -> PlainTextures.wall(height, 1));
   private final Cached<Double, Texture> shadedWall =
       new Cached<>(height -> PlainTextures.wall(height, SHADE));
 
+  public Interior() {
+    for (Finish finish : Finish.values()) {
+      instances.put(finish, new Cached<>(look -> make(look, finish)));
+    }
+  }
+
   /** The room, in drawing order; the same list while room and decor are the same. */
-  public synchronized List<Instance> instances(Room room, Decor decor) {
-    return instances.get(new Look(room, decor));
+  public synchronized List<Instance> instances(Room room, Decor decor, Finish finish) {
+    return instances.get(finish).get(new Look(room, decor));
   }
 
-  private List<Instance> make(Room room, Decor decor) {
-    boolean plain = decor.walls() == Walls.PLAIN;
-    List<Part> parts = new ArrayList<>(plain ? plain(room, decor) : textured(room, decor));
-    parts.add(MeterMarks.part(room, decor.walls()));
-    parts.addAll(posters.parts(room, decor.posters()));
-    return List.copyOf(parts.stream().map(Instance::atOrigin).toList());
+  private List<Instance> make(Look look, Finish finish) {
+    Room room = look.room;
+    List<Part> parts =
+        switch (finish) {
+          case PLAIN -> plain(room, look.decor.grid());
+          case TEXTURED -> textured(room, look.decor.grid());
+          case CALM -> calm(room, look.decor.grid());
+        };
+    List<Part> all = new ArrayList<>(parts);
+    all.add(MeterMarks.part(room, finish));
+    all.addAll(posters.parts(room, look.decor.posters()));
+    return List.copyOf(all.stream().map(Instance::atOrigin).toList());
   }
 
-  private List<Part> plain(Room room, Decor decor) {
+  private List<Part> plain(Room room, double grid) {
     Face floor = Face.of(room, Surface.FLOOR);
     MeshBuilder across =
         new MeshBuilder()
@@ -86,22 +101,15 @@ public final class Interior {
             .quad(Face.of(room, Surface.RIGHT_WALL).quad(), TextureRegion.WHOLE);
     return List.of(
         painted(
-            new MeshBuilder().quad(floor.quad(), centered(floor, decor.grid(), 0.5)),
-            plainFloor.get(decor.grid())),
+            new MeshBuilder().quad(floor.quad(), centered(floor, grid, 0.5)), plainFloor.get(grid)),
         painted(across, plainWall.get(room.height())),
         painted(along, shadedWall.get(room.height())));
   }
 
-  private List<Part> textured(Room room, Decor decor) {
-    Face floor = Face.of(room, Surface.FLOOR);
+  private List<Part> textured(Room room, double grid) {
     Face ceiling = Face.of(room, Surface.CEILING);
-    int cells = Parquet.cells(decor.grid());
     List<Part> parts = new ArrayList<>();
-    parts.add(
-        painted(
-            new MeshBuilder()
-                .quad(floor.quad(), centered(floor, cells * decor.grid(), 0.5 / cells)),
-            parquet.get(decor.grid())));
+    parts.add(wooden(room, grid, texturedFloor.get(grid)));
     parts.add(
         painted(
             new MeshBuilder().quad(ceiling.quad(), centered(ceiling, SurfaceTexture.TILE, 0)),
@@ -110,8 +118,33 @@ public final class Interior {
     parts.add(wall(Face.of(room, Surface.BACK_WALL), SurfaceTexture.HEXAGONS.texture()));
     parts.add(wall(Face.of(room, Surface.LEFT_WALL), SurfaceTexture.BOARDS.texture()));
     parts.add(wall(Face.of(room, Surface.RIGHT_WALL), SurfaceTexture.TRIANGLES.texture()));
-    parts.addAll(Trim.parts(room));
+    parts.addAll(Trim.TEXTURED.parts(room));
     return parts;
+  }
+
+  private List<Part> calm(Room room, double grid) {
+    List<Part> parts = new ArrayList<>();
+    parts.add(wooden(room, grid, calmFloor.get(grid)));
+    calmWalls
+        .get(room)
+        .forEach((surface, plaster) -> parts.add(plastered(Face.of(room, surface), plaster)));
+    parts.addAll(Trim.CALM.parts(room));
+    parts.add(AmbientOcclusion.onFloor(room));
+    return parts;
+  }
+
+  private static Part wooden(Room room, double grid, Texture texture) {
+    Face floor = Face.of(room, Surface.FLOOR);
+    int cells = Parquet.cells(grid);
+    return painted(
+        new MeshBuilder().quad(floor.quad(), centered(floor, cells * grid, 0.5 / cells)), texture);
+  }
+
+  /** From the centre of the first texel to that of the last, or the edges would wrap around. */
+  private static Part plastered(Face face, Texture plaster) {
+    double texel = 1.0 / plaster.width();
+    TextureRegion whole = new TextureRegion(texel / 2, texel / 2, 1 - texel, 1 - texel);
+    return painted(new MeshBuilder().quad(face.quad(), whole), plaster);
   }
 
   private static Part wall(Face wall, Texture paper) {

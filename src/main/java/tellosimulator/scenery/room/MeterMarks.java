@@ -13,7 +13,6 @@ import tellosimulator.scenery.texture.AlphaMask;
 import tellosimulator.scenery.texture.AlphaMask.Point;
 import tellosimulator.scenery.texture.StrokeFont;
 import tellosimulator.world.Room;
-import tellosimulator.world.Walls;
 
 /**
  * Ticks and numbers along the edges of the floor, in metres of the room frame: y along the front
@@ -39,7 +38,7 @@ final class MeterMarks {
 
   private static final Rgb INK = Rgb.of(0x6f675b);
 
-  /** On wood. */
+  /** On wood with much contrast. */
   private static final Rgb DARK_INK = Rgb.of(0x1d1812);
 
   /** A texture atlas of all characters. */
@@ -63,8 +62,8 @@ final class MeterMarks {
   }
 
   /** The marks of a room, room frame. */
-  static Part part(Room room, Walls walls) {
-    Texture texture = walls == Walls.PLAIN ? ON_PLAIN : ON_WOOD;
+  static Part part(Room room, Finish finish) {
+    Texture texture = finish == Finish.TEXTURED ? ON_WOOD : ON_PLAIN;
     return new Part(new MeterMarks(room).mesh.build(), texture, Shading.DECAL);
   }
 

@@ -5,17 +5,46 @@ import tellosimulator.scenery.mesh.Texture;
 import tellosimulator.scenery.texture.ProceduralTexture;
 
 /**
- * A wooden floor with the lines of the grid on it. Its tile holds whole cells of the grid, so it is
- * only about as wide as a {@link SurfaceTexture#TILE}; what is on it becomes wider or narrower.
+ * Wooden floors with the lines of the grid on them. Their tile holds whole cells of the grid, so it
+ * is only about as wide as a {@link SurfaceTexture#TILE}; what is on it becomes wider or narrower.
  */
-final class Parquet {
+enum Parquet {
+  /** Wood with much contrast, which a camera sees. */
+  TEXTURED(Rgb.of(0x33302c), 0.6, 1) {
+    @Override
+    Texture wood() {
+      return SurfaceTexture.PARQUET.texture();
+    }
+  },
 
-  private static final int LINE = Rgb.of(0x33302c).argb();
+  /** Light wood, whose lines are fainter than a drone's shadow. */
+  CALM(Rgb.of(0x6e5f4c), 0.36, 0.45) {
+    @Override
+    Texture wood() {
+      return CalmTextures.boards();
+    }
+  };
 
-  /** Decided: by eye. */
-  private static final double LINE_OPACITY = 0.6;
+  /** Half the width of the thinnest line, before its {@link #width} [texels]. */
+  private static final double THINNEST = 1.5;
 
-  private Parquet() {}
+  private final int line;
+  private final double opacity;
+  private final double width;
+
+  /**
+   * @param line colour of the lines. Decided: by eye, as the rest
+   * @param opacity of the lines, 0 to 1
+   * @param width of the lines, compared with those of textured floors
+   */
+  Parquet(Rgb line, double opacity, double width) {
+    this.line = line.argb();
+    this.opacity = opacity;
+    this.width = width;
+  }
+
+  /** A tile without lines. */
+  abstract Texture wood();
 
   /** How many cells of a grid are in a tile, across and down. */
   static int cells(double grid) {
@@ -27,33 +56,33 @@ final class Parquet {
    *
    * @param grid distance from line to line [m]
    */
-  static Texture texture(double grid) {
+  Texture texture(double grid) {
     int size = SurfaceTexture.SIZE;
     return Texture.lazy(size, size, () -> argb(lineOpacity(grid)));
   }
 
-  private static int[] argb(double[] line) {
-    int[] argb = SurfaceTexture.PARQUET.texture().argbArray();
+  private int[] argb(double[] lines) {
+    int[] argb = wood().argbArray();
     for (int i = 0; i < argb.length; i++) {
-      int row = i / line.length;
-      double opacity = Math.max(line[row], line[i - row * line.length]);
-      if (opacity > 0) {
-        argb[i] = ProceduralTexture.mix(argb[i], LINE, opacity);
+      int row = i / lines.length;
+      double covered = Math.max(lines[row], lines[i - row * lines.length]);
+      if (covered > 0) {
+        argb[i] = ProceduralTexture.mix(argb[i], line, covered);
       }
     }
     return argb;
   }
 
   /** How opaque the lines are at each texel across, which is the same down. */
-  private static double[] lineOpacity(double grid) {
+  private double[] lineOpacity(double grid) {
     double cell = (double) SurfaceTexture.SIZE / cells(grid);
-    double halfLine = Math.max(1.5, (0.0035 / grid + 0.0075) * cell);
-    double[] opacity = new double[SurfaceTexture.SIZE];
-    for (int i = 0; i < opacity.length; i++) {
+    double halfLine = width * Math.max(THINNEST, (0.0035 / grid + 0.0075) * cell);
+    double[] lines = new double[SurfaceTexture.SIZE];
+    for (int i = 0; i < lines.length; i++) {
       double cells = (i + 0.5) / cell;
       double fromLine = Math.abs(cells - (int) cells - 0.5) * cell;
-      opacity[i] = LINE_OPACITY * Math.max(0, Math.min(1, halfLine - fromLine + 0.5));
+      lines[i] = opacity * Math.max(0, Math.min(1, halfLine - fromLine + 0.5));
     }
-    return opacity;
+    return lines;
   }
 }

@@ -61,7 +61,9 @@ final class MorePanel extends VBox {
     battery = new NumberSlider("battery-level", messages.text("battery-level"), PERCENT, language);
     walls =
         new SegmentedButton<>(
-            "walls", List.of(walls(Walls.TEXTURED), walls(Walls.PLAIN)), this::paper);
+            "walls",
+            List.of(walls(Walls.AUTO), walls(Walls.TEXTURED), walls(Walls.PLAIN)),
+            this::paper);
     mistake = new MessageLabel(messages, "poster-error", "danger");
     initializeParts();
     layoutParts(new StartPanel(context));

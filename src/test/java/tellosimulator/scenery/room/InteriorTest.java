@@ -1,6 +1,7 @@
 package tellosimulator.scenery.room;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 
 import java.awt.image.BufferedImage;
 import java.io.IOException;
@@ -106,16 +107,17 @@ class InteriorTest {
   }
 
   @ParameterizedTest
-  @EnumSource(Walls.class)
-  void gridLinesGoThroughTheMiddleOfTheRoom(Walls walls) {
-    RayTracer eye = eye(Decor.DEFAULT.withWalls(walls).withGrid(0.5));
+  @EnumSource(Finish.class)
+  void gridLinesGoThroughTheMiddleOfTheRoom(Finish finish) {
+    RayTracer eye = eye(Decor.DEFAULT.withGrid(0.5), finish);
+    double contrast = finish == Finish.CALM ? 10 : 20;
 
     for (double x : new double[] {-1, -0.5, 0, 0.5, 1}) {
       // a line is about 14 mm wide: 7 mm and 1.5 % of the grid
       Vec3 line = new Vec3(x, 0.17, 0);
       double besides = brightness(seen(eye, line.plus(new Vec3(0.02, 0, 0))));
       double before = brightness(seen(eye, line.minus(new Vec3(0.02, 0, 0))));
-      assertThat(brightness(seen(eye, line))).isLessThan(Math.max(besides, before) - 20);
+      assertThat(brightness(seen(eye, line))).isLessThan(Math.max(besides, before) - contrast);
     }
   }
 
@@ -162,9 +164,9 @@ class InteriorTest {
   }
 
   @ParameterizedTest
-  @EnumSource(Walls.class)
-  void fromOutsideOneSeesThroughItsWalls(Walls walls) {
-    RayTracer eye = eye(Decor.DEFAULT.withWalls(walls));
+  @EnumSource(Finish.class)
+  void fromOutsideOneSeesThroughItsWalls(Finish finish) {
+    RayTracer eye = eye(Decor.DEFAULT, finish);
 
     Rgb frontThroughTheBack = eye.look(new Vec3(-9, 0.2, 1.4), new Vec3(1, 0, 0));
 
@@ -173,9 +175,46 @@ class InteriorTest {
   }
 
   @Test
-  void allDecalsComeAfterWhatTheyAreOn() {
+  void itIsDarkerInACornerThanInTheMiddleOfACalmWallAndFloor() {
+    RayTracer eye = eye(Decor.DEFAULT, Finish.CALM);
+    double nearTheWall = 0;
+    double inTheMiddle = 0;
+    for (double y = -1; y < 1; y += 0.02) {
+      nearTheWall += brightness(seen(eye, new Vec3(2.95, y, 0)));
+      inTheMiddle += brightness(seen(eye, new Vec3(1.95, y, 0)));
+    }
+
+    assertThat(nearTheWall).isLessThan(0.9 * inTheMiddle);
+    assertThat(meanAt(eye, 1.98)).isLessThan(0.95 * meanAt(eye, 1));
+  }
+
+  /** The mean of the front wall so far from its middle, from 1.2 to 1.8 m [m]. */
+  private static double meanAt(RayTracer eye, double along) {
+    return IntStream.range(0, 60)
+        .mapToDouble(
+            i -> brightness(seen(eye, new Vec3(3, along - 0.003 * (i % 6), 1.2 + 0.01 * i))))
+        .average()
+        .orElseThrow();
+  }
+
+  @Test
+  void calmWallsAreEvenAndTheFrontOneHasAnAccent() {
+    RayTracer eye = eye(Decor.DEFAULT, Finish.CALM);
+
+    Vec3 front = mean(eye, Surface.FRONT_WALL);
+    Vec3 back = mean(eye, Surface.BACK_WALL);
+    assertThat(front.y()).as("sage").isGreaterThan(1.03 * front.x());
+    assertThat(back.y()).as("white").isGreaterThan(1.15 * front.y());
+    Rgb here = seen(eye, new Vec3(-3, 0.31, 1.5));
+    Rgb there = seen(eye, new Vec3(-3, -0.47, 1.5));
+    assertThat(brightness(here)).isCloseTo(brightness(there), within(6.0));
+  }
+
+  @ParameterizedTest
+  @EnumSource(Finish.class)
+  void allDecalsComeAfterWhatTheyAreOn(Finish finish) {
     List<Shading> order =
-        interior.instances(ROOM, Decor.DEFAULT).stream()
+        interior.instances(ROOM, Decor.DEFAULT, finish).stream()
             .map(instance -> instance.part().material().shading())
             .toList();
 
@@ -183,10 +222,11 @@ class InteriorTest {
     assertThat(order.lastIndexOf(Shading.UNLIT)).isLessThan(order.indexOf(Shading.DECAL));
   }
 
-  @Test
-  void texturesAreKeptWhileOnlyTheSizeChanges() {
-    List<Instance> before = interior.instances(ROOM, Decor.DEFAULT);
-    List<Instance> after = interior.instances(new Room(9, 9, 3), Decor.DEFAULT);
+  @ParameterizedTest
+  @EnumSource(names = {"PLAIN", "TEXTURED"})
+  void texturesAreKeptWhileOnlyTheSizeChanges(Finish finish) {
+    List<Instance> before = interior.instances(ROOM, Decor.DEFAULT, finish);
+    List<Instance> after = interior.instances(new Room(9, 9, 3), Decor.DEFAULT, finish);
 
     assertThat(after)
         .extracting(instance -> instance.part().material().texture())
@@ -194,7 +234,11 @@ class InteriorTest {
   }
 
   private RayTracer eye(Decor decor) {
-    return new RayTracer(Scene.of(interior.instances(ROOM, decor)));
+    return eye(decor, Finish.forFilm(decor.walls()));
+  }
+
+  private RayTracer eye(Decor decor, Finish finish) {
+    return new RayTracer(Scene.of(interior.instances(ROOM, decor, finish)));
   }
 
   private static Rgb seen(RayTracer eye, Vec3 place) {

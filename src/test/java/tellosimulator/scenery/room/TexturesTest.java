@@ -57,11 +57,25 @@ class TexturesTest {
   @ParameterizedTest
   @CsvSource({"0.1, 20", "0.35, 6", "0.4, 5", "1.5, 1", "2, 1"})
   void theFloorsTileHoldsWholeCellsOfTheGrid(double grid, int cells) {
-    Texture floor = Parquet.texture(grid);
+    Texture floor = Parquet.TEXTURED.texture(grid);
     int middleOfFirstCell = floor.width() / cells / 2;
 
     assertThat(Parquet.cells(grid)).isEqualTo(cells);
     assertThat(brightness(floor, middleOfFirstCell)).isLessThan(brightness(floor) - 20);
+  }
+
+  @Test
+  void calmBoardsHaveAQuarterOfTheContrast() {
+    assertThat(contrast(CalmTextures.boards()))
+        .isBetween(2.0, contrast(SurfaceTexture.PARQUET.texture()) / 4);
+  }
+
+  /** The standard deviation of luma. */
+  private static double contrast(Texture texture) {
+    double[] luma = Arrays.stream(texture.argbArray()).mapToDouble(TexturesTest::luma).toArray();
+    double mean = Arrays.stream(luma).average().orElseThrow();
+    double squares = Arrays.stream(luma).map(value -> value * value).average().orElseThrow();
+    return Math.sqrt(squares - mean * mean);
   }
 
   private static double brightness(Texture texture) {
@@ -100,7 +114,7 @@ class TexturesTest {
   }
 
   private static Stream<Arguments> all() {
-    return Stream.of("bricks", "hexagons", "boards", "triangles", "panels", "parquet")
+    return Stream.of("bricks", "hexagons", "boards", "triangles", "panels", "parquet", "oak")
         .map(name -> Arguments.of(Named.of(name, texture(name))));
   }
 
@@ -111,7 +125,8 @@ class TexturesTest {
       case "boards" -> SurfaceTexture.BOARDS.texture();
       case "triangles" -> SurfaceTexture.TRIANGLES.texture();
       case "panels" -> SurfaceTexture.PANELS.texture();
-      case "parquet" -> Parquet.texture(0.4);
+      case "parquet" -> Parquet.TEXTURED.texture(0.4);
+      case "oak" -> Parquet.CALM.texture(0.4);
       default -> throw new IllegalArgumentException("there is no texture " + name);
     };
   }
