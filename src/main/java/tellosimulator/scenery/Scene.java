@@ -9,8 +9,8 @@ import tellosimulator.scenery.mesh.Instance;
  * not look again at a list that is the same as before. Immutable; for any thread.
  *
  * @param room floor, walls and ceiling, and the decals on them; static
- * @param ground decals on the floor and on obstacles: mission pads, start marks, shadows
- * @param obstacles opaque; static
+ * @param ground decals on the floor and on obstacles: shadows, mission pads, start marks
+ * @param obstacles opaque but for the shade at their feet; static
  * @param drones bodies, lamps and propellers
  * @param overlay aids for people, which no drone's camera sees
  */

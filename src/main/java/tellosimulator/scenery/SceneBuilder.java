@@ -15,6 +15,7 @@ import tellosimulator.scenery.drone.ExtensionBoard;
 import tellosimulator.scenery.drone.Livery;
 import tellosimulator.scenery.drone.PropellerSpin;
 import tellosimulator.scenery.drone.StatusLight;
+import tellosimulator.scenery.furniture.ContactShadows;
 import tellosimulator.scenery.furniture.Furniture;
 import tellosimulator.scenery.mesh.Instance;
 import tellosimulator.scenery.mesh.Rgb;
@@ -39,6 +40,7 @@ public final class SceneBuilder {
   private final BlobShadow shadows = new BlobShadow();
   private final Furniture furniture = new Furniture();
   private final ExtensionBoard boards = new ExtensionBoard();
+  private final ContactShadows contactShadows = new ContactShadows();
 
   /** By colour; numbers hash without the reflection that records need at first. */
   private final Map<Integer, StartMark> startMarks = new ConcurrentHashMap<>();
@@ -78,7 +80,9 @@ public final class SceneBuilder {
 
   private List<Instance> ground(SimSnapshot snapshot) {
     Arena arena = snapshot.arena();
-    List<Instance> ground = new ArrayList<>(pads.instances(arena.room(), arena.pads()));
+    List<Instance> ground =
+        new ArrayList<>(contactShadows.instances(arena.room(), arena.obstacles()));
+    ground.addAll(pads.instances(arena.room(), arena.pads()));
     for (DroneSnapshot drone : snapshot.drones()) {
       Rgb color = Livery.of(drone).color();
       StartMark mark = startMarks.computeIfAbsent(color.argb(), argb -> new StartMark(color));

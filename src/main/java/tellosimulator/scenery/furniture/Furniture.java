@@ -1,5 +1,6 @@
 package tellosimulator.scenery.furniture;
 
+import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -25,13 +26,15 @@ public final class Furniture {
   private List<Obstacle> latest = List.of();
   private List<Instance> instances = List.of();
 
-  /** The obstacles; none of their parts is blended. The same list for the same obstacles. */
+  /** The obstacles, and last the shade at their feet. The same list for the same obstacles. */
   public synchronized List<Instance> instances(List<Obstacle> obstacles) {
     if (obstacles != latest) {
       make(obstacles);
       latest = obstacles;
-      instances =
-          List.copyOf(obstacles.stream().flatMap(obstacle -> place(obstacle).stream()).toList());
+      List<Instance> placed = new ArrayList<>();
+      obstacles.forEach(obstacle -> placed.addAll(place(obstacle)));
+      placed.addAll(FootShade.of(obstacles));
+      instances = List.copyOf(placed);
     }
     return instances;
   }

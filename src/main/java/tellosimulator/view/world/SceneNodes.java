@@ -40,6 +40,7 @@ final class SceneNodes extends Group {
   private final InstanceGroup ground = new InstanceGroup("ground", parts, DepthTest.DISABLE);
   private final InstanceGroup obstacles = new InstanceGroup("obstacles", parts, DepthTest.DISABLE);
   private final InstanceGroup images = new InstanceGroup("images", parts, DepthTest.DISABLE);
+  private final InstanceGroup shades = new InstanceGroup("shades", parts, DepthTest.DISABLE);
   private final InstanceGroup raised = new InstanceGroup("raised", parts, DepthTest.INHERIT);
   private final InstanceGroup drones = new InstanceGroup("drones", parts, DepthTest.DISABLE);
   private final InstanceGroup lamps = new InstanceGroup("lamps", parts, DepthTest.DISABLE);
@@ -52,9 +53,10 @@ final class SceneNodes extends Group {
     setMouseTransparent(true);
     getTransforms().add(FxFrames.ofRoom());
     raised.setTranslateZ(DECAL_OFFSET);
-    getChildren().addAll(room, ground, obstacles, images, raised, drones, lamps, discs, overlay);
+    getChildren()
+        .addAll(room, ground, obstacles, images, shades, raised, drones, lamps, discs, overlay);
     AmbientLight unlit = new AmbientLight(Color.WHITE);
-    unlit.getScope().addAll(room, ground, images, raised, lamps, discs, overlay);
+    unlit.getScope().addAll(room, ground, images, shades, raised, lamps, discs, overlay);
     getChildren().add(unlit);
     addLights(Lights.ON_FURNITURE, obstacles);
     addLights(Lights.ON_DRONES, drones);
@@ -75,6 +77,7 @@ final class SceneNodes extends Group {
           MeshBatch.of(shownObstacles).stream().map(Instance::atOrigin).toList();
       obstacles.show(with(batches, Shading.MATTE));
       images.show(with(batches, Shading.UNLIT));
+      shades.show(with(batches, Shading.TRANSLUCENT));
     }
     drones.show(with(scene.drones(), Shading.GLOSSY));
     drones.cull(instance -> mayBeSeen(instance, camera));

@@ -186,7 +186,24 @@ class FurnitureTest {
   private List<Part> parts(Shape shape, Cover cover) {
     return furniture.instances(List.of(new Obstacle("thing", shape, Vec3.ZERO, 0, cover))).stream()
         .map(Instance::part)
+        .filter(part -> part.material().shading() != Shading.TRANSLUCENT)
         .toList();
+  }
+
+  @Test
+  void whatStandsHasShadeAtItsFeetUnlessItShowsAPicture() {
+    Cover marked = new Cover(0, Pattern.PLAIN, Map.of(Side.FRONT, "examples/marker.png"));
+    Obstacle standing = new Obstacle("one", BOX, Vec3.ZERO, 0, Cover.DEFAULT);
+    Obstacle hanging = standing.movedTo(new Vec3(0, 0, 1), 0);
+
+    assertThat(shade(standing)).isTrue();
+    assertThat(shade(hanging)).isFalse();
+    assertThat(shade(new Obstacle("two", BOX, Vec3.ZERO, 0, marked))).isFalse();
+  }
+
+  private boolean shade(Obstacle obstacle) {
+    return furniture.instances(List.of(obstacle)).stream()
+        .anyMatch(instance -> instance.part().material().shading() == Shading.TRANSLUCENT);
   }
 
   /** The volume within all meshes of a thing [m³], less where they are seen from inside. */
