@@ -40,8 +40,7 @@ public final class Furniture {
   }
 
   private void make(List<Obstacle> obstacles) {
-    List<Cover> covers = obstacles.stream().map(Obstacle::cover).distinct().toList();
-    PatternTexture patterns = FurnitureBuilder.patterns(covers);
+    PatternTexture patterns = FurnitureBuilder.patterns(obstacles);
     if (!patterns.equals(builder.patterns())) {
       builder = new FurnitureBuilder(images, patterns);
       made = Map.of();
@@ -51,7 +50,7 @@ public final class Furniture {
       needed.computeIfAbsent(look(obstacle), this::parts);
     }
     made = needed;
-    builder.keep(covers);
+    builder.keep(obstacles);
   }
 
   private List<Part> parts(Look look) {

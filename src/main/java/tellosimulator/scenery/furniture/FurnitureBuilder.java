@@ -19,6 +19,7 @@ import tellosimulator.scenery.texture.ImageCache;
 import tellosimulator.world.Cover;
 import tellosimulator.world.Cover.Pattern;
 import tellosimulator.world.Cover.Side;
+import tellosimulator.world.Obstacle;
 import tellosimulator.world.Shape;
 
 /**
@@ -33,15 +34,29 @@ final class FurnitureBuilder {
   /** Around a circle of radius 1. */
   private static final double TURN = 2 * Math.PI;
 
-  private record Paint(Pattern pattern, int rgb) {
+  /**
+   * All that decides what is painted on an obstacle.
+   *
+   * @param finishing of what has no pattern; else always the same
+   */
+  private record Paint(Pattern pattern, int rgb, Finishing finishing) {
 
-    static Paint of(Cover cover) {
-      return new Paint(cover.pattern(), cover.rgb());
+    static Paint of(Shape shape, Cover cover) {
+      return new Paint(
+          cover.pattern(),
+          cover.rgb(),
+          cover.pattern() == Pattern.PLAIN
+              ? Finishing.of(shape, Rgb.of(cover.rgb()))
+              : Finishing.PAINT);
+    }
+
+    double period() {
+      return finishing == Finishing.SEGMENTS ? Finishing.SEGMENT : PatternTexture.period(pattern);
     }
   }
 
   private final Map<Paint, TextureMapping> paints = new HashMap<>();
-  private final TextureMapping stand = TextureMapping.plain(STAND);
+  private final TextureMapping stand;
   private final ImageCache images;
   private final PatternTexture patterns;
 
@@ -52,25 +67,29 @@ final class FurnitureBuilder {
   FurnitureBuilder(ImageCache images, PatternTexture patterns) {
     this.images = images;
     this.patterns = patterns;
+    stand =
+        TextureMapping.repeating(
+            patterns.of(Pattern.PLAIN, STAND, Finishing.METAL), PatternTexture.TILE);
   }
 
   PatternTexture patterns() {
     return patterns;
   }
 
-  /** Forgets the paint that none of these covers has. */
-  void keep(Collection<Cover> covers) {
-    paints.keySet().retainAll(paints(covers));
+  /** Forgets the paint that none of these obstacles has. */
+  void keep(Collection<Obstacle> obstacles) {
+    paints.keySet().retainAll(paints(obstacles));
   }
 
-  /** The textures whose size suits these covers. */
-  static PatternTexture patterns(Collection<Cover> covers) {
-    return PatternTexture.forCount(
-        paints(covers).stream().filter(paint -> paint.pattern != Pattern.PLAIN).count());
+  /** The textures whose size suits these obstacles. */
+  static PatternTexture patterns(Collection<Obstacle> obstacles) {
+    return PatternTexture.forCount(paints(obstacles).size());
   }
 
-  private static Set<Paint> paints(Collection<Cover> covers) {
-    return covers.stream().map(Paint::of).collect(Collectors.toSet());
+  private static Set<Paint> paints(Collection<Obstacle> obstacles) {
+    return obstacles.stream()
+        .map(obstacle -> Paint.of(obstacle.shape(), obstacle.cover()))
+        .collect(Collectors.toSet());
   }
 
   /** The parts of an obstacle. */
@@ -82,21 +101,23 @@ final class FurnitureBuilder {
       return cylinder(cylinder, cover);
     }
     if (shape instanceof Shape.Ring ring) {
-      return ring(ring, paint(cover));
+      return ring(ring, paint(shape, cover));
     }
-    return frame((Shape.Frame) shape, paint(cover));
+    boolean segments = cover.pattern() == Pattern.PLAIN;
+    return frame((Shape.Frame) shape, paint(shape, cover), segments);
   }
 
-  private TextureMapping paint(Cover cover) {
+  private TextureMapping paint(Shape shape, Cover cover) {
     return paints.computeIfAbsent(
-        Paint.of(cover),
+        Paint.of(shape, cover),
         paint ->
-            TextureMapping.repeating(paint.pattern, patterns.of(paint.pattern, Rgb.of(paint.rgb))));
+            TextureMapping.repeating(
+                patterns.of(paint.pattern, Rgb.of(paint.rgb), paint.finishing), paint.period()));
   }
 
   private List<Part> box(Shape.Box shape, Cover cover) {
     Box box = new Box(Vec3.ZERO, new Vec3(shape.depth(), shape.width(), shape.height()));
-    TexturedMeshBuilder painted = new TexturedMeshBuilder(paint(cover));
+    TexturedMeshBuilder painted = new TexturedMeshBuilder(paint(shape, cover));
     painted.box(box, cover.pictures().keySet());
     List<Part> parts = new ArrayList<>(matte(painted));
     for (Side side : Side.values()) { // in this order, as that of the map is not always the same
@@ -114,7 +135,7 @@ final class FurnitureBuilder {
     double radius = shape.radius();
     double height = shape.height();
     double around = TURN * radius;
-    TexturedMeshBuilder painted = new TexturedMeshBuilder(paint(cover));
+    TexturedMeshBuilder painted = new TexturedMeshBuilder(paint(shape, cover));
     CurvedSurfaces.disc(painted, radius, 0, false);
     List<Part> images = new ArrayList<>();
     if (cover.pictures().containsKey(Side.TOP)) {
@@ -148,12 +169,17 @@ final class FurnitureBuilder {
     return matte(post, ring);
   }
 
-  /** Up to the frame, its sides are posts. */
-  private List<Part> frame(Shape.Frame shape, TextureMapping paint) {
+  /**
+   * Up to the frame, its sides are posts.
+   *
+   * @param segments whether its texture runs along each beam
+   */
+  private List<Part> frame(Shape.Frame shape, TextureMapping paint, boolean segments) {
     double post = shape.post();
     TexturedMeshBuilder beams = new TexturedMeshBuilder(paint);
     TexturedMeshBuilder posts = new TexturedMeshBuilder(stand);
     for (Shape.Beam beam : shape.beams()) {
+      beams.turn(segments && beam.size().z() > beam.size().y());
       if (beam.base().z() >= post) {
         box(beams, beam.base(), beam.size());
       } else {

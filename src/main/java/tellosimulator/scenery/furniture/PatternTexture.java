@@ -30,7 +30,7 @@ record PatternTexture(int size) {
   private static final int MOST_HALF = 64;
 
   /** From here on a colour is light, 0 to 1. Decided: by eye. */
-  private static final double LIGHT = 0.62;
+  static final double LIGHT = 0.62;
 
   /** Edge of a square of the checks [m]. */
   private static final double SQUARE = 0.1;
@@ -79,10 +79,14 @@ record PatternTexture(int size) {
     };
   }
 
-  /** A texture of this pattern and colour, painted when it is first used. */
-  Texture of(Pattern pattern, Rgb color) {
+  /**
+   * A texture of this pattern and colour, painted when it is first used.
+   *
+   * @param finishing of what has no pattern
+   */
+  Texture of(Pattern pattern, Rgb color, Finishing finishing) {
     return switch (pattern) {
-      case PLAIN -> new Texture(1, 1, new int[] {color.argb()});
+      case PLAIN -> ProceduralTexture.of(size, () -> finishing.texels(size, color));
       case CHECKS -> ProceduralTexture.of(size, () -> checks(color));
       case STRIPES -> ProceduralTexture.of(size, () -> stripes(color));
       case BRICKS -> ProceduralTexture.of(size, () -> bricks(color));
@@ -155,7 +159,7 @@ record PatternTexture(int size) {
     return phase < 0.5 ? Math.min(phase, 0.5 - phase) : -Math.min(phase - 0.5, 1 - phase);
   }
 
-  private static double fromWhole(double number) {
+  static double fromWhole(double number) {
     double part = number - (int) number;
     return Math.min(part, 1 - part);
   }

@@ -1,8 +1,6 @@
 package tellosimulator.scenery.furniture;
 
-import tellosimulator.scenery.mesh.Rgb;
 import tellosimulator.scenery.mesh.Texture;
-import tellosimulator.world.Cover.Pattern;
 
 /**
  * A texture, and how metres on a surface map to its coordinates. Immutable; for any thread.
@@ -22,9 +20,6 @@ record TextureMapping(Texture texture, double period, Scale across, Scale down) 
    */
   record Scale(double start, double step) {
 
-    /** Always the same place. */
-    static final Scale NONE = new Scale(0.5, 0);
-
     /** From the centre of the first texel to that of the last, or the edges would wrap around. */
     static Scale over(double length, int texels) {
       return new Scale(0.5 / texels, (1 - 1.0 / texels) / length);
@@ -35,15 +30,10 @@ record TextureMapping(Texture texture, double period, Scale across, Scale down) 
     }
   }
 
-  /** A colour. */
-  static TextureMapping plain(Rgb color) {
-    return repeating(Pattern.PLAIN, new Texture(1, 1, new int[] {color.argb()}));
-  }
-
-  /** A pattern that repeats. */
-  static TextureMapping repeating(Pattern pattern, Texture texture) {
-    Scale scale = pattern == Pattern.PLAIN ? Scale.NONE : new Scale(0, 1 / PatternTexture.TILE);
-    return new TextureMapping(texture, PatternTexture.period(pattern), scale, scale);
+  /** A texture of {@link PatternTexture#TILE} whose pattern repeats after so many metres. */
+  static TextureMapping repeating(Texture texture, double period) {
+    Scale scale = new Scale(0, 1 / PatternTexture.TILE);
+    return new TextureMapping(texture, period, scale, scale);
   }
 
   /**
@@ -57,9 +47,12 @@ record TextureMapping(Texture texture, double period, Scale across, Scale down) 
         image, width, Scale.over(width, image.width()), Scale.over(height, image.height()));
   }
 
-  /** A length near to one around a thing, after which the pattern begins anew: no seam [m]. */
+  /**
+   * A length near to one around a thing, after which the pattern begins anew: no seam [m]. Around
+   * thin things that would be too far from it, and a pattern stretched so much is not sharp.
+   */
   double closed(double around) {
-    return Math.max(1, Math.rint(around / period)) * period;
+    return around < period / 2 ? around : Math.max(1, Math.rint(around / period)) * period;
   }
 
   /** The texture coordinate so many metres to the right. */

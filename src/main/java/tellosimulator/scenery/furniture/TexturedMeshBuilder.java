@@ -19,6 +19,7 @@ final class TexturedMeshBuilder {
 
   private final TextureMapping mapping;
   private final MeshBuilder mesh = new MeshBuilder();
+  private boolean turned;
 
   TexturedMeshBuilder(TextureMapping mapping) {
     this.mapping = mapping;
@@ -26,6 +27,11 @@ final class TexturedMeshBuilder {
 
   TextureMapping mapping() {
     return mapping;
+  }
+
+  /** Turns the texture of what follows by a quarter, or not. */
+  void turn(boolean quarter) {
+    turned = quarter;
   }
 
   boolean isEmpty() {
@@ -39,7 +45,9 @@ final class TexturedMeshBuilder {
    * @param up where in the texture it is [m]
    */
   Vertex vertex(Vec3 position, Vec3 normal, double right, double up) {
-    return new Vertex(position, normal, mapping.u(right), mapping.v(up));
+    return turned
+        ? new Vertex(position, normal, mapping.u(up), mapping.v(right))
+        : new Vertex(position, normal, mapping.u(right), mapping.v(up));
   }
 
   /** For surfaces that are not rectangles. */

@@ -1,0 +1,177 @@
+package tellosimulator.scenery.furniture;
+
+import tellosimulator.scenery.mesh.Rgb;
+import tellosimulator.scenery.texture.ColorRamp;
+import tellosimulator.scenery.texture.ProceduralTexture;
+import tellosimulator.scenery.texture.ProceduralTexture.Texels;
+import tellosimulator.scenery.texture.ValueNoise;
+import tellosimulator.scenery.texture.ValueNoise.Lattice;
+import tellosimulator.world.Shape;
+
+/**
+ * What an obstacle without a pattern is made of, in its own colour. A file says shape and colour
+ * alone; the rest follows from these. Decided: all of it, by eye.
+ */
+enum Finishing {
+  /** A painted wall, board or column. */
+  PAINT {
+    @Override
+    Texels texels(int size, Rgb color) {
+      ColorRamp ramp = ramp(color, 0.05);
+      return (x, y) -> ramp.argb(0.5 + 0.5 * at(Noise.EVEN, x, y, size));
+    }
+  },
+
+  /** Boards whose grain runs across. */
+  WOOD {
+    @Override
+    Texels texels(int size, Rgb color) {
+      ColorRamp ramp = ramp(color, 0.3);
+      int joint = color.shaded(0.55).argb();
+      return (x, y) -> {
+        double boards = (y + 0.5) * BOARDS / size;
+        double fromJoint = PatternTexture.fromWhole(boards) / BOARDS / JOINT;
+        double tone = 0.44 + 0.12 * ((int) boards % 2) + 0.5 * at(Noise.ACROSS, x, y, size);
+        return ProceduralTexture.mix(joint, ramp.argb(tone), fromJoint);
+      };
+    }
+  },
+
+  /** Brushed metal. */
+  METAL {
+    @Override
+    Texels texels(int size, Rgb color) {
+      ColorRamp ramp = ramp(color, 0.13);
+      return (x, y) -> ramp.argb(0.5 + 0.5 * at(Noise.UPRIGHT, x, y, size));
+    }
+  },
+
+  /** Cloth, whose threads one sees from near. */
+  FABRIC {
+    @Override
+    Texels texels(int size, Rgb color) {
+      ColorRamp ramp = ramp(color, 0.16);
+      return (x, y) -> {
+        double across = StrictMath.sin(2 * Math.PI * THREADS * x / size);
+        double along = StrictMath.sin(2 * Math.PI * THREADS * y / size);
+        return ramp.argb(0.5 + 0.2 * across * along + 0.35 * at(Noise.EVEN, x, y, size));
+      };
+    }
+  },
+
+  /** Segments of a gate, in its colour and in one that stands out against it. */
+  SEGMENTS {
+    @Override
+    Texels texels(int size, Rgb color) {
+      ColorRamp own = ramp(color, 0.06);
+      ColorRamp other = ramp(besides(color), 0.06);
+      return (x, y) -> {
+        double segments = (x + 0.5) / size * PatternTexture.TILE / SEGMENT;
+        double within = segments - (int) segments;
+        double inside = Math.min(within, OWN_PART - within) * SEGMENT * size;
+        double shade = 0.5 + 0.5 * at(Noise.EVEN, x, y, size);
+        return ProceduralTexture.mix(other.argb(shade), own.argb(shade), 0.5 + inside);
+      };
+    }
+  };
+
+  /** A segment in each of the two colours [m]. */
+  static final double SEGMENT = 0.5;
+
+  /** How much of that is in the gate's own colour. */
+  private static final double OWN_PART = 0.6;
+
+  private static final int BOARDS = 8;
+
+  /** Half the width of a joint between boards [m]. */
+  private static final double JOINT = 0.003;
+
+  /** Threads a metre, and as many gaps. */
+  private static final int THREADS = 128;
+
+  /** Thinner cylinders are of metal [m]. */
+  private static final double POLE = 0.12;
+
+  /** Thinner boxes that are higher than wide are walls [m]. */
+  private static final double WALL = 0.3;
+
+  /** Lower things that are not of wood are upholstered [m]. */
+  private static final double SEAT = 0.65;
+
+  private static final int NOISE_SIZE = 512;
+
+  /** What is the same for all colours; computed for the first one. */
+  private static final class Noise {
+
+    static final ValueNoise EVEN = noise(new Lattice(16, 16), new Lattice(128, 128));
+    static final ValueNoise ACROSS = noise(new Lattice(4, 64), new Lattice(16, 256));
+    static final ValueNoise UPRIGHT = noise(new Lattice(64, 2), new Lattice(256, 4));
+
+    private static ValueNoise noise(Lattice coarse, Lattice fine) {
+      return new ValueNoise(NOISE_SIZE).addOctave(coarse, 0.5, 81).addOctave(fine, 0.5, 82);
+    }
+  }
+
+  /** That of an obstacle without a pattern. */
+  static Finishing of(Shape shape, Rgb color) {
+    if (shape instanceof Shape.Gate) {
+      return SEGMENTS;
+    }
+    if (shape instanceof Shape.Cylinder cylinder) {
+      return cylinder.radius() <= POLE ? METAL : cylinder.height() <= SEAT ? FABRIC : PAINT;
+    }
+    if (shape instanceof Shape.Box box) {
+      double thinnest = Math.min(box.depth(), box.width());
+      if (thinnest <= WALL && box.height() > thinnest) {
+        return PAINT;
+      }
+    }
+    return woody(color) ? WOOD : shape.height() <= SEAT ? FABRIC : PAINT;
+  }
+
+  /** Whether a colour is brown, or between yellow and red and not glaring. */
+  private static boolean woody(Rgb color) {
+    int red = color.red();
+    int green = color.green();
+    int blue = color.blue();
+    return red > green && green > blue && red - blue > 40 && green * 10 > 4 * red && red < 235;
+  }
+
+  private static Rgb besides(Rgb color) {
+    int least = Math.min(color.red(), Math.min(color.green(), color.blue()));
+    if (least > 190) {
+      return Rgb.of(0xc4382e);
+    }
+    return color.luma() < PatternTexture.LIGHT ? Rgb.of(0xf6f4ee) : Rgb.of(0x34373c);
+  }
+
+  /**
+   * Shades around a colour, which is their middle.
+   *
+   * @param spread how far they go, 0 to 1
+   */
+  private static ColorRamp ramp(Rgb color, double spread) {
+    Rgb light =
+        new Rgb(
+            brighter(color.red(), spread),
+            brighter(color.green(), spread),
+            brighter(color.blue(), spread));
+    return new ColorRamp(color.shaded(1 - spread), light);
+  }
+
+  private static int brighter(int channel, double spread) {
+    return (int) Math.min(255, Math.round(channel * (1 + spread)));
+  }
+
+  private static double at(ValueNoise noise, int x, int y, int size) {
+    int step = NOISE_SIZE / size;
+    return noise.at(x * step, y * step);
+  }
+
+  /**
+   * Its texels in a colour.
+   *
+   * @param size edge of the texture, which is {@link PatternTexture#TILE} [texels]
+   */
+  abstract Texels texels(int size, Rgb color);
+}
