@@ -69,6 +69,9 @@ public final class SceneBuilder {
             .toList();
     List<Instance> drones = new ArrayList<>();
     seen.forEach(drone -> addBody(drones, drone));
+    if (without.isEmpty()) {
+      seen.forEach(drone -> addGlow(drones, drone));
+    }
     seen.forEach(drone -> addPropellers(drones, drone)); // last, because they may be translucent
     return new Scene(
         interior.instances(arena.room(), arena.decor(), finish),
@@ -99,6 +102,13 @@ public final class SceneBuilder {
     instances.add(new Instance(own.lamp(StatusLight.seen(drone)), pose));
     if (drone.product().profile() == Profile.TT) {
       boards.parts(drone.state()).forEach(part -> instances.add(new Instance(part, pose)));
+    }
+  }
+
+  private void addGlow(List<Instance> instances, DroneSnapshot drone) {
+    StatusLight light = StatusLight.seen(drone);
+    if (light != StatusLight.DARK) {
+      instances.add(new Instance(parts(drone).glow(light), drone.state().motion().pose()));
     }
   }
 

@@ -56,6 +56,21 @@ class SceneBuilderTest {
   }
 
   @Test
+  void onlyPeopleSeeALitLampGlow() {
+    SimSnapshot one = flying(new Pose(new Vec3(0, 0, 1), Attitude.LEVEL));
+    int another = 2;
+
+    assertThat(translucent(scenes.scene(one))).as("four propellers and the glow").hasSize(5);
+    assertThat(translucent(scenes.scene(one, another))).as("four propellers").hasSize(4);
+  }
+
+  private static List<Instance> translucent(Scene scene) {
+    return scene.drones().stream()
+        .filter(part -> part.part().material().shading() == Shading.TRANSLUCENT)
+        .toList();
+  }
+
+  @Test
   void theBodyIsWhereTheDroneIs() {
     Pose pose = new Pose(new Vec3(1, -0.5, 1.2), Attitude.ofHeading(1));
 
@@ -98,7 +113,7 @@ class SceneBuilderTest {
     // front left: half of 98 mm ahead, half of 92.5 mm to the left, 38.5 mm up
     assertThat(last.get(0).pose().position().distanceTo(new Vec3(0.049, 0.04625, 1.0385)))
         .isCloseTo(0, within(1e-9));
-    assertThat(instances.subList(0, instances.size() - 4))
+    assertThat(instances.subList(0, instances.size() - 5)) // before them comes the lamp's glow
         .noneMatch(part -> part.part().material().shading() == Shading.TRANSLUCENT);
   }
 

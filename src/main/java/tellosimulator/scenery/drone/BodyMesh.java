@@ -141,7 +141,7 @@ final class BodyMesh {
       double angle = outward + GUARD_HALF_ANGLE * (2.0 * i / parts - 1);
       rings.add(guardSection(motor, angle));
     }
-    Loft.loft(mesh, rings);
+    addStrip(rings);
     for (double side : new double[] {-0.62, 0, 0.62}) {
       double angle = outward + GUARD_HALF_ANGLE * side;
       mesh.group(Palette.GUARD);
@@ -153,7 +153,26 @@ final class BodyMesh {
     }
   }
 
-  /** An upright strip, 1.8 mm thick and 4.6 mm high. */
+  /** Dark outside and below, light inside and on top. */
+  private void addStrip(List<int[]> rings) {
+    for (int side = 0; side < 4; side++) {
+      mesh.group(side < 2 ? Palette.RIM : Palette.GUARD);
+      for (int i = 1; i < rings.size(); i++) {
+        int[] near = rings.get(i - 1);
+        int[] far = rings.get(i);
+        int next = (side + 1) % 4;
+        mesh.triangle(near[side], near[next], far[next]);
+        mesh.triangle(near[side], far[next], far[side]);
+      }
+    }
+    mesh.group(Palette.GUARD);
+    Loft.cap(mesh, rings.get(rings.size() - 1), false);
+    Loft.cap(mesh, rings.get(0), true);
+  }
+
+  /**
+   * An upright strip, 1.8 mm thick and 4.6 mm high: its inside from below, its top, its outside.
+   */
   private int[] guardSection(Vec3 motor, double angle) {
     Vec3 out = new Vec3(StrictMath.cos(angle), StrictMath.sin(angle), 0).times(0.0009);
     Vec3 low = onGuard(motor, angle, 0.0285);

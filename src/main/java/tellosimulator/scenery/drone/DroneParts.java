@@ -31,6 +31,7 @@ public final class DroneParts {
     static final Part DISC =
         new Part(PropellerDisc.mesh(), PropellerDisc.texture(), Shading.TRANSLUCENT);
     static final Map<StatusLight, Part> LAMP = StatusLamp.parts();
+    static final Map<StatusLight, Part> GLOW = LampGlow.parts();
     static final List<Vec3> PROPELLERS = List.copyOf(BodyMesh.propellers());
   }
 
@@ -52,6 +53,11 @@ public final class DroneParts {
   /** The lamp beside the lens. */
   public Part lamp(StatusLight light) {
     return Shared.LAMP.get(light);
+  }
+
+  /** What people see around the lamp while it is lit; translucent. */
+  public Part glow(StatusLight light) {
+    return Shared.GLOW.get(light);
   }
 
   /** The hubs of the propellers, body frame [m]: front left, front right, back left, right. */

@@ -20,6 +20,8 @@ enum Palette {
   MOTOR(Rgb.of(0x3d4147)),
   CAP(Rgb.of(0x8d9198)),
   GUARD(Rgb.of(0x222428)),
+  /** So that a drone stands out against dark floors too. */
+  RIM(Rgb.of(0xd3d8de)),
   PROPELLER(Rgb.of(0x4b4f57)),
   FOOT(Rgb.of(0x6a6e75));
 

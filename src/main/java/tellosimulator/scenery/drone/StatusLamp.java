@@ -16,10 +16,10 @@ import tellosimulator.scenery.mesh.Texture;
 final class StatusLamp {
 
   /** Assumed: by eye, from pictures. */
-  private static final Vec3 PLACE = new Vec3(0.0488, 0.0088, 0.0205);
+  static final Vec3 PLACE = new Vec3(0.0488, 0.0088, 0.0205);
 
   /** Assumed: by eye, from pictures. */
-  private static final double RADIUS = 0.0021;
+  static final double RADIUS = 0.0021;
 
   private static final int SIDES = 8;
 

@@ -1,0 +1,66 @@
+package tellosimulator.scenery.drone;
+
+import java.util.EnumMap;
+import java.util.Map;
+import tellosimulator.math.Vec3;
+import tellosimulator.scenery.mesh.Mesh;
+import tellosimulator.scenery.mesh.MeshBuilder;
+import tellosimulator.scenery.mesh.MeshBuilder.Quad;
+import tellosimulator.scenery.mesh.MeshBuilder.TextureRegion;
+import tellosimulator.scenery.mesh.Part;
+import tellosimulator.scenery.mesh.Rgb;
+import tellosimulator.scenery.mesh.Shading;
+import tellosimulator.scenery.mesh.Texture;
+
+/**
+ * The glow around a lamp that is lit, for people: the lamp itself is smaller than a pixel from two
+ * metres away. Two crossed squares, one upright and one level. Body frame [m].
+ */
+final class LampGlow {
+
+  /** Half the edge of the squares. Decided: by eye; about half of the drone. */
+  private static final double RADIUS = 0.045;
+
+  private static final double OPACITY = 0.85;
+
+  private static final int SIZE = 32;
+
+  private LampGlow() {}
+
+  static Map<StatusLight, Part> parts() {
+    Mesh squares = squares();
+    Map<StatusLight, Part> parts = new EnumMap<>(StatusLight.class);
+    for (StatusLight light : StatusLight.values()) {
+      parts.put(light, new Part(squares, texture(light.color()), Shading.TRANSLUCENT));
+    }
+    return parts;
+  }
+
+  private static Mesh squares() {
+    MeshBuilder mesh = new MeshBuilder();
+    Vec3 across = new Vec3(0, 2 * RADIUS, 0);
+    for (Vec3 up : new Vec3[] {new Vec3(0, 0, 2 * RADIUS), new Vec3(-2 * RADIUS, 0, 0)}) {
+      Vec3 corner =
+          StatusLamp.PLACE
+              .plus(new Vec3(StatusLamp.RADIUS, 0, 0))
+              .minus(across.times(0.5))
+              .minus(up.times(0.5));
+      mesh.quad(new Quad(corner, across, up), TextureRegion.WHOLE);
+      mesh.quad(new Quad(corner, up, across), TextureRegion.WHOLE); // from the other side
+    }
+    return mesh.build();
+  }
+
+  /** Bright in the middle, transparent at the edges. */
+  private static Texture texture(Rgb color) {
+    int[] argb = new int[SIZE * SIZE];
+    for (int i = 0; i < argb.length; i++) {
+      int row = i / SIZE;
+      double x = (i - row * SIZE + 0.5) / (SIZE / 2.0) - 1;
+      double y = (row + 0.5) / (SIZE / 2.0) - 1;
+      double near = Math.max(0, 1 - Math.sqrt(x * x + y * y));
+      argb[i] = color.towards(Rgb.WHITE, near * near * near).argb(OPACITY * near * near);
+    }
+    return new Texture(SIZE, SIZE, argb);
+  }
+}
