@@ -45,7 +45,8 @@ public final class Simulator3DScene extends Region {
       new SimpleBooleanProperty(this, "trailVisible", true);
   private final BooleanProperty goalLineVisible =
       new SimpleBooleanProperty(this, "goalLineVisible", true);
-  private final BooleanProperty antialiasing = new SimpleBooleanProperty(this, "antialiasing");
+  private final BooleanProperty antialiasing =
+      new SimpleBooleanProperty(this, "antialiasing", true);
   private final SimulatorCamera camera;
   private final FxSimulation simulation;
   private final Pulse pulse;
@@ -58,6 +59,7 @@ public final class Simulator3DScene extends Region {
   private final WindArrow wind;
   private final FaultTags faults;
   private final SelectionMark selection;
+  private final FluencyWatch fluency = new FluencyWatch();
   private List<Region> covers = List.of();
   private Optional<GhostFlight> ghost = Optional.empty();
 
@@ -147,7 +149,10 @@ public final class Simulator3DScene extends Region {
     return inset.enlargedProperty();
   }
 
-  /** Whether edges are smooth, which costs time without a graphics card. */
+  /**
+   * Whether edges are to be smooth. Where that costs so much time that the picture is not fluent,
+   * as it may without a graphics card, they are not until somebody switches this on again.
+   */
   public BooleanProperty antialiasingProperty() {
     return antialiasing;
   }
@@ -196,12 +201,26 @@ public final class Simulator3DScene extends Region {
   private void setupBindings() {
     trailVisible.subscribe(overlay::showTrails);
     goalLineVisible.subscribe(overlay::showGoalLine);
-    antialiasing.subscribe(view::smoothEdges);
+    antialiasing.subscribe(this::smoothEdges);
     viewCamera.subscribe(this::requestLayout);
     selection.stillProperty().bind(camera.reducedMotionProperty());
   }
 
+  private void smoothEdges(boolean smooth) {
+    fluency.restart();
+    view.smoothEdges(smooth);
+  }
+
+  private void watchFluency(long nanos) {
+    boolean before = fluency.jerky();
+    fluency.frame(nanos);
+    if (fluency.jerky() && !before) {
+      view.smoothEdges(false);
+    }
+  }
+
   private void advance(long nanos) {
+    watchFluency(nanos);
     camera.advance(nanos, pictureArea());
     showScene(nanos);
     selection.advance(nanos, viewCamera.get() == ViewCamera.SIMULATOR, camera.viewpoint());

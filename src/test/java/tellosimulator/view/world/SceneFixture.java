@@ -107,6 +107,7 @@ public final class SceneFixture implements BeforeEachCallback, AfterEachCallback
                       video,
                       new FxMarks(() -> progress, () -> contacts)));
           scene.setPrefSize(WIDTH, HEIGHT);
+          scene.antialiasingProperty().set(false); // a pixel has one colour, which tests look for
           stage = new Stage(StageStyle.UNDECORATED);
           stage.setScene(new Scene(scene, WIDTH, HEIGHT));
           stage.setWidth(WIDTH);
