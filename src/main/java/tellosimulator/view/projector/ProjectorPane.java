@@ -56,6 +56,7 @@ public final class ProjectorPane extends BorderPane {
   private final Label command = new Label();
   private final Label outcome = new Label();
   private final HBox commandRow = new HBox(command, outcome);
+  private final VBox bottom = new VBox(droneRow, commandRow);
   private double begun;
 
   public ProjectorPane(ViewContext context) {
@@ -76,7 +77,7 @@ public final class ProjectorPane extends BorderPane {
 
   /** What lies over the scene. */
   public List<Region> boxes() {
-    return List.of(goals, clock, droneRow, commandRow);
+    return List.of(goals, clock, bottom);
   }
 
   /** Begins anew: the clock at 0, and no command yet. */
@@ -110,7 +111,7 @@ public final class ProjectorPane extends BorderPane {
     commandRow.getStyleClass().add("row");
     commandRow.setMaxWidth(USE_PREF_SIZE);
     goals.setMaxHeight(USE_PREF_SIZE);
-    boxes().forEach(box -> box.getStyleClass().add("box"));
+    List.of(goals, clock, droneRow, commandRow).forEach(box -> box.getStyleClass().add("box"));
     for (int i = 0; i < challenge().goals().size(); i++) {
       Label mark = new Label(String.valueOf(i + 1));
       mark.setId("projector-goal-" + (i + 1));
@@ -125,7 +126,6 @@ public final class ProjectorPane extends BorderPane {
     droneRow.getChildren().setAll(drones);
     HBox top = new HBox(goals, new Spacer(), clock);
     top.getStyleClass().add("edge");
-    VBox bottom = new VBox(droneRow, commandRow);
     bottom.getStyleClass().add("edge");
     setTop(top);
     setBottom(bottom);

@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 import javafx.geometry.Dimension2D;
+import javafx.geometry.Insets;
 import javafx.geometry.Rectangle2D;
 import tellosimulator.goal.Goal;
 import tellosimulator.math.Attitude;
@@ -34,7 +35,7 @@ final class Framing {
       Arena arena, List<Pose> starts, List<Goal> goals, Map<Integer, Vec3> astray) {}
 
   private final double fieldOfView;
-  private PictureArea picture = new PictureArea(new Dimension2D(0, 0), List.of());
+  private PictureArea picture = new PictureArea(new Dimension2D(0, 0), Insets.EMPTY, List.of());
   private List<Goal> goals = List.of();
   private Map<Integer, Vec3> astray = Map.of();
   private PictureArea fittedPicture = picture;
@@ -128,7 +129,7 @@ final class Framing {
 
   private boolean shows(List<Vec3> points, Pose camera) {
     Viewpoint viewpoint = new Viewpoint(camera, fieldOfView, true, 0, Double.POSITIVE_INFINITY);
-    return points.stream().allMatch(point -> picture.shows(point, viewpoint));
+    return points.stream().allMatch(point -> picture.showsClearly(point, viewpoint));
   }
 
   /** The middle of the largest free part of the picture. */

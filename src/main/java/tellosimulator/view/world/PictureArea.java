@@ -3,6 +3,7 @@ package tellosimulator.view.world;
 import java.util.List;
 import java.util.stream.Stream;
 import javafx.geometry.Dimension2D;
+import javafx.geometry.Insets;
 import javafx.geometry.Rectangle2D;
 import tellosimulator.math.Vec3;
 
@@ -10,9 +11,10 @@ import tellosimulator.math.Vec3;
  * The picture of the room in the window, and what lies over it. Immutable; for any thread.
  *
  * @param size of the picture [px]
- * @param covered parts of it, from its top left corner [px]
+ * @param aside what is covered along its edges [px]
+ * @param covered other parts of it, from its top left corner [px]
  */
-record PictureArea(Dimension2D size, List<Rectangle2D> covered) {
+record PictureArea(Dimension2D size, Insets aside, List<Rectangle2D> covered) {
 
   /** What is left free at all edges [px]. Decided: half a number tag. */
   static final double MARGIN = 14;
@@ -26,23 +28,43 @@ record PictureArea(Dimension2D size, List<Rectangle2D> covered) {
 
   /** Whether there is none yet, or one in which nothing is shown. */
   boolean isEmpty() {
-    return size.getWidth() < SMALLEST || size.getHeight() < SMALLEST;
+    return size.getWidth() - aside.getLeft() - aside.getRight() < SMALLEST
+        || size.getHeight() - aside.getTop() - aside.getBottom() < SMALLEST;
   }
 
   /** Whether a place can be seen, unless something of the room hides it. */
   boolean shows(Vec3 place, Viewpoint viewpoint) {
+    return shows(place, viewpoint, 0);
+  }
+
+  /** Whether a place can be seen, and is not at the edge of what lies over the picture. */
+  boolean showsClearly(Vec3 place, Viewpoint viewpoint) {
+    return shows(place, viewpoint, MARGIN / 2);
+  }
+
+  private boolean shows(Vec3 place, Viewpoint viewpoint, double margin) {
     return viewpoint
         .project(place, size.getWidth(), size.getHeight())
-        .filter(seen -> covered.stream().noneMatch(part -> part.contains(seen)))
+        .filter(grown(open(), -margin)::contains)
+        .filter(seen -> covered.stream().noneMatch(part -> grown(part, margin).contains(seen)))
         .isPresent();
+  }
+
+  /** All that nothing covers along an edge. */
+  private Rectangle2D open() {
+    return new Rectangle2D(
+        aside.getLeft(),
+        aside.getTop(),
+        size.getWidth() - aside.getLeft() - aside.getRight(),
+        size.getHeight() - aside.getTop() - aside.getBottom());
   }
 
   /**
    * The free parts that cannot be larger at any side: those between edges and covers. They overlap.
-   * All of the picture if none is large enough.
+   * All between the edges if none is large enough.
    */
   List<Rectangle2D> free() {
-    Rectangle2D all = grown(new Rectangle2D(0, 0, size.getWidth(), size.getHeight()), -MARGIN);
+    Rectangle2D all = grown(open(), -MARGIN);
     List<Rectangle2D> free = List.of(all);
     for (Rectangle2D cover : covered) {
       Rectangle2D blocked = grown(cover, MARGIN);
@@ -52,15 +74,16 @@ record PictureArea(Dimension2D size, List<Rectangle2D> covered) {
   }
 
   /**
-   * A rectangle between a free part and all of the picture.
+   * A rectangle between a free part and all that nothing covers along an edge.
    *
-   * @param share 0 is the part, 1 all of the picture
+   * @param share 0 is the part, 1 all of it
    */
   Rectangle2D between(Rectangle2D part, double share) {
-    double left = part.getMinX() + (MARGIN - part.getMinX()) * share;
-    double top = part.getMinY() + (MARGIN - part.getMinY()) * share;
-    double right = part.getMaxX() + (size.getWidth() - MARGIN - part.getMaxX()) * share;
-    double bottom = part.getMaxY() + (size.getHeight() - MARGIN - part.getMaxY()) * share;
+    Rectangle2D all = grown(open(), -MARGIN);
+    double left = part.getMinX() + (all.getMinX() - part.getMinX()) * share;
+    double top = part.getMinY() + (all.getMinY() - part.getMinY()) * share;
+    double right = part.getMaxX() + (all.getMaxX() - part.getMaxX()) * share;
+    double bottom = part.getMaxY() + (all.getMaxY() - part.getMaxY()) * share;
     return new Rectangle2D(left, top, right - left, bottom - top);
   }
 

@@ -35,7 +35,7 @@ final class SceneExtent {
       addCorners(places, obstacle.pose(), Footprint.size(obstacle.shape()));
     }
     for (MissionPad pad : arena.pads()) {
-      places.add(pad.pose(room).position());
+      addCorners(places, pad.pose(room), new Vec3(MissionPad.EDGE, MissionPad.EDGE, 0));
     }
     for (Pose start : starts) {
       Vec3 place = start.position();

@@ -232,20 +232,13 @@ public final class Simulator3DScene extends Region {
   }
 
   private PictureArea pictureArea() {
-    double width = getWidth();
-    double height = getHeight();
-    Insets aside = getInsets();
     List<Rectangle2D> covered = new ArrayList<>();
-    covered.add(new Rectangle2D(0, 0, width, aside.getTop()));
-    covered.add(new Rectangle2D(0, height - aside.getBottom(), width, aside.getBottom()));
-    covered.add(new Rectangle2D(0, 0, aside.getLeft(), height));
-    covered.add(new Rectangle2D(width - aside.getRight(), 0, aside.getRight(), height));
     covers.stream().filter(this::covers).map(this::place).forEach(covered::add);
     if (inset.shownProperty().get()) {
       covered.add(place(inset));
     }
     covered.removeIf(part -> part.getWidth() == 0 || part.getHeight() == 0);
-    return new PictureArea(new Dimension2D(width, height), covered);
+    return new PictureArea(new Dimension2D(getWidth(), getHeight()), getInsets(), covered);
   }
 
   private boolean covers(Node cover) {

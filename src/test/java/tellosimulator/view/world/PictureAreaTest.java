@@ -5,6 +5,7 @@ import static tellosimulator.view.world.PictureArea.MARGIN;
 
 import java.util.List;
 import javafx.geometry.Dimension2D;
+import javafx.geometry.Insets;
 import javafx.geometry.Rectangle2D;
 import org.junit.jupiter.api.Test;
 import tellosimulator.math.Attitude;
@@ -43,7 +44,7 @@ class PictureAreaTest {
             new Rectangle2D(250, 540, 500, 50),
             new Rectangle2D(740, 10, 250, 190));
 
-    List<Rectangle2D> free = new PictureArea(SIZE, covers).free();
+    List<Rectangle2D> free = new PictureArea(SIZE, Insets.EMPTY, covers).free();
 
     assertThat(free).isNotEmpty();
     for (Rectangle2D part : free) {
@@ -69,7 +70,16 @@ class PictureAreaTest {
     assertThat(area().shows(new Vec3(5, 9, 0), ahead)).as("aside").isFalse();
   }
 
+  @Test
+  void whatIsCoveredAlongAnEdgeIsNeverFree() {
+    PictureArea area = new PictureArea(SIZE, new Insets(50, 200, 100, 0), List.of());
+    Rectangle2D open = new Rectangle2D(MARGIN, 50 + MARGIN, 800 - 2 * MARGIN, 450 - 2 * MARGIN);
+
+    assertThat(area.free()).containsExactly(open);
+    assertThat(area.between(new Rectangle2D(300, 300, 100, 100), 1)).isEqualTo(open);
+  }
+
   private static PictureArea area(Rectangle2D... covers) {
-    return new PictureArea(SIZE, List.of(covers));
+    return new PictureArea(SIZE, Insets.EMPTY, List.of(covers));
   }
 }
