@@ -16,8 +16,10 @@ final class FluencyWatch {
   /** How long it is watched for a judgement [ns]. Decided: longer than anything that disturbs. */
   static final long PERIOD = 5_000_000_000L;
 
-  /** No frame for longer than this is a pause [ns]. Decided. */
-  private static final long PAUSE = 300_000_000;
+  /**
+   * No frame for this long is a pause [ns]. Decided: less than between frames of an idle window.
+   */
+  private static final long PAUSE = 450_000_000;
 
   private static final double NANOS_PER_SECOND = 1e9;
 
@@ -36,8 +38,6 @@ final class FluencyWatch {
     long passed = last == Long.MIN_VALUE ? PAUSE : nanos - last;
     last = nanos;
     if (passed >= PAUSE) {
-      watched = 0;
-      frames = 0;
       return;
     }
     moved += passed;

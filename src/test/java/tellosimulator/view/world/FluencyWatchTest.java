@@ -26,6 +26,16 @@ class FluencyWatchTest {
   }
 
   @Test
+  void aVerySlowPictureIsJudgedThoughItHalts() {
+    for (int i = 0; i < 10; i++) {
+      show(4, 2);
+      nanos += 600_000_000;
+    }
+
+    assertThat(watch.jerky()).isTrue();
+  }
+
+  @Test
   void pausesDoNotCount() {
     show(30, 7);
     for (int i = 0; i < 30; i++) {
