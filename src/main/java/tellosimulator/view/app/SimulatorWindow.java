@@ -25,6 +25,7 @@ import tellosimulator.view.controls.ContactHint;
 import tellosimulator.view.controls.DroneList;
 import tellosimulator.view.controls.NetworkControls;
 import tellosimulator.view.controls.SimulatorControls;
+import tellosimulator.view.fx.CommonStyles;
 import tellosimulator.view.fx.FileDrop;
 import tellosimulator.view.gallery.GalleryPane;
 import tellosimulator.view.goal.GoalPanel;
@@ -125,6 +126,7 @@ public final class SimulatorWindow implements AutoCloseable {
     projector = new ProjectorPane(context);
     hint = new ContactHint(context, words -> logQueue.say(LogLevel.WARN, words));
     Parent root = new StackPane(pane(), projector, pages);
+    CommonStyles.install(root);
     FileDrop.install(root, this::open);
     scene = scene(stage, root);
     following = stage.fullScreenProperty().subscribe(state.fullScreenProperty()::set);

@@ -20,10 +20,10 @@ final class ChartPanel extends Region {
   /** Least time between two drawings [ns]. Decided: ten a second look alive. */
   private static final long PERIOD_NANOS = 100_000_000;
 
-  private static final double GAP = 8;
+  private static final double GAP = 6;
 
   /** Height of charts beside each other, at least and where there is room [px]. */
-  private static final double LEAST_ROW = 46;
+  private static final double LEAST_ROW = 52;
 
   private static final double ROW = 110;
 

@@ -34,7 +34,7 @@ final class FlightPanel extends VBox {
   private static final int NUMBERS_IN_A_ROW = 4;
 
   /** Width of a column of numbers [%]; the last one has a longer name and gets the rest. */
-  private static final double NARROW = 23;
+  private static final double NARROW = 22;
 
   private final FxSimulation simulation;
   private final SimulatorActions actions;

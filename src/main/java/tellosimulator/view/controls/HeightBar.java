@@ -15,18 +15,18 @@ import tellosimulator.view.text.Messages;
 final class HeightBar extends Instrument {
 
   /** Room for the floor's and the ceiling's number [px]. */
-  private static final double MARGIN = 6;
+  private static final double MARGIN = 8;
 
   /** Left edge and width of the bar [px]. */
-  private static final double BAR_X = 26;
+  private static final double BAR_X = 34;
 
   private static final double BAR_WIDTH = 9;
 
   /** Width of everything [px]. */
-  private static final double WIDTH = 42;
+  private static final double WIDTH = 50;
 
   /** Numbers that are nearer than this to the ceiling's are left out [px]. */
-  private static final double LEAST_GAP = 11;
+  private static final double LEAST_GAP = 15;
 
   private final DoubleProperty heightCm = new SimpleDoubleProperty(this, "heightCm");
   private final DoubleProperty ceilingCm = new SimpleDoubleProperty(this, "ceilingCm", 300);

@@ -18,8 +18,8 @@ import javafx.scene.shape.Rectangle;
  */
 final class LiveChart extends Region {
 
-  private static final double TITLE_HEIGHT = 15;
-  private static final double AXIS_HEIGHT = 12;
+  private static final double TITLE_HEIGHT = 16;
+  private static final double AXIS_HEIGHT = 15;
 
   private final Label title = new Label();
   private final Label highest = new Label();

@@ -24,7 +24,7 @@ import tellosimulator.view.text.Messages;
 public final class SimulatorControls extends ScrollPane {
 
   /** Width of the panel [px]. Decided: room for two instruments and a height bar. */
-  private static final double WIDTH = 272;
+  private static final double WIDTH = 280;
 
   private final FxSimulation simulation;
   private final SimulatorActions actions;

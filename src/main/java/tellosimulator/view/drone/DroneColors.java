@@ -7,8 +7,11 @@ import tellosimulator.view.model.FxDroneModel;
 /** The colours that tell drones apart, as JavaFX has them. */
 public final class DroneColors {
 
-  /** Brightness above which a colour bears black letters. Decided: by eye. */
-  private static final double BRIGHT = 0.62;
+  /**
+   * Relative luminance above which black letters have more contrast than white ones: where 1.05 / (L
+   * + 0.05) is (L + 0.05) / 0.05. Documented: WCAG 2.1.
+   */
+  private static final double BRIGHT = Math.sqrt(1.05 * 0.05) - 0.05;
 
   private DroneColors() {}
 
@@ -19,6 +22,15 @@ public final class DroneColors {
 
   /** Black or white, whichever is read better on a colour. */
   public static Color inkOn(Color color) {
-    return color.grayscale().getRed() > BRIGHT ? Color.BLACK : Color.WHITE;
+    double luminance =
+        0.2126 * linear(color.getRed())
+            + 0.7152 * linear(color.getGreen())
+            + 0.0722 * linear(color.getBlue());
+    return luminance > BRIGHT ? Color.BLACK : Color.WHITE;
+  }
+
+  /** A component of sRGB as light. */
+  private static double linear(double component) {
+    return component <= 0.04045 ? component / 12.92 : Math.pow((component + 0.055) / 1.055, 2.4);
   }
 }

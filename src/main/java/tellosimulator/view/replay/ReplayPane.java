@@ -10,6 +10,7 @@ import javafx.scene.input.KeyCode;
 import javafx.scene.layout.BorderPane;
 import javafx.scene.layout.Priority;
 import javafx.scene.layout.VBox;
+import tellosimulator.view.fx.CommonStyles;
 import tellosimulator.view.layout.BarButtons;
 import tellosimulator.view.layout.Theme;
 import tellosimulator.view.model.SceneContext;
@@ -42,6 +43,7 @@ final class ReplayPane extends BorderPane {
     world = new ReplayScene(replay, context).scene();
     entries = new EntryList(replay, context.language());
     setId("replay-pane");
+    CommonStyles.install(this);
     getStylesheets().add(ReplayPane.class.getResource("replay.css").toExternalForm());
     VBox side =
         new VBox(
