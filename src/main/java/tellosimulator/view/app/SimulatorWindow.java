@@ -71,6 +71,11 @@ public final class SimulatorWindow implements AutoCloseable {
   private static final double ASIDE_GAP = 8;
 
   private static final Pattern SCENARIO_FILE = Pattern.compile("(?i).*\\.ya?ml");
+  /**
+   * Width of the scene below which goals and drones are folded, and buttons over it have no words
+   * [px]. Measured: what the buttons need with words, in German.
+   */
+  private static final double NARROW = 600;
 
   /** What {@link #remember} binds. */
   private static final List<String> REMEMBERED =
@@ -89,6 +94,7 @@ public final class SimulatorWindow implements AutoCloseable {
   private final Simulator3DScene world;
   private final PilotControls pilot;
   private final SimulatorControls simulatorControls;
+  private final NetworkControls networkControls;
   private final DroneList drones;
   private final PlanPane plan;
   private final LogPane log;
@@ -97,6 +103,7 @@ public final class SimulatorWindow implements AutoCloseable {
   private final GoalPanel goals;
   private final ProjectorPane projector;
   private final ContactHint hint;
+  private final SimulatorPane pane;
   private final Scene scene;
   private Subscription following;
 
@@ -117,6 +124,7 @@ public final class SimulatorWindow implements AutoCloseable {
     world = new Simulator3DScene(context.scene());
     pilot = new PilotControls(context);
     simulatorControls = new SimulatorControls(context);
+    networkControls = new NetworkControls(context);
     goals = new GoalPanel(context);
     drones = new DroneList(context);
     plan = new PlanPane(context);
@@ -125,7 +133,8 @@ public final class SimulatorWindow implements AutoCloseable {
     bar = new WindowBar(context, state, world, pages);
     projector = new ProjectorPane(context);
     hint = new ContactHint(context, words -> logQueue.say(LogLevel.WARN, words));
-    Parent root = new StackPane(pane(), projector, pages);
+    pane = pane();
+    Parent root = new StackPane(pane, projector, pages);
     CommonStyles.install(root);
     FileDrop.install(root, this::open);
     scene = scene(stage, root);
@@ -195,7 +204,7 @@ public final class SimulatorWindow implements AutoCloseable {
             bar,
             new SimulatorPane.Middle(world, new VBox(ASIDE_GAP, hint, goals, drones), pilot, plan),
             simulatorControls,
-            new NetworkControls(context),
+            networkControls,
             log),
         state);
   }
@@ -277,6 +286,9 @@ public final class SimulatorWindow implements AutoCloseable {
         Stream.concat(Stream.of(goals, drones, pilot), projector.boxes().stream()).toList());
     world.setGoals(context.scenario().scenario().challenge().goals());
     world.camera().reducedMotionProperty().bind(state.reducedMotionProperty());
+    simulatorControls.availableHeightProperty().bind(pane.sideHeight());
+    networkControls.availableHeightProperty().bind(pane.sideHeight());
+    pane.freeWidthProperty().map(width -> width.doubleValue() < NARROW).subscribe(this::fit);
     plan.shownProperty().bindBidirectional(state.planShownProperty());
     plan.shownProperty().subscribe(this::giveKeys);
     follow(state.fullScreenProperty().subscribe(stage::setFullScreen));
@@ -309,6 +321,13 @@ public final class SimulatorWindow implements AutoCloseable {
             });
   }
 
+  /** Leaves room to the scene. */
+  private void fit(boolean narrow) {
+    pilot.narrowProperty().set(narrow);
+    goals.unfold(!narrow);
+    drones.unfold(!narrow);
+  }
+
   /** The plan's keys would steer a drone that one does not see. */
   private void giveKeys(boolean toPlan) {
     if (toPlan) {
@@ -326,6 +345,8 @@ public final class SimulatorWindow implements AutoCloseable {
     settings.bind("show.inset-enlarged", world.insetEnlargedProperty(), SettingCodec.flag());
     settings.bind("show.smooth-edges", world.antialiasingProperty(), SettingCodec.flag());
     settings.bind("log.time-stamps", log.timeStampsProperty(), SettingCodec.flag());
+    simulatorControls.remember(settings);
+    networkControls.remember(settings);
     if (context.scenario().plain()) {
       rememberGrid(settings);
     }
@@ -340,6 +361,8 @@ public final class SimulatorWindow implements AutoCloseable {
   /** Lets another window of the same program remember. */
   public void forget(Settings settings) {
     REMEMBERED.forEach(settings::unbind);
+    simulatorControls.forget(settings);
+    networkControls.forget(settings);
   }
 
   private void rememberGrid(Settings settings) {

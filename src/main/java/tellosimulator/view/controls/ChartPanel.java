@@ -4,7 +4,9 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import javafx.scene.layout.Priority;
 import javafx.scene.layout.Region;
+import javafx.scene.layout.VBox;
 import tellosimulator.view.model.FxDroneModel;
 import tellosimulator.view.model.FxSimulation;
 import tellosimulator.view.model.ViewContext;
@@ -15,7 +17,7 @@ import tellosimulator.view.text.Messages;
  * other where there is more. Each drone's last minute is kept, so that choosing another drone shows
  * its own. For the JavaFX thread.
  */
-final class ChartPanel extends Region {
+final class ChartPanel extends Card {
 
   /** Least time between two drawings [ns]. Decided: ten a second look alive. */
   private static final long PERIOD_NANOS = 100_000_000;
@@ -57,26 +59,25 @@ final class ChartPanel extends Region {
   private final LiveChart height;
   private final LiveChart speed;
   private final LiveChart battery;
+  private final Row row;
   private long drawnNanos = Long.MIN_VALUE;
   private int drawnDrone;
   private double drawnSeconds;
 
   ChartPanel(ViewContext context) {
+    super("charts", context.language().messages(ChartPanel.class).text("chart.heading"));
     simulation = context.simulation();
     Messages messages = context.language().messages(ChartPanel.class);
     height = new LiveChart("height-chart", messages.text("chart.height"), 100);
     speed = new LiveChart("speed-chart", messages.text("chart.speed"), 50);
     battery = new LiveChart("battery-chart", messages.text("chart.battery"), 100);
     charts.addAll(List.of(height, speed, battery));
-    initializeSelf();
     charts.forEach(chart -> chart.setNewest(messages.text("chart.now")));
-    getChildren().addAll(charts);
+    row = new Row();
+    row.setId("charts");
+    VBox.setVgrow(row, Priority.ALWAYS);
+    layoutCard(row);
     context.pulse().onBeat(this::beat);
-  }
-
-  private void initializeSelf() {
-    setId("charts");
-    getStyleClass().addAll("panel-section", "chart-deck");
   }
 
   private void beat(long nanos) {
@@ -87,7 +88,9 @@ final class ChartPanel extends Region {
     History shown = histories.get(simulation.selected());
     long period = simulation.period(PERIOD_NANOS);
     boolean due = nanos / period != drawnNanos / period; // with others in the same frame
-    if (due && !(shown.newest() == drawnSeconds && drawnDrone == simulation.selected().number())) {
+    boolean drawn =
+        shown.newest() == drawnSeconds && drawnDrone == simulation.selected().number();
+    if (due && isOpen() && !drawn) {
       drawnNanos = nanos;
       drawnDrone = simulation.selected().number();
       drawnSeconds = shown.newest();
@@ -97,35 +100,46 @@ final class ChartPanel extends Region {
     }
   }
 
-  @Override
-  protected double computeMinHeight(double width) {
-    return snappedTopInset() + LEAST_ROW + snappedBottomInset();
-  }
-
-  @Override
-  protected double computePrefHeight(double width) {
-    return snappedTopInset() + ROW + snappedBottomInset();
-  }
-
+  /** Open, it takes what nobody else needs. */
   @Override
   protected double computeMaxHeight(double width) {
-    return snappedTopInset() + 3 * MOST_ALONE + 2 * GAP + snappedBottomInset();
+    double more = isOpen() ? row.maxHeight(width) - row.prefHeight(width) : 0;
+    return computePrefHeight(width) + more;
   }
 
-  @Override
-  protected void layoutChildren() {
-    double left = snappedLeftInset();
-    double top = snappedTopInset();
-    double width = getWidth() - left - snappedRightInset();
-    double tall = getHeight() - top - snappedBottomInset();
-    double each = Math.floor((tall - 2 * GAP) / 3);
-    boolean alone = each >= LEAST_ALONE;
-    double wide = Math.floor((width - 2 * GAP) / 3);
-    for (int i = 0; i < charts.size(); i++) {
-      if (alone) {
-        charts.get(i).resizeRelocate(left, top + i * (each + GAP), width, each);
-      } else {
-        charts.get(i).resizeRelocate(left + i * (wide + GAP), top, wide, tall);
+  /** The charts, as there is room for them. */
+  private final class Row extends Region {
+
+    Row() {
+      getChildren().addAll(charts);
+    }
+
+    @Override
+    protected double computeMinHeight(double width) {
+      return LEAST_ROW;
+    }
+
+    @Override
+    protected double computePrefHeight(double width) {
+      return ROW;
+    }
+
+    @Override
+    protected double computeMaxHeight(double width) {
+      return 3 * MOST_ALONE + 2 * GAP;
+    }
+
+    @Override
+    protected void layoutChildren() {
+      double each = Math.floor((getHeight() - 2 * GAP) / 3);
+      boolean alone = each >= LEAST_ALONE;
+      double wide = Math.floor((getWidth() - 2 * GAP) / 3);
+      for (int i = 0; i < charts.size(); i++) {
+        if (alone) {
+          charts.get(i).resizeRelocate(0, i * (each + GAP), getWidth(), each);
+        } else {
+          charts.get(i).resizeRelocate(i * (wide + GAP), 0, wide, getHeight());
+        }
       }
     }
   }

@@ -10,6 +10,8 @@ import javafx.scene.control.Label;
 import javafx.scene.control.ListView;
 import javafx.scene.layout.HBox;
 import javafx.scene.layout.VBox;
+import org.kordamp.ikonli.feather.Feather;
+import org.kordamp.ikonli.javafx.FontIcon;
 import tellosimulator.sim.Control;
 import tellosimulator.view.fx.Tooltips;
 import tellosimulator.view.model.FxDroneModel;
@@ -44,6 +46,7 @@ public final class DroneList extends VBox {
   private final Button allOn = new Button();
   private final Button allOff = new Button();
   private final Button allBack = new Button();
+  private final Button fold = new Button();
   private final ListView<FxDroneModel> list = new ListView<>();
   private final IntegerProperty on = new SimpleIntegerProperty(this, "on");
   private long lookedNanos = Long.MIN_VALUE;
@@ -81,6 +84,9 @@ public final class DroneList extends VBox {
       button.setMinWidth(USE_PREF_SIZE);
       button.setFocusTraversable(false);
     }
+    fold.setId("drones-fold");
+    fold.getStyleClass().add("fold");
+    fold.accessibleTextProperty().bind(messages.text("drones.fold"));
     list.setId("drones");
     list.setItems(simulation.drones());
     list.setFixedCellSize(ROW_HEIGHT);
@@ -91,14 +97,16 @@ public final class DroneList extends VBox {
   }
 
   private void layoutParts() {
-    HBox head = new HBox(heading, new Spacer(), allOn, allOff, allBack);
+    HBox head = new HBox(heading, new Spacer(), allOn, allOff, allBack, fold);
     head.getStyleClass().add("head");
     getChildren().addAll(head, list);
+    unfold(true);
   }
 
   private void setupEventHandlers() {
     allOn.setOnAction(pressed -> switchAll(true));
     allOff.setOnAction(pressed -> switchAll(false));
+    fold.setOnAction(pressed -> unfold(!list.isVisible()));
     allBack.setOnAction(
         pressed ->
             simulation.drones().forEach(d -> actions.carryOut(new Control.Reset(d.number()))));
@@ -124,6 +132,13 @@ public final class DroneList extends VBox {
             });
   }
 
+  /** Shows the drones below the buttons, or folds them away. */
+  public void unfold(boolean open) {
+    list.setVisible(open);
+    list.setManaged(open);
+    fold.setGraphic(new FontIcon(open ? Feather.CHEVRON_UP : Feather.CHEVRON_DOWN));
+  }
+
   private void show(FxDroneModel drone) {
     if (list.getSelectionModel().getSelectedItem() != drone) {
       list.getSelectionModel().select(drone);
@@ -144,7 +159,7 @@ public final class DroneList extends VBox {
     if (lookedNanos == Long.MIN_VALUE || nanos - lookedNanos >= PERIOD_NANOS) {
       lookedNanos = nanos;
       on.set((int) simulation.drones().stream().filter(d -> d.onProperty().get()).count());
-      if (isVisible()) {
+      if (isVisible() && list.isVisible()) {
         rows.refresh();
       }
     }

@@ -12,7 +12,6 @@ import javafx.scene.control.Label;
 import javafx.scene.control.TextField;
 import javafx.scene.layout.HBox;
 import javafx.scene.layout.Priority;
-import javafx.scene.layout.VBox;
 import javafx.util.StringConverter;
 import tellosimulator.fault.ActiveFaults;
 import tellosimulator.fault.Fault;
@@ -32,7 +31,7 @@ import tellosimulator.words.Phrase;
  * What goes wrong: how good the link is, a field for a fault in a line, and the faults that act on
  * the selected drone. For the JavaFX thread.
  */
-final class FaultPanel extends VBox {
+final class FaultPanel extends Card {
 
   private final FxSimulation simulation;
   private final SimulatorActions actions;
@@ -45,18 +44,18 @@ final class FaultPanel extends VBox {
       new SimpleObjectProperty<>(Optional.empty());
 
   FaultPanel(ViewContext context) {
+    super("faults", context.language().messages(FaultPanel.class).text("faults.heading"));
     simulation = context.simulation();
     actions = context.actions();
     Messages messages = context.language().messages(FaultPanel.class);
     initializeParts(messages, context.language());
-    layoutParts(messages);
+    layoutParts();
     setupEventHandlers();
     context.pulse().onBeat(nanos -> refresh());
     refresh();
   }
 
   private void initializeParts(Messages messages, Language language) {
-    getStyleClass().addAll("panel-section", "fault-panel");
     link.setId("link-preset");
     link.getItems().setAll(LinkPreset.values());
     language.localeProperty().subscribe(locale -> link.setConverter(new PresetNames(messages)));
@@ -88,11 +87,11 @@ final class FaultPanel extends VBox {
     Tooltips.install(clear, messages.text("faults.clear.hint"));
   }
 
-  private void layoutParts(Messages messages) {
+  private void layoutParts() {
     HBox.setHgrow(link, Priority.ALWAYS);
     HBox row = new HBox(link, clear);
     row.getStyleClass().add("fault-row");
-    getChildren().addAll(messages.label("faults.heading", "heading"), row, text, mistake, running);
+    layoutCard(row, text, mistake, running);
   }
 
   private void setupEventHandlers() {

@@ -7,7 +7,6 @@ import java.util.List;
 import javafx.scene.control.Label;
 import javafx.scene.layout.HBox;
 import javafx.scene.layout.Priority;
-import javafx.scene.layout.VBox;
 import tellosimulator.sim.Control;
 import tellosimulator.sim.SimConfig.Outlets;
 import tellosimulator.sim.SimSnapshot.DroneSnapshot;
@@ -23,7 +22,7 @@ import tellosimulator.view.text.Messages;
  * Where the selected drone takes commands, and where its state and video go; the ports can be
  * changed while it is off. For the JavaFX thread.
  */
-final class PortsPanel extends VBox {
+final class PortsPanel extends Card {
 
   private final FxSimulation simulation;
   private final SimulatorActions actions;
@@ -40,6 +39,7 @@ final class PortsPanel extends VBox {
    * @param changed is called when a person has chosen another port
    */
   PortsPanel(ViewContext context, Runnable changed) {
+    super("ports", context.language().messages(PortsPanel.class).text("heading.send"));
     this.simulation = context.simulation();
     this.actions = context.actions();
     this.changed = changed;
@@ -51,16 +51,11 @@ final class PortsPanel extends VBox {
     state = new NumberField("state-port", PortRules.PORTS, language);
     video = new NumberField("video-port", PortRules.PORTS, language);
     warning = new MessageLabel(messages, "port-warning", Styles.WARNING);
-    initializeSelf();
     initializeParts();
     layoutParts();
     setupEventHandlers();
     setupBindings();
     refresh();
-  }
-
-  private void initializeSelf() {
-    getStyleClass().addAll("panel-section", "ports-panel");
   }
 
   private void initializeParts() {
@@ -70,19 +65,17 @@ final class PortsPanel extends VBox {
   }
 
   private void layoutParts() {
-    getChildren()
-        .addAll(
-            heading("send"),
-            addresses,
-            reach,
-            row("command-port", command),
-            command.error(),
-            warning,
-            heading("listen"),
-            row("state-port", state),
-            state.error(),
-            row("video-port", video),
-            video.error());
+    layoutCard(
+        addresses,
+        reach,
+        row("command-port", command),
+        command.error(),
+        warning,
+        messages.label("heading.listen", "heading"),
+        row("state-port", state),
+        state.error(),
+        row("video-port", video),
+        video.error());
   }
 
   private void setupEventHandlers() {
@@ -154,10 +147,6 @@ final class PortsPanel extends VBox {
       others.add(other == drone() ? List.of() : addresses(other));
     }
     return others;
-  }
-
-  private Label heading(String key) {
-    return messages.label("heading." + key, "heading");
   }
 
   private HBox row(String key, NumberField field) {

@@ -4,7 +4,6 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.function.UnaryOperator;
 import javafx.beans.value.ObservableValue;
-import javafx.scene.layout.VBox;
 import tellosimulator.command.Link;
 import tellosimulator.profile.Behaviour;
 import tellosimulator.profile.Profile;
@@ -22,7 +21,7 @@ import tellosimulator.view.text.Messages;
  * Which product the selected drone is, and after which account; can be changed while it is off. For
  * the JavaFX thread.
  */
-final class ProductPanel extends VBox {
+final class ProductPanel extends Card {
 
   private final FxSimulation simulation;
   private final SimulatorActions actions;
@@ -31,6 +30,7 @@ final class ProductPanel extends VBox {
   private final SegmentedButton<Behaviour> behaviour;
 
   ProductPanel(ViewContext context) {
+    super("product", context.language().messages(ProductPanel.class).text("heading.product"));
     simulation = context.simulation();
     actions = context.actions();
     messages = context.language().messages(ProductPanel.class);
@@ -44,17 +44,8 @@ final class ProductPanel extends VBox {
             "behaviour",
             Arrays.stream(Behaviour.values()).map(this::option).toList(),
             chosen -> configure(old -> new Product(old.profile(), chosen)));
-    initializeSelf();
-    layoutParts();
+    layoutCard(profile, behaviour);
     setupBindings();
-  }
-
-  private void initializeSelf() {
-    getStyleClass().addAll("panel-section", "product-panel");
-  }
-
-  private void layoutParts() {
-    getChildren().addAll(messages.label("heading.product", "heading"), profile, behaviour);
   }
 
   private void setupBindings() {

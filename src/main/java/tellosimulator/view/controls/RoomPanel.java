@@ -1,8 +1,6 @@
 package tellosimulator.view.controls;
 
 import java.util.List;
-import javafx.scene.control.Label;
-import javafx.scene.layout.VBox;
 import tellosimulator.math.Frames;
 import tellosimulator.math.Vec3;
 import tellosimulator.model.DroneSpec;
@@ -19,7 +17,7 @@ import tellosimulator.world.Room;
  * changes goes to the simulation at the next pulse, and what the simulation says is shown. For the
  * JavaFX thread.
  */
-final class RoomPanel extends VBox {
+final class RoomPanel extends Card {
 
   /** What a slider reaches [cm]. Decided: from the smallest room to a gym. */
   private static final NumberRange SLIDER =
@@ -45,22 +43,19 @@ final class RoomPanel extends VBox {
   private final NumberSlider grid;
   private final NumberSlider startX;
   private final NumberSlider startY;
-  private final Label heading;
 
   RoomPanel(ViewContext context) {
+    super("room", context.language().messages(RoomPanel.class).text("room.heading"));
     simulation = context.simulation();
     actions = context.actions();
-    Messages messages = context.language().messages(RoomPanel.class);
-    heading = messages.label("room.heading", "heading");
     width = slider(context, "room-width", SLIDER);
     depth = slider(context, "room-depth", SLIDER);
     height = slider(context, "room-height", SLIDER);
     grid = slider(context, "grid-size", GRID);
     startX = slider(context, "start-x", startRange(room().depth()));
     startY = slider(context, "start-y", startRange(room().width()));
-    initializeSelf();
     initializeParts();
-    layoutParts();
+    layoutCard(width, depth, height, grid, startX, startY);
     setupBindings();
     context.pulse().onBeat(nanos -> beat());
   }
@@ -70,19 +65,11 @@ final class RoomPanel extends VBox {
     return new NumberSlider(id, messages.text(id), range, context.language());
   }
 
-  private void initializeSelf() {
-    getStyleClass().addAll("panel-section", "room-panel");
-  }
-
   private void initializeParts() {
     List.of(width, depth, height).forEach(edge -> edge.setFieldRange(FIELD));
     showRoom();
     showGrid();
     showStart();
-  }
-
-  private void layoutParts() {
-    getChildren().addAll(heading, width, depth, height, grid, startX, startY);
   }
 
   private void setupBindings() {

@@ -3,7 +3,6 @@ package tellosimulator.view.controls;
 import javafx.beans.property.BooleanProperty;
 import javafx.beans.property.SimpleBooleanProperty;
 import javafx.scene.control.Button;
-import javafx.scene.control.ScrollPane;
 import javafx.scene.control.ToggleButton;
 import javafx.scene.layout.HBox;
 import javafx.scene.layout.Priority;
@@ -21,7 +20,7 @@ import tellosimulator.view.text.Messages;
  * The panel at the left: what the drone does, and the room in which it does it. For the JavaFX
  * thread.
  */
-public final class SimulatorControls extends ScrollPane {
+public final class SimulatorControls extends ControlPanel {
 
   /** Width of the panel [px]. Decided: room for two instruments and a height bar. */
   private static final double WIDTH = 280;
@@ -37,9 +36,9 @@ public final class SimulatorControls extends ScrollPane {
   private final MorePanel more;
   private final Button reset = new Button();
   private final ToggleButton cameraSwitch = new ToggleButton();
-  private final VBox parts = new VBox();
 
   public SimulatorControls(ViewContext context) {
+    super("simulator-controls", WIDTH);
     simulation = context.simulation();
     actions = context.actions();
     messages = context.language().messages(SimulatorControls.class);
@@ -48,23 +47,10 @@ public final class SimulatorControls extends ScrollPane {
     charts = new ChartPanel(context);
     room = new RoomPanel(context);
     more = new MorePanel(context);
-    initializeSelf();
     initializeParts();
     layoutParts();
     setupEventHandlers();
     setupBindings();
-  }
-
-  private void initializeSelf() {
-    setId("simulator-controls");
-    getStyleClass().add("control-panel");
-    getStylesheets().add(SimulatorControls.class.getResource("controls.css").toExternalForm());
-    setFitToWidth(true);
-    setFitToHeight(true);
-    setHbarPolicy(ScrollBarPolicy.NEVER);
-    setMinWidth(WIDTH);
-    setPrefWidth(WIDTH);
-    setMaxWidth(WIDTH);
   }
 
   private void initializeParts() {
@@ -74,7 +60,6 @@ public final class SimulatorControls extends ScrollPane {
     cameraSwitch.setGraphic(new FontIcon(Feather.VIDEO));
     Tooltips.install(reset, messages.text("reset.hint"));
     Tooltips.install(cameraSwitch, messages.text("camera.hint"));
-    parts.getStyleClass().add("parts");
   }
 
   private void layoutParts() {
@@ -83,9 +68,10 @@ public final class SimulatorControls extends ScrollPane {
     HBox.setHgrow(reset, Priority.ALWAYS);
     HBox.setHgrow(cameraSwitch, Priority.ALWAYS);
     HBox buttons = new HBox(8, reset, cameraSwitch);
+    setFitToHeight(true);
     VBox.setVgrow(charts, Priority.ALWAYS);
-    parts.getChildren().addAll(choice, flight, buttons, charts, room, more);
-    setContent(parts);
+    layoutPanel(choice, flight, buttons, charts, room, more);
+    foldInOrder(charts, room);
   }
 
   private void setupEventHandlers() {

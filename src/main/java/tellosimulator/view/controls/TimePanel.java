@@ -5,14 +5,12 @@ import java.util.stream.DoubleStream;
 import javafx.beans.binding.BooleanBinding;
 import javafx.collections.FXCollections;
 import javafx.collections.ObservableList;
-import javafx.geometry.Pos;
 import javafx.scene.control.ComboBox;
 import javafx.scene.control.Label;
 import javafx.scene.control.ListCell;
 import javafx.scene.control.ToggleButton;
 import javafx.scene.layout.HBox;
 import javafx.scene.layout.Priority;
-import javafx.scene.layout.VBox;
 import org.kordamp.ikonli.feather.Feather;
 import org.kordamp.ikonli.javafx.FontIcon;
 import tellosimulator.sim.Control;
@@ -25,7 +23,7 @@ import tellosimulator.view.text.Language;
 import tellosimulator.view.text.Messages;
 
 /** Simulated time: how late it is, how fast it passes, and a pause. For the JavaFX thread. */
-final class TimePanel extends VBox {
+final class TimePanel extends Card {
 
   private static final double[] FACTORS = {0.1, 0.25, 0.5, 1, 2, 5, 10, 20, TimeFactor.MAX.value()};
 
@@ -33,7 +31,6 @@ final class TimePanel extends VBox {
   private final SimulatorActions actions;
   private final Language language;
   private final Messages messages;
-  private final Label heading = new Label();
   private final Label clock = new Label();
   private final Label lost = new Label();
   private final ComboBox<TimeFactor> factor = new ComboBox<>();
@@ -44,11 +41,11 @@ final class TimePanel extends VBox {
   private boolean showing;
 
   TimePanel(ViewContext context) {
+    super("time", context.language().messages(TimePanel.class).text("heading.time"));
     simulation = context.simulation();
     actions = context.actions();
     language = context.language();
     messages = language.messages(TimePanel.class);
-    initializeSelf();
     initializeParts();
     layoutParts();
     setupEventHandlers();
@@ -56,14 +53,7 @@ final class TimePanel extends VBox {
     refresh();
   }
 
-  private void initializeSelf() {
-    getStyleClass().addAll("panel-section", "time-panel");
-  }
-
   private void initializeParts() {
-    heading.getStyleClass().add("heading");
-    heading.setMaxWidth(Double.MAX_VALUE);
-    HBox.setHgrow(heading, Priority.ALWAYS);
     clock.setId("simulated-time");
     clock.getStyleClass().add("number");
     lost.setId("lost-time");
@@ -81,12 +71,11 @@ final class TimePanel extends VBox {
   }
 
   private void layoutParts() {
-    HBox head = new HBox(heading, clock);
-    head.setAlignment(Pos.BASELINE_LEFT);
     HBox row = new HBox(8, factor, pause);
     HBox.setHgrow(factor, Priority.ALWAYS);
     HBox.setHgrow(pause, Priority.ALWAYS);
-    getChildren().addAll(head, row, lost);
+    layoutHead(clock);
+    layoutCard(row, lost);
   }
 
   private void setupEventHandlers() {
@@ -102,7 +91,6 @@ final class TimePanel extends VBox {
   }
 
   private void setupBindings() {
-    heading.textProperty().bind(messages.text("heading.time"));
     BooleanBinding someLost = simulation.lostSecondsProperty().greaterThan(0);
     lost.visibleProperty().bind(someLost);
     lost.managedProperty().bind(someLost);

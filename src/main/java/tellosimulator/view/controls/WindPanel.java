@@ -1,7 +1,6 @@
 package tellosimulator.view.controls;
 
 import java.util.List;
-import javafx.scene.layout.VBox;
 import tellosimulator.math.Frames;
 import tellosimulator.math.Vec3;
 import tellosimulator.sim.Control;
@@ -17,7 +16,7 @@ import tellosimulator.world.Wind;
  * files. What a person changes goes to the simulation at the next pulse, and what the simulation
  * says is shown. For the JavaFX thread.
  */
-final class WindPanel extends VBox {
+final class WindPanel extends Card {
 
   /** Degrees counter-clockwise seen from above, 0 towards the front wall. */
   private static final NumberRange TOWARDS = new NumberRange(-180, 180, 15);
@@ -40,6 +39,7 @@ final class WindPanel extends VBox {
   private final NumberSlider gusts;
 
   WindPanel(ViewContext context) {
+    super("wind", context.language().messages(WindPanel.class).text("wind.heading"));
     simulation = context.simulation();
     actions = context.actions();
     Messages messages = context.language().messages(WindPanel.class);
@@ -51,8 +51,7 @@ final class WindPanel extends VBox {
     List.of(speed, gusts).forEach(slider -> slider.setFieldRange(FIELD));
     Tooltips.install(towards, messages.text("wind-towards.hint"));
     Tooltips.install(gusts, messages.text("wind-gusts.hint"));
-    getStyleClass().addAll("panel-section", "wind-panel");
-    getChildren().addAll(messages.label("wind.heading", "heading"), towards, speed, gusts);
+    layoutCard(towards, speed, gusts);
     towards.show(0);
     show(wind());
     context.pulse().onBeat(nanos -> beat());

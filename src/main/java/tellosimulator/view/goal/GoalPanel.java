@@ -150,7 +150,8 @@ public final class GoalPanel extends VBox {
     unfold(true);
   }
 
-  private void unfold(boolean open) {
+  /** Shows what is below the name, or folds it away. */
+  public void unfold(boolean open) {
     details.setVisible(open);
     details.setManaged(open);
     fold.setGraphic(new FontIcon(open ? Feather.CHEVRON_UP : Feather.CHEVRON_DOWN));

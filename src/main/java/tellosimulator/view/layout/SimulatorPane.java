@@ -2,6 +2,9 @@ package tellosimulator.view.layout;
 
 import javafx.beans.binding.Bindings;
 import javafx.beans.binding.BooleanBinding;
+import javafx.beans.binding.DoubleBinding;
+import javafx.beans.property.BooleanProperty;
+import javafx.beans.property.ReadOnlyDoubleProperty;
 import javafx.geometry.Insets;
 import javafx.geometry.Pos;
 import javafx.scene.Cursor;
@@ -139,6 +142,21 @@ public final class SimulatorPane extends BorderPane {
                 free.heightProperty(),
                 overlay.widthProperty(),
                 overlay.heightProperty()));
+  }
+
+  /** What bar and log leave to the parts at the sides [px]. */
+  public DoubleBinding sideHeight() {
+    return Bindings.createDoubleBinding(
+        () -> getHeight() - parts.bar().getHeight() - (bottom.isVisible() ? bottom.getHeight() : 0),
+        heightProperty(),
+        parts.bar().heightProperty(),
+        bottom.visibleProperty(),
+        bottom.heightProperty());
+  }
+
+  /** Width of the scene where nothing but what floats there lies over it [px]. */
+  public ReadOnlyDoubleProperty freeWidthProperty() {
+    return free.widthProperty();
   }
 
   /** What the other parts cover of the scene at each side, which fills everything below them. */

@@ -8,11 +8,13 @@ import javafx.beans.property.ObjectProperty;
 import javafx.beans.property.ReadOnlyObjectProperty;
 import javafx.beans.value.ObservableNumberValue;
 import javafx.beans.value.ObservableStringValue;
+import javafx.beans.value.ObservableValue;
 import javafx.geometry.Pos;
 import javafx.scene.Node;
 import javafx.scene.control.Button;
 import javafx.scene.control.ButtonBase;
 import javafx.scene.control.ChoiceBox;
+import javafx.scene.control.ContentDisplay;
 import javafx.scene.control.Label;
 import javafx.scene.control.ToggleButton;
 import javafx.scene.input.KeyCode;
@@ -35,6 +37,9 @@ final class LogToolbar extends HBox {
 
   private static final LogLevel FIRST_LEVEL = LogLevel.INFO;
 
+  /** Width below which buttons are icons [px]. Measured: everything with words, in German. */
+  private static final double NARROW = 1180;
+
   private final Language language;
   private final Messages messages;
   private final Actions actions;
@@ -51,6 +56,12 @@ final class LogToolbar extends HBox {
   private final Button save = new Button(null, new FontIcon(Feather.SAVE));
   private final Button clear = new Button(null, new FontIcon(Feather.TRASH));
   private final Button report = new Button(null, new FontIcon(Feather.FILE_TEXT));
+
+  private final ObservableValue<ContentDisplay> display =
+      widthProperty()
+          .map(
+              width ->
+                  width.doubleValue() < NARROW ? ContentDisplay.GRAPHIC_ONLY : ContentDisplay.LEFT);
 
   /** Holds the button that opens the report: one that is disabled would show no tooltip itself. */
   private final HBox reportFrame = new HBox(report);
@@ -138,6 +149,7 @@ final class LogToolbar extends HBox {
     report.setId("log-report");
     report.getStyleClass().addAll(Styles.SMALL);
     report.textProperty().bind(messages.text("report"));
+    report.contentDisplayProperty().bind(display);
     reportFrame.setVisible(false);
     reportFrame.setManaged(false);
     timeStamps.setSelected(true);
@@ -148,6 +160,7 @@ final class LogToolbar extends HBox {
     button.setId("log-" + name);
     button.getStyleClass().addAll(Styles.SMALL);
     button.textProperty().bind(messages.text(name));
+    button.contentDisplayProperty().bind(display);
     Tooltips.install(button, messages.text(name + ".tooltip"));
   }
 

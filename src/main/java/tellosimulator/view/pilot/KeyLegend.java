@@ -1,5 +1,6 @@
 package tellosimulator.view.pilot;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
@@ -43,6 +44,7 @@ final class KeyLegend extends HBox {
   private final Messages messages;
   private final ObservableSet<SteeringKey> pressed;
   private final Map<SteeringKey, Label> caps = new TreeMap<>();
+  private final List<Label> words = new ArrayList<>();
   private final GridPane sticks = new GridPane();
   private final GridPane actions = new GridPane();
 
@@ -84,12 +86,21 @@ final class KeyLegend extends HBox {
     for (Place place : ACTIONS) {
       Label what = messages.label("short-" + place.key().textKey(), "key-text");
       what.setMinWidth(USE_PREF_SIZE);
+      words.add(what);
       HBox pair = new HBox(caps.get(place.key()), what);
       pair.getStyleClass().add("key-pair");
       actions.add(pair, place.column(), place.row());
     }
     actions.getStyleClass().add("actions");
     getChildren().addAll(sticks, actions);
+  }
+
+  /** Whether it says what the keys beside the sticks do; else their hints do. */
+  void showWords(boolean shown) {
+    for (Label word : words) {
+      word.setVisible(shown);
+      word.setManaged(shown);
+    }
   }
 
   private void addLegend(String textKey, int column) {

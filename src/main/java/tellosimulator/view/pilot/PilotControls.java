@@ -5,14 +5,19 @@ import java.util.List;
 import javafx.beans.binding.Bindings;
 import javafx.beans.binding.BooleanBinding;
 import javafx.beans.binding.StringBinding;
+import javafx.beans.property.BooleanProperty;
+import javafx.beans.property.SimpleBooleanProperty;
 import javafx.beans.value.ObservableValue;
+import javafx.css.PseudoClass;
 import javafx.scene.Node;
 import javafx.scene.Scene;
 import javafx.scene.control.Button;
 import javafx.scene.control.ButtonBase;
+import javafx.scene.control.ContentDisplay;
 import javafx.scene.control.Label;
 import javafx.scene.control.ProgressBar;
 import javafx.scene.control.ToggleButton;
+import javafx.scene.control.Tooltip;
 import javafx.scene.layout.HBox;
 import javafx.scene.layout.Priority;
 import javafx.scene.layout.Region;
@@ -21,6 +26,7 @@ import javafx.util.Subscription;
 import org.kordamp.ikonli.feather.Feather;
 import org.kordamp.ikonli.javafx.FontIcon;
 import tellosimulator.model.FlightPhase;
+import tellosimulator.view.fx.Tooltips;
 import tellosimulator.view.model.FxDroneModel;
 import tellosimulator.view.model.ViewContext;
 import tellosimulator.view.pilot.DemoFlight.Stage;
@@ -34,6 +40,9 @@ import tellosimulator.view.text.Messages;
  */
 public final class PilotControls extends VBox implements AutoCloseable {
 
+  private static final PseudoClass NARROW = PseudoClass.getPseudoClass("narrow");
+
+  private final BooleanProperty narrow = new SimpleBooleanProperty(this, "narrow");
   private final Messages messages;
   private final ViewContext context;
   private final DemoFlight demo;
@@ -80,6 +89,11 @@ public final class PilotControls extends VBox implements AutoCloseable {
     return keyboard;
   }
 
+  /** Whether there is no room for words on the buttons. */
+  public BooleanProperty narrowProperty() {
+    return narrow;
+  }
+
   /** Closes all sockets; a drone in the air is left there. */
   @Override
   public void close() {
@@ -99,8 +113,11 @@ public final class PilotControls extends VBox implements AutoCloseable {
     keyboardFlight.setId("keyboard-flight");
     keyboardFlight.setGraphic(new FontIcon(Feather.MOVE));
     takeOff.setId("pilot-takeoff");
+    takeOff.setGraphic(new FontIcon(Feather.CHEVRONS_UP));
     land.setId("pilot-land");
+    land.setGraphic(new FontIcon(Feather.CHEVRONS_DOWN));
     emergency.setId("pilot-emergency");
+    emergency.setGraphic(new FontIcon(Feather.ALERT_OCTAGON));
     emergency.getStyleClass().addAll(Styles.DANGER, Styles.BUTTON_OUTLINED);
     command.setId("pilot-command");
     progress.setId("pilot-progress");
@@ -115,6 +132,8 @@ public final class PilotControls extends VBox implements AutoCloseable {
     gap.getStyleClass().add("gap");
     HBox buttons = new HBox(demoFlight, keyboardFlight, gap, takeOff, land, emergency);
     buttons.getStyleClass().add("buttons");
+    shortened(ContentDisplay.LEFT, demoFlight, keyboardFlight);
+    shortened(ContentDisplay.TEXT_ONLY, takeOff, land, emergency);
     for (ButtonBase button : List.of(demoFlight, keyboardFlight, takeOff, land, emergency)) {
       button.setMaxWidth(Double.MAX_VALUE);
       HBox.setHgrow(button, Priority.ALWAYS);
@@ -127,6 +146,18 @@ public final class PilotControls extends VBox implements AutoCloseable {
     shownOnlyWhenVisible(problem);
     shownOnlyWhenVisible(keyHint);
     getChildren().addAll(keyHint, problem, tour, buttons);
+  }
+
+  /** Lets buttons be icons with their words as hints where it is narrow. */
+  private void shortened(ContentDisplay wide, ButtonBase... buttons) {
+    for (ButtonBase button : buttons) {
+      button
+          .contentDisplayProperty()
+          .bind(narrow.map(is -> is ? ContentDisplay.GRAPHIC_ONLY : wide));
+      Tooltips.install(button, button.textProperty());
+      Tooltip hint = button.getTooltip();
+      button.tooltipProperty().bind(narrow.map(is -> is ? hint : null));
+    }
   }
 
   private static void shownOnlyWhenVisible(Node node) {
@@ -164,6 +195,11 @@ public final class PilotControls extends VBox implements AutoCloseable {
     keyboardFlight.selectedProperty().bindBidirectional(keyboard.activeProperty());
     keyboardFlight.disableProperty().bind(demo.runningProperty());
     keyHint.visibleProperty().bind(keyboard.activeProperty());
+    narrow.subscribe(
+        now -> {
+          pseudoClassStateChanged(NARROW, now);
+          keyHint.showWords(!now);
+        });
     StringBinding sentence =
         Bindings.createStringBinding(
             this::sentence,

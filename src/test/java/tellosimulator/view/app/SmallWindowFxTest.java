@@ -1,0 +1,173 @@
+package tellosimulator.view.app;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static tellosimulator.view.testing.WindowFixture.onFxThread;
+import static tellosimulator.view.testing.WindowFixture.waitUntil;
+
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import javafx.geometry.BoundingBox;
+import javafx.geometry.Bounds;
+import javafx.scene.Node;
+import javafx.scene.Parent;
+import javafx.scene.control.ContentDisplay;
+import javafx.scene.control.Control;
+import javafx.scene.control.Labeled;
+import javafx.scene.control.ListView;
+import javafx.scene.control.ScrollPane;
+import javafx.scene.control.ToggleButton;
+import javafx.scene.text.Text;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.testfx.api.FxRobot;
+import tellosimulator.math.Vec3;
+import tellosimulator.sim.SimConfig;
+import tellosimulator.sim.Swarm;
+import tellosimulator.world.Room;
+
+/** The window on the smallest screens: nothing is cut off, and what has no room is folded. */
+class SmallWindowFxTest {
+
+  private final FxRobot robot = new FxRobot();
+  @TempDir private Path folder;
+  private WholeWindow window;
+
+  @BeforeEach
+  void open() {
+    window =
+        WholeWindow.open(
+            SimConfig.DEFAULT.withRoom(Room.DEFAULT, Swarm.row(3, Vec3.ZERO, Room.DEFAULT)),
+            folder.resolve("settings"));
+  }
+
+  @AfterEach
+  void close() {
+    window.close();
+  }
+
+  @ParameterizedTest
+  @CsvSource({"1024, 768, en", "1024, 768, de", "1280, 800, en", "1280, 800, de"})
+  void nothingIsCutOff(double width, double height, Locale language) {
+    window.change(() -> window.context().language().localeProperty().set(language));
+    resize(width, height);
+    window.passFrames(5);
+
+    assertThat(problems()).as("while all is off").isEmpty();
+
+    window.switchOn();
+    assertThat(window.fly("command", "battery?")).isNotBlank();
+    robot.clickOn("#keyboard-flight");
+    window.passFrames(5);
+    assertThat(problems()).as("while all is on").isEmpty();
+  }
+
+  @Test
+  void cardsForWhichThereIsNoRoomAreFoldedAndOpenOnClick() {
+    resize(1024, 768);
+    waitUntil(() -> !isOpen("card-faults"));
+    assertThat(window.shows("fault-text")).isFalse();
+    assertThat(window.shows("power")).isTrue();
+
+    robot.clickOn("#card-faults");
+    assertThat(window.shows("fault-text")).isTrue();
+
+    resize(1280, 1600);
+    waitUntil(() -> isOpen("card-wind"));
+    assertThat(window.shows("wind-speed")).isTrue();
+    robot.clickOn("#card-wind");
+    window.close();
+    window = WholeWindow.open(SimConfig.DEFAULT, folder.resolve("settings"));
+    assertThat(window.shows("wind-speed")).as("remembered").isFalse();
+    assertThat(window.shows("fault-text")).as("remembered").isTrue();
+  }
+
+  @Test
+  void aNarrowSceneHasIconsAndFoldsWhatLiesOverIt() {
+    resize(1280, 800);
+    waitUntil(() -> shown("demo-flight") == ContentDisplay.LEFT);
+    assertThat(window.shows("drones")).isTrue();
+
+    resize(1024, 768);
+    waitUntil(() -> shown("demo-flight") == ContentDisplay.GRAPHIC_ONLY);
+    assertThat(window.shows("drones")).isFalse();
+    assertThat(window.find("demo-flight", Control.class).getTooltip().getText())
+        .isEqualTo("Demo flight");
+
+    robot.clickOn("#drones-fold");
+    assertThat(window.shows("drones")).isTrue();
+  }
+
+  private void resize(double width, double height) {
+    window.change(
+        () -> {
+          window.stage().setWidth(width);
+          window.stage().setHeight(height);
+        });
+    waitUntil(() -> window.stage().getScene().getHeight() == height);
+  }
+
+  private boolean isOpen(String card) {
+    return window.find(card, ToggleButton.class).isSelected();
+  }
+
+  private ContentDisplay shown(String id) {
+    return window.find(id, Labeled.class).getContentDisplay();
+  }
+
+  /** What is cut off, or lies outside of what shows it. */
+  private List<String> problems() {
+    return onFxThread(
+        () -> {
+          List<String> problems = new ArrayList<>();
+          Parent root = window.stage().getScene().getRoot();
+          examine(root, root.localToScene(root.getLayoutBounds()), problems);
+          return problems;
+        });
+  }
+
+  private static void examine(Node node, Bounds room, List<String> problems) {
+    if (!node.isVisible()) {
+      return;
+    }
+    if (node instanceof Labeled labeled) {
+      if (cutOff(labeled)) {
+        problems.add("'" + labeled.getText() + "' is cut off in " + labeled);
+      }
+    }
+    Bounds place = node.localToScene(node.getLayoutBounds());
+    if (node instanceof Control && !almost(room).contains(place)) {
+      problems.add(node + " at " + place + " lies outside of " + room);
+    }
+    boolean scrolls = node instanceof ListView || node instanceof ScrollPane;
+    if (node instanceof Parent parent && !(node instanceof ListView)) {
+      Bounds inside = scrolls ? everywhere() : node instanceof Control ? place : room;
+      parent.getChildrenUnmodifiable().forEach(child -> examine(child, inside, problems));
+    }
+  }
+
+  private static boolean cutOff(Labeled labeled) {
+    boolean written = labeled.getContentDisplay() != ContentDisplay.GRAPHIC_ONLY;
+    return written
+        && labeled.lookup(".text") instanceof Text text
+        && text.getParent() == labeled
+        && !labeled.getText().isEmpty()
+        && !text.getText().equals(labeled.getText());
+  }
+
+  /** Borders may reach half a pixel over, and rings of controls more. */
+  private static Bounds almost(Bounds room) {
+    return new BoundingBox(
+        room.getMinX() - 1, room.getMinY() - 1, room.getWidth() + 2, room.getHeight() + 2);
+  }
+
+  private static Bounds everywhere() {
+    double far = 100_000;
+    return new BoundingBox(-far, -far, 2 * far, 2 * far);
+  }
+}
