@@ -286,6 +286,7 @@ public final class SimulatorWindow implements AutoCloseable {
         Stream.concat(Stream.of(goals, drones, pilot), projector.boxes().stream()).toList());
     world.setGoals(context.scenario().scenario().challenge().goals());
     world.camera().reducedMotionProperty().bind(state.reducedMotionProperty());
+    log.foldedProperty().bindBidirectional(state.logFoldedProperty());
     simulatorControls.availableHeightProperty().bind(pane.sideHeight());
     networkControls.availableHeightProperty().bind(pane.sideHeight());
     pane.freeWidthProperty().map(width -> width.doubleValue() < NARROW).subscribe(this::fit);

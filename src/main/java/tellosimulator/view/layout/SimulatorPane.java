@@ -128,7 +128,14 @@ public final class SimulatorPane extends BorderPane {
     show(parts.simulatorControls(), state.simulatorControlsShownProperty().and(usual));
     show(parts.networkControls(), state.networkControlsShownProperty().and(usual));
     show(bottom, state.logShownProperty().and(usual));
-    bottom.prefHeightProperty().bind(state.logHeightProperty());
+    logHandle.visibleProperty().bind(state.logFoldedProperty().not());
+    logHandle.managedProperty().bind(logHandle.visibleProperty());
+    bottom
+        .prefHeightProperty()
+        .bind(
+            Bindings.when(state.logFoldedProperty())
+                .then(USE_COMPUTED_SIZE)
+                .otherwise(state.logHeightProperty()));
     parts
         .middle()
         .scene()

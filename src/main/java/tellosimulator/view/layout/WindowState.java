@@ -26,6 +26,7 @@ public final class WindowState {
   private final BooleanProperty simulatorControlsShown = new SimpleBooleanProperty(true);
   private final BooleanProperty networkControlsShown = new SimpleBooleanProperty(true);
   private final BooleanProperty logShown = new SimpleBooleanProperty(true);
+  private final BooleanProperty logFolded = new SimpleBooleanProperty();
   private final BooleanProperty dronesShown = new SimpleBooleanProperty(true);
   private final BooleanProperty flightsRecorded = new SimpleBooleanProperty(true);
   private final BooleanProperty planShown = new SimpleBooleanProperty();
@@ -42,6 +43,7 @@ public final class WindowState {
     settings.bind("show.simulator-controls", state.simulatorControlsShown, SettingCodec.flag());
     settings.bind("show.network-controls", state.networkControlsShown, SettingCodec.flag());
     settings.bind("show.log", state.logShown, SettingCodec.flag());
+    settings.bind("log.folded", state.logFolded, SettingCodec.flag());
     settings.bind("show.drones", state.dronesShown, SettingCodec.flag());
     settings.bind(
         "log.height", state.logHeight, SettingCodec.decimal(LEAST_LOG_HEIGHT, MOST_LOG_HEIGHT));
@@ -58,6 +60,7 @@ public final class WindowState {
     other.simulatorControlsShown.bindBidirectional(simulatorControlsShown);
     other.networkControlsShown.bindBidirectional(networkControlsShown);
     other.logShown.bindBidirectional(logShown);
+    other.logFolded.bindBidirectional(logFolded);
     other.dronesShown.bindBidirectional(dronesShown);
     other.flightsRecorded.bindBidirectional(flightsRecorded);
     other.planShown.bindBidirectional(planShown);
@@ -80,6 +83,11 @@ public final class WindowState {
 
   public BooleanProperty logShownProperty() {
     return logShown;
+  }
+
+  /** Whether the log is its newest line alone. */
+  public BooleanProperty logFoldedProperty() {
+    return logFolded;
   }
 
   /** Whether the list of drones is there, if there are several. */

@@ -19,12 +19,12 @@ import javafx.scene.input.ScrollEvent;
  */
 final class AutoScroll {
 
-  private final ListView<LogLine> list;
+  private final ListView<?> list;
   private final BooleanProperty following = new SimpleBooleanProperty(true);
   private boolean scrolledByHand;
 
   /** Follows the end of a list whose cells all have the same height. */
-  AutoScroll(ListView<LogLine> list) {
+  AutoScroll(ListView<?> list) {
     this.list = list;
     list.addEventFilter(ScrollEvent.SCROLL, event -> scrolledByHand = true);
     list.addEventFilter(KeyEvent.KEY_PRESSED, this::pressed);

@@ -1,6 +1,7 @@
 package tellosimulator.view.log;
 
 import java.util.Locale;
+import java.util.stream.Collectors;
 import tellosimulator.view.text.Language;
 import tellosimulator.view.text.Messages;
 
@@ -38,10 +39,51 @@ final class LogFormat {
     return incomplete ? messages.now("sentence", words) : words;
   }
 
-  /** What a search looks at: all that is shown but for the time. */
-  String searched(LogLine line) {
+  /** The command of a row, or what happened. */
+  String words(LogRow row) {
+    return row.command().orElseGet(() -> words(row.first()));
+  }
+
+  /** What the drone answered; empty if nothing is to be answered, or it is about no command. */
+  String reply(LogRow row) {
+    boolean waits = row.first().exchange().filter(LogLine.Exchange::open).isPresent();
+    return row.outcome().map(LogLine.Outcome::reply).orElse(waits ? "…" : "");
+  }
+
+  /** How long the command took; empty if that is not known. */
+  String duration(LogRow row) {
+    return row.duration().isPresent()
+        ? String.format(language.locale(), "%.2f s", row.duration().getAsDouble())
+        : "";
+  }
+
+  /** Why the command was refused or came to another end; empty if all was well. */
+  String reason(LogRow row) {
+    return row.outcome().flatMap(LogLine.Outcome::reason).map(language::say).orElse("");
+  }
+
+  /** A row as a sentence, for those who hear it. */
+  String spoken(LogRow row) {
+    return String.join(
+            " ", drone(row.first()), words(row), reply(row), duration(row), reason(row))
+        .strip();
+  }
+
+  /** What a search looks at: all that its lines say but for the time. */
+  String searched(LogRow row) {
+    return row.lines().stream().map(this::searched).collect(Collectors.joining("\n"));
+  }
+
+  private String searched(LogLine line) {
     String drone = drone(line);
     return drone.isEmpty() ? words(line) : drone + " " + words(line);
+  }
+
+  /** All lines of a row, each with its time. */
+  String details(LogRow row) {
+    return row.lines().stream()
+        .map(line -> time(line) + "  " + searched(line))
+        .collect(Collectors.joining("\n"));
   }
 
   /** All of it, for a file or another program; the columns of all lines are aligned. */

@@ -1,9 +1,13 @@
 package tellosimulator.view.log;
 
+import java.util.Optional;
 import java.util.OptionalInt;
+import tellosimulator.command.Peer;
+import tellosimulator.command.WireText;
 import tellosimulator.sim.SimEvent;
 import tellosimulator.time.SimTime;
 import tellosimulator.view.text.Language;
+import tellosimulator.words.Phrase;
 
 /**
  * A line of the log. Immutable; its words are made anew for each language.
@@ -11,8 +15,15 @@ import tellosimulator.view.text.Language;
  * @param time in the simulation
  * @param about which drone
  * @param saying what happened
+ * @param exchange the command that it is about, if it is one that the drone took
  */
-record LogLine(SimTime time, LogLevel level, About about, Saying saying) {
+record LogLine(
+    SimTime time, LogLevel level, About about, Saying saying, Optional<Exchange> exchange) {
+
+  /** A line that is about no command. */
+  LogLine(SimTime time, LogLevel level, About about, Saying saying) {
+    this(time, level, about, saying, Optional.empty());
+  }
 
   /**
    * What a line is about.
@@ -35,6 +46,38 @@ record LogLine(SimTime time, LogLevel level, About about, Saying saying) {
     }
   }
 
+  /**
+   * What a line says about a command.
+   *
+   * @param command as it was sent
+   * @param outcome empty where it arrived
+   */
+  record Exchange(Peer peer, String command, Optional<Outcome> outcome) {
+
+    /** The command, for people. */
+    String printable() {
+      return WireText.printable(command);
+    }
+
+    /** Whether an answer is still to come. */
+    boolean open() {
+      return outcome.isEmpty() && !WireText.isUnanswered(command);
+    }
+
+    private static Exchange of(SimEvent.FromPeer event, String reply, Optional<Phrase> reason) {
+      Outcome outcome = new Outcome(WireText.printable(reply.stripTrailing()), reason);
+      return new Exchange(event.peer(), event.text(), Optional.of(outcome));
+    }
+  }
+
+  /**
+   * What became of a command.
+   *
+   * @param reply what the drone answered, for people
+   * @param reason why it was refused or came to another end; empty if all was well
+   */
+  record Outcome(String reply, Optional<Phrase> reason) {}
+
   /** Something that can be said in each language. */
   @FunctionalInterface
   interface Saying {
@@ -49,7 +92,25 @@ record LogLine(SimTime time, LogLevel level, About about, Saying saying) {
         event instanceof SimEvent.ForDrone one
             ? About.drone(one.drone(), one.lacksSubject())
             : About.ALL,
-        language -> language.say(event.phrase()));
+        language -> language.say(event.phrase()),
+        exchange(event));
+  }
+
+  private static Optional<Exchange> exchange(SimEvent event) {
+    if (event instanceof SimEvent.CommandReceived received) {
+      return Optional.of(new Exchange(received.peer(), received.text(), Optional.empty()));
+    }
+    if (event instanceof SimEvent.ReplySent sent) {
+      return Optional.of(Exchange.of(sent, sent.reply().text(), Optional.empty()));
+    }
+    if (event instanceof SimEvent.CommandRefused refused) {
+      return Optional.of(
+          Exchange.of(refused, refused.reply().text(), Optional.of(refused.reason())));
+    }
+    if (event instanceof SimEvent.CommandFailed failed) {
+      return Optional.of(Exchange.of(failed, failed.reply().text(), Optional.of(failed.reason())));
+    }
+    return Optional.empty();
   }
 
   /** See {@link About}. */

@@ -9,6 +9,9 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import javafx.beans.binding.Bindings;
 import javafx.beans.property.BooleanProperty;
+import javafx.beans.property.SimpleBooleanProperty;
+import javafx.scene.Node;
+import javafx.scene.control.ListCell;
 import javafx.scene.control.ListView;
 import javafx.scene.control.SelectionMode;
 import javafx.scene.input.Clipboard;
@@ -17,6 +20,9 @@ import javafx.scene.input.KeyCode;
 import javafx.scene.input.KeyCodeCombination;
 import javafx.scene.input.KeyCombination;
 import javafx.scene.input.KeyEvent;
+import javafx.scene.input.MouseButton;
+import javafx.scene.input.MouseEvent;
+import javafx.scene.layout.HBox;
 import javafx.scene.layout.Priority;
 import javafx.scene.layout.VBox;
 import javafx.stage.FileChooser;
@@ -24,11 +30,17 @@ import tellosimulator.view.model.ViewContext;
 import tellosimulator.view.text.Language;
 import tellosimulator.view.text.Messages;
 
-/** The log at the bottom of the window: everything that happens, newest last. */
+/**
+ * The log at the bottom of the window: everything that happens, newest last, a command and its
+ * answer in one row. Folded, it is the newest row alone. For the JavaFX thread.
+ */
 public final class LogPane extends VBox {
 
   /** Height of a line in sizes of its font. */
   private static final double LINE_HEIGHT = 1.65;
+
+  /** Part of the width that details take. Decided: the list keeps commands and replies. */
+  private static final double DETAILS = 0.42;
 
   private static final KeyCombination COPY =
       new KeyCodeCombination(KeyCode.C, KeyCombination.SHORTCUT_DOWN);
@@ -39,8 +51,11 @@ public final class LogPane extends VBox {
   private final Messages messages;
   private final LogFormat text;
   private final LogModel model;
-  private final ListView<LogLine> list = new ListView<>();
+  private final ListView<LogRow> list = new ListView<>();
   private final LogToolbar toolbar;
+  private final LogDetails details;
+  private final FoldedLog newest;
+  private final BooleanProperty folded = new SimpleBooleanProperty(this, "folded");
   private final AutoScroll tail = new AutoScroll(list);
 
   /** Shows what comes through {@code logQueue}, from now on. */
@@ -49,13 +64,22 @@ public final class LogPane extends VBox {
     this.logQueue = logQueue;
     this.language = context.language();
     this.messages = language.messages(LogPane.class);
-    this.text = new LogFormat(language, context.simulation().drones().size() > 1);
+    int drones = context.simulation().drones().size();
+    this.text = new LogFormat(language, drones > 1);
     this.model = new LogModel(LogModel.CAPACITY, text::searched);
     this.toolbar =
         new LogToolbar(
             language,
-            new LogToolbar.Actions(model::clear, this::copy, this::chooseFile),
+            drones,
+            new LogToolbar.Actions(
+                this::clear, this::copy, this::chooseFile, () -> fold(true)),
             Bindings.size(model.shown()));
+    this.details = new LogDetails(text, model, messages);
+    this.newest =
+        new FoldedLog(
+            messages,
+            new LogRowView(text, toolbar.timeStampsProperty()),
+            () -> fold(false));
     initializeSelf();
     initializeParts();
     layoutParts();
@@ -68,8 +92,14 @@ public final class LogPane extends VBox {
     return toolbar.timeStampsProperty();
   }
 
+  /** Whether it is the newest row alone. */
+  public BooleanProperty foldedProperty() {
+    return folded;
+  }
+
   /** Lets one type what to search. */
   public void startSearch() {
+    folded.set(false);
     toolbar.startSearch();
   }
 
@@ -103,27 +133,46 @@ public final class LogPane extends VBox {
     list.getSelectionModel().setSelectionMode(SelectionMode.MULTIPLE);
     list.setCellFactory(view -> new LogCell(text, toolbar.timeStampsProperty()));
     list.setPlaceholder(messages.label("nothing"));
+    list.accessibleTextProperty().bind(messages.text("title"));
   }
 
   private void layoutParts() {
-    setVgrow(list, Priority.ALWAYS);
-    getChildren().addAll(toolbar, list);
+    HBox body = new HBox(list, details);
+    HBox.setHgrow(list, Priority.ALWAYS);
+    list.setMinWidth(0);
+    details.prefWidthProperty().bind(widthProperty().multiply(DETAILS));
+    details.setMinWidth(USE_PREF_SIZE);
+    setVgrow(body, Priority.ALWAYS);
+    getChildren().addAll(newest, toolbar, body);
+    folded.subscribe(
+        now -> {
+          newest.setVisible(now);
+          newest.setManaged(now);
+          toolbar.setVisible(!now);
+          toolbar.setManaged(!now);
+          body.setVisible(!now);
+          body.setManaged(!now);
+        });
   }
 
   private void setupEventHandlers() {
     context.pulse().onBeat(nanos -> takeIn());
-    list.addEventHandler(
-        KeyEvent.KEY_PRESSED,
-        event -> {
-          if (COPY.match(event)) {
-            copy();
-            event.consume();
-          }
-        });
+    list.addEventFilter(KeyEvent.KEY_PRESSED, this::press);
+    details.addEventFilter(KeyEvent.KEY_PRESSED, this::closeByEscape);
+    list.addEventHandler(MouseEvent.MOUSE_CLICKED, this::click);
+    list.getSelectionModel()
+        .selectedItemProperty()
+        .addListener(
+            (property, before, now) -> {
+              if (now != null && details.isOpen()) {
+                details.open(now);
+              }
+            });
   }
 
   private void setupBindings() {
     toolbar.levelProperty().subscribe(level -> refilter(() -> model.setLevel(level)));
+    toolbar.droneProperty().subscribe(drone -> refilter(() -> model.setDrone(drone)));
     toolbar.searchProperty().subscribe(wanted -> refilter(() -> model.setText(wanted)));
     // Whole pixels: a list whose lines end between two pixels believes that there is a gap.
     toolbar
@@ -136,6 +185,8 @@ public final class LogPane extends VBox {
             locale -> {
               refilter(model::wordsChanged);
               list.refresh();
+              details.refresh();
+              showNewest();
             });
   }
 
@@ -144,6 +195,64 @@ public final class LogPane extends VBox {
     List<LogLine> lines = logQueue.drain();
     if (!lines.isEmpty()) {
       tail.moveOn(model.append(lines));
+      details.refresh();
+      showNewest();
+    }
+  }
+
+  private void showNewest() {
+    List<LogRow> shown = model.shown();
+    if (!shown.isEmpty()) {
+      newest.show(shown.get(shown.size() - 1));
+    }
+  }
+
+  /** Leaves the focus where one can fold again. */
+  private void fold(boolean wanted) {
+    folded.set(wanted);
+    if (wanted) {
+      newest.button().requestFocus();
+    } else {
+      list.requestFocus();
+    }
+  }
+
+  private void clear() {
+    model.clear();
+    details.refresh();
+  }
+
+  private void press(KeyEvent event) {
+    LogRow selected = list.getSelectionModel().getSelectedItem();
+    if (COPY.match(event)) {
+      copy();
+      event.consume();
+    } else if (event.getCode() == KeyCode.ENTER && selected != null) {
+      details.toggle(selected);
+      event.consume();
+    } else {
+      closeByEscape(event);
+    }
+  }
+
+  private void closeByEscape(KeyEvent event) {
+    if (event.getCode() == KeyCode.ESCAPE && details.isOpen()) {
+      details.close();
+      list.requestFocus();
+      event.consume();
+    }
+  }
+
+  /** With Shift or Ctrl, one selects several. */
+  private void click(MouseEvent event) {
+    boolean plain = !event.isShiftDown() && !event.isShortcutDown() && event.isStillSincePress();
+    for (Node node = event.getPickResult().getIntersectedNode();
+        node != null && plain && event.getButton() == MouseButton.PRIMARY;
+        node = node.getParent()) {
+      if (node instanceof ListCell<?> cell && cell.getItem() instanceof LogRow row) {
+        details.toggle(row);
+        return;
+      }
     }
   }
 
@@ -155,7 +264,7 @@ public final class LogPane extends VBox {
 
   /** Copies the selected lines, or all that are shown if none is selected. */
   private void copy() {
-    List<LogLine> selected = List.copyOf(list.getSelectionModel().getSelectedItems());
+    List<LogRow> selected = List.copyOf(list.getSelectionModel().getSelectedItems());
     ClipboardContent content = new ClipboardContent();
     content.putString(
         written(selected.isEmpty() ? model.shown() : selected)
@@ -185,7 +294,7 @@ public final class LogPane extends VBox {
     }
   }
 
-  private Stream<String> written(List<LogLine> lines) {
-    return lines.stream().map(text::whole);
+  private Stream<String> written(List<LogRow> rows) {
+    return LogRow.lines(rows).stream().map(text::whole);
   }
 }

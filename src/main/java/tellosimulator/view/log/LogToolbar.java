@@ -3,6 +3,9 @@ package tellosimulator.view.log;
 import atlantafx.base.controls.CustomTextField;
 import atlantafx.base.controls.Spacer;
 import atlantafx.base.theme.Styles;
+import java.util.OptionalInt;
+import java.util.function.Function;
+import java.util.stream.IntStream;
 import javafx.beans.property.BooleanProperty;
 import javafx.beans.property.ObjectProperty;
 import javafx.beans.property.ReadOnlyObjectProperty;
@@ -33,9 +36,12 @@ import tellosimulator.view.text.Messages;
 final class LogToolbar extends HBox {
 
   /** What the buttons do. */
-  record Actions(Runnable clear, Runnable copy, Runnable save) {}
+  record Actions(Runnable clear, Runnable copy, Runnable save, Runnable fold) {}
 
   private static final LogLevel FIRST_LEVEL = LogLevel.INFO;
+
+  /** In the choice of drones, all of them. */
+  private static final Integer ALL = 0;
 
   /** Width below which buttons are icons [px]. Measured: everything with words, in German. */
   private static final double NARROW = 1180;
@@ -46,6 +52,7 @@ final class LogToolbar extends HBox {
   private final ObservableNumberValue found;
   private final Label title = new Label();
   private final ChoiceBox<LogLevel> level = new ChoiceBox<>();
+  private final ChoiceBox<Integer> drone = new ChoiceBox<>();
   private final CustomTextField search = new CustomTextField();
   private final Button clearSearch = new Button(null, new FontIcon(Feather.X));
   private final Label matches = new Label();
@@ -55,6 +62,7 @@ final class LogToolbar extends HBox {
   private final Button copy = new Button(null, new FontIcon(Feather.COPY));
   private final Button save = new Button(null, new FontIcon(Feather.SAVE));
   private final Button clear = new Button(null, new FontIcon(Feather.TRASH));
+  private final Button fold = new Button(null, new FontIcon(Feather.CHEVRON_DOWN));
   private final Button report = new Button(null, new FontIcon(Feather.FILE_TEXT));
 
   private final ObservableValue<ContentDisplay> display =
@@ -67,13 +75,16 @@ final class LogToolbar extends HBox {
   private final HBox reportFrame = new HBox(report);
 
   /**
-   * @param found how many lines are shown
+   * @param drones how many there are
+   * @param found how many rows are shown
    */
-  LogToolbar(Language language, Actions actions, ObservableNumberValue found) {
+  LogToolbar(Language language, int drones, Actions actions, ObservableNumberValue found) {
     this.language = language;
     this.messages = language.messages(LogToolbar.class);
     this.actions = actions;
     this.found = found;
+    drone.getItems().add(ALL);
+    IntStream.rangeClosed(1, drones).forEach(drone.getItems()::add);
     initializeSelf();
     initializeParts();
     layoutParts();
@@ -84,6 +95,13 @@ final class LogToolbar extends HBox {
   /** The least level that is to be shown. */
   ObjectProperty<LogLevel> levelProperty() {
     return level.valueProperty();
+  }
+
+  /** Which drone shown lines are about; empty for all. */
+  ObservableValue<OptionalInt> droneProperty() {
+    return drone
+        .valueProperty()
+        .map(number -> number.equals(ALL) ? OptionalInt.empty() : OptionalInt.of(number));
   }
 
   /** What shown lines shall contain; empty for all lines. */
@@ -133,6 +151,10 @@ final class LogToolbar extends HBox {
     level.setId("log-level");
     level.getItems().setAll(LogLevel.DEBUG, LogLevel.INFO, LogLevel.WARN, LogLevel.ERROR);
     level.setValue(FIRST_LEVEL);
+    drone.setId("log-drone");
+    drone.setValue(ALL);
+    drone.setVisible(drone.getItems().size() > 2);
+    drone.setManaged(drone.isVisible());
     search.setId("log-search");
     search.setLeft(new FontIcon(Feather.SEARCH));
     search.setRight(clearSearch);
@@ -146,6 +168,9 @@ final class LogToolbar extends HBox {
     initializeButton(copy, "copy");
     initializeButton(save, "save");
     initializeButton(clear, "clear");
+    initializeButton(fold, "fold");
+    fold.contentDisplayProperty().unbind();
+    fold.setContentDisplay(ContentDisplay.GRAPHIC_ONLY);
     report.setId("log-report");
     report.getStyleClass().addAll(Styles.SMALL);
     report.textProperty().bind(messages.text("report"));
@@ -165,13 +190,14 @@ final class LogToolbar extends HBox {
   }
 
   private void layoutParts() {
-    for (Node fixed : new Node[] {level, report, timeStamps, autoscroll, copy, save, clear}) {
+    for (Node fixed : new Node[] {level, drone, report, timeStamps, autoscroll, copy, save, clear, fold}) {
       ((Region) fixed).setMinWidth(USE_PREF_SIZE);
     }
     getChildren()
         .addAll(
             title,
             level,
+            drone,
             search,
             matches,
             new Spacer(),
@@ -180,7 +206,8 @@ final class LogToolbar extends HBox {
             autoscroll,
             copy,
             save,
-            clear);
+            clear,
+            fold);
   }
 
   private void setupEventHandlers() {
@@ -196,7 +223,18 @@ final class LogToolbar extends HBox {
     copy.setOnAction(action -> actions.copy().run());
     save.setOnAction(action -> actions.save().run());
     clear.setOnAction(action -> actions.clear().run());
-    language.localeProperty().subscribe(locale -> level.setConverter(new LevelNames()));
+    fold.setOnAction(action -> actions.fold().run());
+    language
+        .localeProperty()
+        .subscribe(
+            locale -> {
+              level.setConverter(named(value -> messages.now("level." + value.key())));
+              drone.setConverter(named(this::droneName));
+            });
+  }
+
+  private String droneName(Integer number) {
+    return number.equals(ALL) ? messages.now("drone.all") : messages.now("drone.one", number);
   }
 
   private static String matchesKey(int count) {
@@ -212,18 +250,25 @@ final class LogToolbar extends HBox {
         .bind(found.flatMap(count -> messages.text(matchesKey(count.intValue()), count)));
     matches.visibleProperty().bind(search.textProperty().isNotEmpty());
     Tooltips.install(level, messages.text("level.tooltip"));
+    Tooltips.install(drone, messages.text("drone.tooltip"));
+    level.accessibleTextProperty().bind(messages.text("level.tooltip"));
+    drone.accessibleTextProperty().bind(messages.text("drone.tooltip"));
+    search.accessibleTextProperty().bind(messages.text("search"));
+    clearSearch.accessibleTextProperty().bind(messages.text("search.clear"));
   }
 
-  /** The names of the levels in the present language. */
-  private final class LevelNames extends StringConverter<LogLevel> {
-    @Override
-    public String toString(LogLevel value) {
-      return value == null ? "" : messages.now("level." + value.key());
-    }
+  /** The names of what is chosen in the present language. */
+  private static <T> StringConverter<T> named(Function<T, String> name) {
+    return new StringConverter<>() {
+      @Override
+      public String toString(T value) {
+        return value == null ? "" : name.apply(value);
+      }
 
-    @Override
-    public LogLevel fromString(String name) {
-      throw new UnsupportedOperationException("levels are chosen, not typed");
-    }
+      @Override
+      public T fromString(String typed) {
+        throw new UnsupportedOperationException("these are chosen, not typed");
+      }
+    };
   }
 }

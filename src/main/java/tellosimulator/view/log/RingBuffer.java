@@ -28,6 +28,22 @@ final class RingBuffer<T> {
     size++;
   }
 
+  /** Puts another item in the place of one, which it returns. */
+  T set(int index, T item) {
+    T before = get(index);
+    items[(first + index) % items.length] = item;
+    return before;
+  }
+
+  /** Puts an item before the one that is there now; cheap near the end. */
+  void insert(int index, T item) {
+    addLast(item);
+    for (int i = size - 1; i > index; i--) {
+      set(i, get(i - 1));
+    }
+    set(index, item);
+  }
+
   T removeFirst() {
     T item = get(0);
     items[first] = null;

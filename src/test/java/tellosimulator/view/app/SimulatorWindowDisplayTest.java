@@ -8,6 +8,7 @@ import java.nio.file.Path;
 import javafx.geometry.Bounds;
 import javafx.geometry.Rectangle2D;
 import javafx.scene.control.ScrollPane;
+import javafx.scene.control.Labeled;
 import javafx.scene.control.TextField;
 import javafx.scene.image.PixelReader;
 import javafx.scene.image.WritableImage;
@@ -113,7 +114,10 @@ class SimulatorWindowDisplayTest {
 
     waitUntil(() -> window.text("demo-flight").equals("Stop"));
     waitUntil(() -> position().z() > 0.5);
-    waitUntil(() -> window.log().stream().anyMatch(line -> line.contains("`takeoff` answered")));
+    waitUntil(
+        () ->
+            window.find("log-list").lookupAll(".log-reply").stream()
+                .anyMatch(reply -> ((Labeled) reply).getText().equals("ok")));
     Bounds scene = bounds("scene-3d");
     assertThat(changedPixels(before, window.picture(), scene)).isGreaterThan(10_000);
   }

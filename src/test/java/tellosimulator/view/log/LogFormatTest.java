@@ -6,6 +6,7 @@ import static org.mockito.Mockito.when;
 
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
+import java.util.List;
 import java.util.Locale;
 import org.junit.jupiter.api.Test;
 import tellosimulator.command.Peer;
@@ -30,7 +31,7 @@ class LogFormatTest {
     LogLine line = flight(new FlightEvent.TookOff());
 
     assertThat(alone.words(line)).isEqualTo("The drone took off");
-    assertThat(alone.searched(line)).isEqualTo("The drone took off");
+    assertThat(alone.searched(row(line))).isEqualTo("The drone took off");
     assertThat(alone.whole(line)).endsWith("INFO   The drone took off");
     language.localeProperty().set(Locale.GERMAN);
     assertThat(alone.words(line)).isEqualTo("Die Drohne ist gestartet");
@@ -42,7 +43,7 @@ class LogFormatTest {
     LogLine line = flight(new FlightEvent.TookOff());
 
     assertThat(several.words(line)).isEqualTo("took off");
-    assertThat(several.searched(line)).isEqualTo("drone 1 took off");
+    assertThat(several.searched(row(line))).isEqualTo("drone 1 took off");
   }
 
   @Test
@@ -77,6 +78,10 @@ class LogFormatTest {
     logQueue.say(LogLevel.INFO, 1, Phrase.of("the video is being recorded: %s", "film.h264"));
 
     assertThat(alone.words(logQueue.drain().get(0))).startsWith("the video is being recorded");
+  }
+
+  private static LogRow row(LogLine line) {
+    return new LogRow(0, List.of(new LogRow.Arrival(0, line)));
   }
 
   private static LogLine flight(FlightEvent event) {

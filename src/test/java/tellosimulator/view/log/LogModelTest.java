@@ -2,21 +2,30 @@ package tellosimulator.view.log;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.net.InetSocketAddress;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
+import java.util.OptionalInt;
+import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import javafx.collections.ListChangeListener;
 import org.junit.jupiter.api.Test;
+import tellosimulator.command.Peer;
 import tellosimulator.time.SimTime;
 import tellosimulator.view.text.Language;
+import tellosimulator.words.Phrase;
 
 class LogModelTest {
 
   private static final int CAPACITY = 2000;
 
+  private static final Peer PEER =
+      new Peer(new InetSocketAddress(9000), new InetSocketAddress(8889));
+
   private final Language language = new Language(Locale.ENGLISH);
-  private final LogModel model = new LogModel(CAPACITY, line -> line.words(language));
+  private final LogModel model = new LogModel(CAPACITY, this::words);
 
   @Test
   void theOldestLinesFallOutWhenThereAreTooMany() {
@@ -101,8 +110,8 @@ class LogModelTest {
 
   @Test
   void aListThatFollowsTheChangesEndsUpTheSame() {
-    List<LogLine> copy = new ArrayList<>();
-    model.shown().addListener((ListChangeListener<LogLine>) change -> repeat(change, copy));
+    List<LogRow> copy = new ArrayList<>();
+    model.shown().addListener((ListChangeListener<LogRow>) change -> repeat(change, copy));
 
     model.append(lines(0, 1990));
     model.append(lines(1990, 30));
@@ -119,10 +128,109 @@ class LogModelTest {
     assertThat(model.size()).isZero();
   }
 
+  @Test
+  void theAnswerIsInTheRowOfItsCommand() {
+    model.append(List.of(received(1, "takeoff"), received(2, "takeoff")));
+    model.append(List.of(line(LogLevel.INFO, "took off"), answered(2, 3, "takeoff")));
+
+    assertThat(words())
+        .containsExactly("takeoff", "takeoff | takeoff: ok", "took off");
+    assertThat(model.shown().get(1).duration()).hasValue(3);
+    assertThat(model.shown().get(0).outcome()).isEmpty();
+    assertThat(model.lines().stream().map(line -> line.words(language)))
+        .as("in the order in which they came")
+        .containsExactly("takeoff", "takeoff", "took off", "takeoff: ok");
+  }
+
+  @Test
+  void aCopyOfARunningCommandIsAnsweredBeforeIt() {
+    model.append(List.of(received(1, "up 50"), received(1, "up 50")));
+    model.append(List.of(refused("up 50"), answered(1, 4, "up 50")));
+
+    assertThat(words()).containsExactly("up 50 | up 50: ok", "up 50 | up 50: error");
+  }
+
+  @Test
+  void anAnswerWithoutACommandIsARowOfItsOwn() {
+    model.append(List.of(answered(1, 1, "stop"), received(1, "rc 0 0 0 0")));
+    model.append(List.of(received(1, "rc 0 0 0 0")));
+
+    assertThat(words()).containsExactly("stop: ok", "rc 0 0 0 0", "rc 0 0 0 0");
+    assertThat(model.shown().get(0).duration()).isEmpty();
+  }
+
+  @Test
+  void aDetailThatIsRefusedAppearsAtItsPlace() {
+    model.setLevel(LogLevel.INFO);
+    model.append(List.of(received(1, "battery?"), line(LogLevel.INFO, "later")));
+    assertThat(words()).containsExactly("later");
+
+    model.append(List.of(refused("battery?")));
+
+    assertThat(words()).containsExactly("battery? | battery?: error", "later");
+  }
+
+  @Test
+  void rowsOfAnotherDroneAreLeftOut() {
+    model.append(
+        List.of(received(1, "up 20"), received(2, "up 30"), line(LogLevel.INFO, "paused")));
+
+    model.setDrone(OptionalInt.of(2));
+    assertThat(words()).containsExactly("up 30", "paused");
+    model.append(List.of(answered(1, 1, "up 20"), answered(2, 1, "up 30")));
+    assertThat(words()).containsExactly("up 30 | up 30: ok", "paused");
+    model.setDrone(OptionalInt.empty());
+    assertThat(words()).hasSize(3);
+  }
+
+  @Test
+  void anAnswerThatComesAfterItsCommandFellOutIsARowOfItsOwn() {
+    model.append(List.of(received(1, "up 20")));
+    model.append(lines(0, CAPACITY));
+
+    model.append(List.of(answered(1, 1, "up 20")));
+
+    assertThat(words()).hasSize(CAPACITY).endsWith("up 20: ok");
+  }
+
+  private static LogLine received(int drone, String command) {
+    LogLevel level = command.endsWith("?") ? LogLevel.DEBUG : LogLevel.INFO;
+    return exchange(SimTime.ZERO, level, drone, command, Optional.empty());
+  }
+
+  private static LogLine answered(int drone, int seconds, String command) {
+    return exchange(
+        new SimTime(seconds * 1_000_000_000L),
+        LogLevel.INFO,
+        drone,
+        command,
+        Optional.of(new LogLine.Outcome("ok", Optional.empty())));
+  }
+
+  private static LogLine refused(String command) {
+    return exchange(
+        SimTime.ZERO,
+        LogLevel.WARN,
+        1,
+        command,
+        Optional.of(new LogLine.Outcome("error", Optional.of(Phrase.of("because")))));
+  }
+
+  private static LogLine exchange(
+      SimTime time, LogLevel level, int drone, String command, Optional<LogLine.Outcome> outcome) {
+    String words = command + outcome.map(end -> ": " + end.reply()).orElse("");
+    return new LogLine(
+        time,
+        level,
+        LogLine.About.drone(drone, false),
+        language -> words,
+        Optional.of(new LogLine.Exchange(PEER, command, outcome)));
+  }
+
   private static void repeat(
-      ListChangeListener.Change<? extends LogLine> change, List<LogLine> copy) {
+      ListChangeListener.Change<? extends LogRow> change, List<LogRow> copy) {
     while (change.next()) {
-      for (LogLine removed : change.getRemoved()) {
+      for (LogRow removed : change.getRemoved()) {
         assertThat(copy.remove(change.getFrom())).isEqualTo(removed);
       }
       copy.addAll(change.getFrom(), change.getAddedSubList());
@@ -140,6 +248,12 @@ class LogModelTest {
   }
 
   private List<String> words() {
-    return model.shown().stream().map(line -> line.words(language)).toList();
+    return model.shown().stream().map(this::words).toList();
+  }
+
+  private String words(LogRow row) {
+    return row.lines().stream()
+        .map(line -> line.words(language))
+        .collect(Collectors.joining(" | "));
   }
 }

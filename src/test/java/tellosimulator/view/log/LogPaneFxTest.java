@@ -19,6 +19,7 @@ import javafx.scene.control.ChoiceBox;
 import javafx.scene.control.Label;
 import javafx.scene.control.ListCell;
 import javafx.scene.control.ListView;
+import javafx.scene.control.TextArea;
 import javafx.scene.control.TextField;
 import javafx.scene.control.ToggleButton;
 import javafx.scene.input.Clipboard;
@@ -34,6 +35,7 @@ import org.testfx.framework.junit5.ApplicationExtension;
 import org.testfx.framework.junit5.Start;
 import org.testfx.util.WaitForAsyncUtils;
 import tellosimulator.command.Peer;
+import tellosimulator.command.Reply;
 import tellosimulator.controller.FlightEvent;
 import tellosimulator.math.Vec3;
 import tellosimulator.network.AddressPlan;
@@ -118,6 +120,109 @@ class LogPaneFxTest {
 
     robot.clickOn("#log-level").clickOn("Warnings and errors");
     assertThat(shown()).singleElement().asString().startsWith("`up 20` from");
+  }
+
+  @Test
+  void aCommandItsReplyAndHowLongItTookAreOneRow() {
+    happens(new SimEvent.CommandReceived(new SimTime(2_000_000_000), 1, peer(), "takeoff"));
+    assertThat(textOf(cell(1), ".log-words")).isEqualTo("takeoff");
+    assertThat(textOf(cell(1), ".log-reply")).isEqualTo("…");
+
+    happens(
+        new SimEvent.ReplySent(new SimTime(5_250_000_000L), 1, peer(), "takeoff", Reply.OK));
+
+    assertThat(shown()).as("a greeting and the command").hasSize(2);
+    assertThat(textOf(cell(1), ".log-reply")).isEqualTo("ok");
+    assertThat(textOf(cell(1), ".log-duration")).as("5.25 s - 2 s").isEqualTo("3.25 s");
+    assertThat(cell(1).getAccessibleText()).isEqualTo("drone 1 takeoff ok 3.25 s");
+  }
+
+  @Test
+  void aRefusedCommandSaysWhyInTheColorOfAWarning() {
+    refused();
+
+    assertThat(textOf(cell(1), ".log-reply")).isEqualTo("error Not joystick");
+    assertThat(textOf(cell(1), ".log-reason")).isEqualTo("something else runs");
+    assertThat(cell(1).lookup(".log-warn")).isNotNull();
+  }
+
+  @Test
+  void aClickOnARowShowsAllItsLinesAndAnotherOneHidesThem() {
+    refused();
+    TextArea details = robot.lookup("#log-details").query();
+    assertThat(details.isVisible()).isFalse();
+
+    robot.clickOn(cell(1).lookup(".log-words"));
+    assertThat(details.getText().lines())
+        .containsExactly(
+            "1.000 s  drone 1 `up 20` from 127.0.0.1:9000",
+            "1.500 s  drone 1 `up 20` refused: something else runs;"
+                + " answered `error Not joystick`");
+
+    robot.clickOn(cell(1).lookup(".log-words"));
+    assertThat(details.isVisible()).isFalse();
+  }
+
+  @Test
+  void enterShowsTheLinesOfTheSelectedRowAndEscapeHidesThem() {
+    refused();
+    robot.interact(() -> list().requestFocus());
+    robot.interact(() -> list().getSelectionModel().select(1));
+    TextArea details = robot.lookup("#log-details").query();
+
+    robot.type(KeyCode.ENTER);
+    assertThat(details.getText()).contains("refused");
+    robot.type(KeyCode.UP);
+    assertThat(details.getText()).as("follows the selection").contains("Welcome");
+    robot.type(KeyCode.ESCAPE);
+    assertThat(details.isVisible()).isFalse();
+    assertThat(list().isFocused()).isTrue();
+  }
+
+  @Test
+  void linesOfOneDroneAreShownAlone() {
+    commands(1);
+    happens(new SimEvent.CommandReceived(SimTime.ZERO, 2, peer(), "land"));
+
+    robot.clickOn("#log-drone").clickOn("Drone 2");
+
+    assertThat(shown()).as("with what concerns all").hasSize(2);
+    assertThat(shown()).last().asString().startsWith("`land`");
+    robot.clickOn("#log-drone").clickOn("All drones");
+    assertThat(shown()).hasSize(3);
+  }
+
+  @Test
+  void foldedItIsItsNewestLine() {
+    commands(2);
+    double before = box.prefHeight(-1);
+
+    robot.clickOn("#log-fold");
+    assertThat(list().getParent().isVisible()).isFalse();
+    assertThat(box.prefHeight(-1)).isLessThan(before).isLessThan(40);
+    assertThat(textOf(robot.lookup(".log-folded").query(), ".log-words")).isEqualTo("forward 1");
+    commands(1);
+    assertThat(textOf(robot.lookup(".log-folded").query(), ".log-words")).isEqualTo("forward 0");
+
+    robot.type(KeyCode.SPACE);
+    assertThat(list().getParent().isVisible()).as("the button has the focus").isTrue();
+    assertThat(list().isFocused()).isTrue();
+  }
+
+  private void refused() {
+    happens(new SimEvent.CommandReceived(new SimTime(1_000_000_000), 1, peer(), "up 20"));
+    happens(
+        new SimEvent.CommandRefused(
+            new SimTime(1_500_000_000),
+            1,
+            peer(),
+            "up 20",
+            Reply.NOT_JOYSTICK,
+            Phrase.of("something else runs")));
+  }
+
+  private ListCell<?> cell(int index) {
+    return cells().stream().filter(one -> one.getIndex() == index).findFirst().orElseThrow();
   }
 
   @Test
@@ -289,7 +394,7 @@ class LogPaneFxTest {
 
     assertThat(visibleWords()).hasSize(2);
     assertThat(visibleWords()).first().asString().startsWith("Willkommen.");
-    assertThat(visibleWords()).last().isEqualTo("`forward 0` von 127.0.0.1:9000");
+    assertThat(visibleWords()).last().isEqualTo("forward 0");
     assertThat(robot.lookup("#log-clear").queryLabeled().getText()).isEqualTo("Leeren");
     ChoiceBox<LogLevel> levels = robot.lookup("#log-level").query();
     assertThat(levels.getConverter().toString(LogLevel.ERROR)).isEqualTo("Nur Fehler");
@@ -371,7 +476,7 @@ class LogPaneFxTest {
     return robot.lookup(".log-time").queryAll();
   }
 
-  private ListView<LogLine> list() {
+  private ListView<LogRow> list() {
     return robot.lookup("#log-list").queryListView();
   }
 
@@ -388,7 +493,7 @@ class LogPaneFxTest {
   }
 
   private List<String> shown() {
-    return list().getItems().stream().map(line -> line.words(context.language())).toList();
+    return list().getItems().stream().map(row -> row.first().words(context.language())).toList();
   }
 
   private static String clipboard() {
