@@ -220,6 +220,7 @@ public final class SimulatorWindow implements AutoCloseable {
     follow(pilot.install(scene)); // first: while it is on, its keys go before the window's
     follow(keys().install(scene));
     follow(ProjectorMode.install(scene, state));
+    pilot.keyboard().activeProperty().subscribe(this::giveKeysToDrone);
   }
 
   private KeyBindings keys() {
@@ -320,6 +321,13 @@ public final class SimulatorWindow implements AutoCloseable {
               log.clear();
               projector.restart();
             });
+  }
+
+  /** A button that was reached by keyboard would keep them. */
+  private void giveKeysToDrone(boolean flies) {
+    if (flies) {
+      world.requestFocus();
+    }
   }
 
   /** Leaves room to the scene. */

@@ -82,7 +82,6 @@ public final class DroneList extends VBox {
     allBack.setId("drones-reset");
     for (Button button : List.of(allOn, allOff, allBack)) {
       button.setMinWidth(USE_PREF_SIZE);
-      button.setFocusTraversable(false);
     }
     fold.setId("drones-fold");
     fold.getStyleClass().add("fold");

@@ -112,10 +112,8 @@ public final class GoalPanel extends VBox {
     onlyWithText(rules);
     again.setId("goal-again");
     again.setGraphic(new FontIcon(Feather.ROTATE_CCW));
-    again.setFocusTraversable(false);
     again.setMinWidth(USE_PREF_SIZE);
     fold.setId("goal-fold");
-    fold.setFocusTraversable(false);
     fold.getStyleClass().add("fold");
     for (int i = 0; i < challenge().goals().size(); i++) {
       rows.add(new GoalRow(i, challenge().goals().get(i), language));

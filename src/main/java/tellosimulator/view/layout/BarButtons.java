@@ -94,7 +94,6 @@ public final class BarButtons {
     button.getStyleClass().add(Styles.SMALL);
     Tooltips.install(button, messages.text(id + "-tip"));
     button.accessibleTextProperty().bind(messages.text(id + "-tip"));
-    button.setFocusTraversable(false); // the keys belong to the 3D scene
     if (button.getGraphic() != null) {
       button.setContentDisplay(ContentDisplay.GRAPHIC_ONLY);
     }

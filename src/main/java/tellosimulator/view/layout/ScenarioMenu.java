@@ -34,7 +34,6 @@ public final class ScenarioMenu extends MenuButton {
     scenario = context.scenario();
     actions = scenario.actions();
     setId("scenario-file");
-    setFocusTraversable(false);
     getStyleClass().addAll(Styles.BUTTON_ICON, Styles.FLAT, Styles.SMALL, Tweaks.NO_ARROW);
     Tooltips.install(this, messages.text("scenario-file-tip"));
     accessibleTextProperty().bind(messages.text("scenario-file"));

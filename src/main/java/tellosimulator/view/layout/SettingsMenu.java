@@ -15,6 +15,7 @@ import javafx.scene.control.ToggleGroup;
 import org.kordamp.ikonli.feather.Feather;
 import org.kordamp.ikonli.javafx.FontIcon;
 import tellosimulator.translation.PhraseCatalog;
+import tellosimulator.view.fx.Tooltips;
 import tellosimulator.view.text.Language;
 import tellosimulator.view.text.Messages;
 
@@ -27,7 +28,7 @@ final class SettingsMenu extends MenuButton {
     super("", new FontIcon(Feather.SETTINGS));
     messages = language.messages(SettingsMenu.class);
     setId("settings");
-    setFocusTraversable(false);
+    Tooltips.install(this, messages.text("settings"));
     accessibleTextProperty().bind(messages.text("settings"));
     getStyleClass().addAll(Styles.BUTTON_ICON, Styles.FLAT, Styles.SMALL, Tweaks.NO_ARROW);
     MenuItem about = new MenuItem();

@@ -160,7 +160,6 @@ final class LogToolbar extends HBox {
     search.setRight(clearSearch);
     clearSearch.setId("log-search-clear");
     clearSearch.getStyleClass().addAll(Styles.FLAT, "log-search-clear");
-    clearSearch.setFocusTraversable(false);
     matches.setId("log-matches");
     matches.getStyleClass().add("log-matches");
     initializeButton(timeStamps, "timestamps");

@@ -10,6 +10,7 @@ import javafx.collections.ObservableSet;
 import javafx.event.EventHandler;
 import javafx.scene.Node;
 import javafx.scene.Scene;
+import javafx.scene.control.Control;
 import javafx.scene.control.TextInputControl;
 import javafx.scene.input.KeyEvent;
 import javafx.stage.Window;
@@ -69,7 +70,7 @@ public final class KeyboardSteering {
     newScene.addEventFilter(KeyEvent.ANY, taking);
     Subscription listening = () -> newScene.removeEventFilter(KeyEvent.ANY, taking);
     return listening
-        .and(newScene.focusOwnerProperty().subscribe(owner -> releaseIfTyping()))
+        .and(newScene.focusOwnerProperty().subscribe(owner -> releaseIfElsewhere()))
         .and(
             newScene
                 .windowProperty()
@@ -93,7 +94,7 @@ public final class KeyboardSteering {
     boolean ours =
         active.get()
             && key.isPresent()
-            && !typing()
+            && !elsewhere()
             && !event.isControlDown()
             && !event.isAltDown()
             && !event.isMetaDown();
@@ -116,13 +117,22 @@ public final class KeyboardSteering {
     }
   }
 
-  private boolean typing() {
+  /**
+   * Whether keys are for something else: a text field, or a control that was reached by keyboard,
+   * which one sees. What was only clicked leaves them to the drone.
+   */
+  private boolean elsewhere() {
     Optional<Node> owner = scene.map(Scene::getFocusOwner);
-    return owner.filter(TextInputControl.class::isInstance).isPresent();
+    return owner.filter(KeyboardSteering::takesKeys).isPresent();
   }
 
-  private void releaseIfTyping() {
-    if (typing()) {
+  private static boolean takesKeys(Node owner) {
+    return owner instanceof TextInputControl
+        || (owner instanceof Control && owner.isFocusVisible());
+  }
+
+  private void releaseIfElsewhere() {
+    if (elsewhere()) {
       release();
     }
   }

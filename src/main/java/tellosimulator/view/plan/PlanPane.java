@@ -90,6 +90,8 @@ public final class PlanPane extends BorderPane {
   }
 
   private void initializeParts() {
+    view.accessibleTextProperty().bind(messages.text("accessible"));
+    view.accessibleHelpProperty().bind(messages.text("how-to"));
     status.setId("plan-status");
     status.getStyleClass().add("plan-status");
     status.setMaxWidth(Double.MAX_VALUE);
@@ -199,7 +201,6 @@ public final class PlanPane extends BorderPane {
     button.setId("plan-" + id);
     Tooltips.install(button, messages.text(id + "-tip"));
     button.accessibleTextProperty().bind(messages.text(id + "-tip"));
-    button.setFocusTraversable(false); // the keys belong to the plan
     button.setOnAction(
         pressed -> {
           action.run();

@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.IntFunction;
 import javafx.beans.value.ObservableValue;
+import javafx.scene.AccessibleRole;
 import javafx.scene.canvas.Canvas;
 import javafx.scene.layout.Region;
 import javafx.scene.paint.Color;
@@ -20,6 +21,10 @@ final class PlanView extends Region {
   private final PlanEditor editor;
   private final ObservableValue<String> front;
   private final Canvas canvas = new Canvas();
+
+  /** Lies around it while the keyboard is here. */
+  private final Region ring = new Region();
+
   private final PlanPainter painter;
   private PlanViewport scale;
   private Optional<MeasuredDistance> measured = Optional.empty();
@@ -43,7 +48,11 @@ final class PlanView extends Region {
     getStyleClass().add("plan");
     setMinSize(0, 0);
     setFocusTraversable(true);
-    getChildren().add(canvas);
+    setAccessibleRole(AccessibleRole.IMAGE_VIEW);
+    ring.getStyleClass().add("ring");
+    ring.setMouseTransparent(true);
+    ring.setManaged(false);
+    getChildren().addAll(canvas, ring);
     editor.planProperty().addListener((property, before, now) -> stale = true);
     editor.selectionProperty().addListener((property, before, now) -> stale = true);
     editor.problemProperty().addListener((property, before, now) -> stale = true);
@@ -108,6 +117,7 @@ final class PlanView extends Region {
 
   @Override
   protected void layoutChildren() {
+    ring.resizeRelocate(0, 0, getWidth(), getHeight());
     if (canvas.getWidth() != getWidth() || canvas.getHeight() != getHeight()) {
       canvas.setWidth(getWidth());
       canvas.setHeight(getHeight());

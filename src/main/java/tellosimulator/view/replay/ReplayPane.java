@@ -3,7 +3,6 @@ package tellosimulator.view.replay;
 import atlantafx.base.controls.Spacer;
 import javafx.beans.property.Property;
 import javafx.geometry.Orientation;
-import javafx.scene.control.Button;
 import javafx.scene.control.Separator;
 import javafx.scene.control.ToolBar;
 import javafx.scene.input.KeyCode;
@@ -63,8 +62,6 @@ final class ReplayPane extends BorderPane {
 
   private ToolBar bar(SceneContext context, Looks looks) {
     BarButtons buttons = new BarButtons(context.language());
-    Button theme = buttons.theme(looks.theme());
-    theme.setFocusTraversable(true); // there is no key for it
     ToolBar bar =
         new ToolBar(
             buttons.camera(world),
@@ -74,7 +71,7 @@ final class ReplayPane extends BorderPane {
             buttons.trail(world),
             buttons.goalLine(world, context.marks()),
             new Spacer(),
-            theme,
+            buttons.theme(looks.theme()),
             new Separator(Orientation.VERTICAL),
             buttons.fullScreen(looks.fullScreen()));
     bar.setId("replay-bar");

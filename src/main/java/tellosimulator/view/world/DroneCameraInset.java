@@ -246,7 +246,6 @@ final class DroneCameraInset extends StackPane {
   private static Button button(String id) {
     Button button = new Button();
     button.setId(id);
-    button.setFocusTraversable(false);
     button.setTooltip(new Tooltip());
     return button;
   }

@@ -15,6 +15,7 @@ import javafx.geometry.HPos;
 import javafx.geometry.Insets;
 import javafx.geometry.Rectangle2D;
 import javafx.geometry.VPos;
+import javafx.scene.AccessibleRole;
 import javafx.scene.Node;
 import javafx.scene.layout.Region;
 import tellosimulator.goal.Goal;
@@ -28,6 +29,7 @@ import tellosimulator.view.model.FxMarks;
 import tellosimulator.view.model.FxSimulation;
 import tellosimulator.view.model.Pulse;
 import tellosimulator.view.model.SceneContext;
+import tellosimulator.view.text.Messages;
 
 /**
  * The room with its drones in 3D, seen through one of two cameras; over it the inset with the
@@ -61,6 +63,10 @@ public final class Simulator3DScene extends Region {
   private final SelectionMark selection;
   private final FluencyWatch fluency = new FluencyWatch();
   private List<Region> covers = List.of();
+
+  /** Lies around all that nothing else covers while the keyboard is here. */
+  private final Region ring = new Region();
+
   private Optional<GhostFlight> ghost = Optional.empty();
 
   public Simulator3DScene(SceneContext context) {
@@ -79,7 +85,7 @@ public final class Simulator3DScene extends Region {
     wind = new WindArrow(context, camera);
     faults = new FaultTags(simulation.drones().size());
     selection = new SelectionMark(simulation);
-    initializeSelf();
+    initializeSelf(context);
     layoutParts();
     setupEventHandlers();
     setupBindings();
@@ -182,16 +188,23 @@ public final class Simulator3DScene extends Region {
     view.rest();
   }
 
-  private void initializeSelf() {
+  private void initializeSelf(SceneContext context) {
     setId("scene-3d");
     getStyleClass().add("scene-3d");
     getStylesheets().add(Simulator3DScene.class.getResource("world.css").toExternalForm());
     setMinSize(0, 0);
-    setFocusTraversable(false);
+    setFocusTraversable(true);
+    setAccessibleRole(AccessibleRole.IMAGE_VIEW);
+    Messages messages = context.language().messages(Simulator3DScene.class);
+    accessibleTextProperty().bind(messages.text("scene"));
+    accessibleHelpProperty().bind(messages.text("scene.help"));
+    ring.getStyleClass().add("ring");
+    ring.setMouseTransparent(true);
+    ring.setManaged(false);
   }
 
   private void layoutParts() {
-    getChildren().addAll(view.node(), faults, selection, wind, inset);
+    getChildren().addAll(view.node(), faults, selection, wind, inset, ring);
   }
 
   private void setupEventHandlers() {
@@ -297,6 +310,12 @@ public final class Simulator3DScene extends Region {
     layOutView();
     layOut(inset, HPos.RIGHT, VPos.TOP);
     layOut(wind, HPos.LEFT, VPos.BOTTOM);
+    Insets covered = getInsets();
+    ring.resizeRelocate(
+        covered.getLeft(),
+        covered.getTop(),
+        getWidth() - covered.getLeft() - covered.getRight(),
+        getHeight() - covered.getTop() - covered.getBottom());
   }
 
   /**

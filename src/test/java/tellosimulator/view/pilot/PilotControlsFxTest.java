@@ -77,6 +77,20 @@ class PilotControlsFxTest {
   }
 
   @Test
+  void keysFlyUnlessAControlWasReachedByKeyboard(FxRobot robot) throws TimeoutException {
+    window.carryOut(new Control.Power(1, true));
+    robot.clickOn("#keyboard-flight");
+    robot.press(KeyCode.W);
+    await(() -> window.commands().contains("rc 0 60 0 0"));
+    robot.release(KeyCode.W);
+    await(() -> window.commands().contains("rc 0 0 0 0"));
+
+    robot.type(KeyCode.TAB).press(KeyCode.S);
+    assertThat(controls.keyboard().pressed()).isEmpty();
+    robot.release(KeyCode.S);
+  }
+
+  @Test
   void theDemoButtonSwitchesOnFliesAndStops(FxRobot robot) throws TimeoutException {
     robot.clickOn("#demo-flight");
     await(() -> window.commands().contains("up 90"));

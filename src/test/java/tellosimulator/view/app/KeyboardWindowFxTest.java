@@ -1,0 +1,136 @@
+package tellosimulator.view.app;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static tellosimulator.view.testing.WindowFixture.onFxThread;
+
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Set;
+import javafx.scene.Node;
+import javafx.scene.Parent;
+import javafx.scene.control.ButtonBase;
+import javafx.scene.control.Control;
+import javafx.scene.control.Labeled;
+import javafx.scene.control.ScrollPane;
+import javafx.scene.control.ToolBar;
+import javafx.scene.input.KeyCode;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.testfx.api.FxRobot;
+import tellosimulator.math.Vec3;
+import tellosimulator.sim.SimConfig;
+import tellosimulator.sim.Swarm;
+import tellosimulator.world.Room;
+
+/** Everything in the window can be reached, and is named for those who hear it. */
+class KeyboardWindowFxTest {
+
+  /** More than there are things to reach. */
+  private static final int TURNS = 150;
+
+  private final FxRobot robot = new FxRobot();
+  @TempDir private Path folder;
+  private WholeWindow window;
+
+  @BeforeEach
+  void open() {
+    window =
+        WholeWindow.open(
+            SimConfig.DEFAULT.withRoom(Room.DEFAULT, Swarm.row(2, Vec3.ZERO, Room.DEFAULT)),
+            folder.resolve("settings"));
+  }
+
+  @AfterEach
+  void close() {
+    window.close();
+  }
+
+  @Test
+  void eachControlIsReachedByTabAndHasAName() {
+    assertReachableAndNamed();
+  }
+
+  @Test
+  void eachControlOfThePlanIsReachedByTabAndHasAName() {
+    robot.type(KeyCode.F10);
+
+    assertReachableAndNamed();
+    assertThat(controls()).extracting(Node::getId).contains("plan-add-box", "plan-leave");
+  }
+
+  @Test
+  void theSceneIsOneStop() {
+    assertThat(owner()).isEqualTo(window.scene());
+    assertThat(window.scene().getAccessibleText()).startsWith("The room");
+
+    robot.type(KeyCode.TAB);
+    assertThat(owner()).isNotEqualTo(window.scene());
+    robot.press(KeyCode.SHIFT).type(KeyCode.TAB).release(KeyCode.SHIFT);
+    assertThat(owner()).isEqualTo(window.scene());
+  }
+
+  @Test
+  void whoSwitchesKeyboardFlightOnByKeyboardCanFly() {
+    window.change(() -> window.find("keyboard-flight").requestFocus());
+
+    robot.type(KeyCode.SPACE);
+
+    assertThat(owner()).isEqualTo(window.scene());
+  }
+
+  private void assertReachableAndNamed() {
+    List<Node> controls = controls();
+    assertThat(controls).hasSizeGreaterThan(15).filteredOn(node -> name(node).isBlank()).isEmpty();
+    Set<Node> reached = new LinkedHashSet<>();
+    for (int i = 0; i < TURNS; i++) {
+      robot.type(KeyCode.TAB);
+      reached.add(owner());
+    }
+    assertThat(reached).containsAll(controls);
+    assertThat(reached).filteredOn(node -> name(node).isBlank()).isEmpty();
+  }
+
+  private Node owner() {
+    return onFxThread(() -> window.stage().getScene().getFocusOwner());
+  }
+
+  /** What one can use now, outside of lists. */
+  private List<Node> controls() {
+    return onFxThread(
+        () -> {
+          List<Node> found = new ArrayList<>();
+          collect(window.stage().getScene().getRoot(), found);
+          return found;
+        });
+  }
+
+  private static void collect(Node node, List<Node> found) {
+    if (!node.isVisible() || node.isDisabled()) {
+      return;
+    }
+    boolean holder = node instanceof ScrollPane || node instanceof ToolBar;
+    boolean passive = node instanceof Labeled && !node.isFocusTraversable() && !presses(node);
+    if (node instanceof Control && !holder && !passive) {
+      if (presses(node) || node.isFocusTraversable()) {
+        found.add(node);
+      }
+    } else if (node instanceof Parent parent) {
+      parent.getChildrenUnmodifiable().forEach(child -> collect(child, found));
+    }
+  }
+
+  private static boolean presses(Node node) {
+    return node instanceof ButtonBase;
+  }
+
+  private static String name(Node node) {
+    if (node.getAccessibleText() != null) {
+      return node.getAccessibleText();
+    }
+    return node instanceof Labeled labeled && labeled.getText() != null ? labeled.getText() : "";
+  }
+}
