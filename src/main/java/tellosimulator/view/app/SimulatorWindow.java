@@ -34,6 +34,7 @@ import tellosimulator.view.layout.PageOverlay;
 import tellosimulator.view.layout.QuestionPage.Question;
 import tellosimulator.view.layout.SimulatorPane;
 import tellosimulator.view.layout.WindowBar;
+import tellosimulator.view.layout.WindowCommands;
 import tellosimulator.view.layout.WindowKey;
 import tellosimulator.view.layout.WindowState;
 import tellosimulator.view.log.LogLevel;
@@ -218,7 +219,11 @@ public final class SimulatorWindow implements AutoCloseable {
 
   private void setupKeys() {
     follow(pilot.install(scene)); // first: while it is on, its keys go before the window's
-    follow(keys().install(scene));
+    KeyBindings keys = keys();
+    WindowCommands commands = new WindowCommands(context, state, keys);
+    keys.on(WindowKey.COMMANDS, () -> pages.togglePalette(commands));
+    bar.addMenu(context.language(), commands);
+    follow(keys.install(scene));
     follow(ProjectorMode.install(scene, state));
     pilot.keyboard().activeProperty().subscribe(this::giveKeysToDrone);
   }

@@ -53,7 +53,6 @@ final class CameraMenu extends MenuButton {
     this.scene = scene;
     this.view = scene.camera().viewProperty();
     setId("camera");
-    setFocusTraversable(false); // the keys belong to the 3D scene
     getStyleClass().addAll(Styles.FLAT, Styles.SMALL);
     Tooltips.install(this, messages.text("camera-tip"));
     StringBinding name = messages.text(OWN);

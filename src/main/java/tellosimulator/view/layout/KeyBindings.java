@@ -1,5 +1,6 @@
 package tellosimulator.view.layout;
 
+import java.util.Collections;
 import java.util.EnumMap;
 import java.util.EnumSet;
 import java.util.Map;
@@ -30,6 +31,11 @@ public final class KeyBindings {
   public KeyBindings on(WindowKey key, Runnable action) {
     actions.put(key, action);
     return this;
+  }
+
+  /** What keys do, in the order of the keys. */
+  Map<WindowKey, Runnable> actions() {
+    return Collections.unmodifiableMap(actions);
   }
 
   /** Listens to the keys of a scene until the subscription ends. */

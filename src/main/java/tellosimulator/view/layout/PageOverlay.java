@@ -4,6 +4,7 @@ import atlantafx.base.controls.ModalPane;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Function;
+import java.util.function.Supplier;
 import javafx.scene.Node;
 import javafx.scene.layout.StackPane;
 import tellosimulator.view.gallery.GalleryPane;
@@ -11,9 +12,10 @@ import tellosimulator.view.model.ViewContext;
 import tellosimulator.view.text.Language;
 
 /**
- * The pages that lie over the window: help, about, the gallery, questions, and what is wrong with a
- * scenario. Lies over everything else in the window's root, and is not there while no page is open.
- * Closed by Esc, by a click beside the page, or by the page's button. For the JavaFX thread.
+ * The pages that lie over the window: help, about, the gallery, questions, what is wrong with a
+ * scenario, and the palette of commands. Lies over everything else in the window's root, and is not
+ * there while no page is open. Closed by Esc, by a click beside the page, or by the page's button.
+ * For the JavaFX thread.
  */
 public final class PageOverlay extends StackPane {
 
@@ -38,6 +40,17 @@ public final class PageOverlay extends StackPane {
       HelpPage help = new HelpPage(context); // made only now, because the window shall open fast
       help.refresh();
       show(help);
+    }
+  }
+
+  /** Opens the palette of commands, or closes it if it is open. */
+  public void togglePalette(WindowCommands commands) {
+    if (pane.isDisplay() && pane.getContent() instanceof CommandPalette) {
+      pane.hide(true);
+    } else if (!asks()) {
+      CommandPalette palette =
+          new CommandPalette(context.language(), commands, () -> pane.hide(true));
+      open(palette, palette::field);
     }
   }
 
@@ -84,12 +97,16 @@ public final class PageOverlay extends StackPane {
   }
 
   private void open(Page page) {
+    open(page, page::firstFocus);
+  }
+
+  private void open(Node page, Supplier<Node> focused) {
     if (!pane.isDisplay()) {
       focusedBefore = Optional.ofNullable(getScene().getFocusOwner());
     }
     pane.show(page);
     page.applyCss(); // or what a scroll pane holds would not be in the scene yet
-    page.firstFocus().requestFocus();
+    focused.get().requestFocus();
   }
 
   private void initializeSelf() {

@@ -7,6 +7,7 @@ import javafx.scene.control.ToggleButton;
 import javafx.scene.control.ToolBar;
 import org.kordamp.ikonli.feather.Feather;
 import tellosimulator.view.model.ViewContext;
+import tellosimulator.view.text.Language;
 import tellosimulator.view.world.Simulator3DScene;
 
 /** The bar at the top: from where one looks, how one flies, and how the window looks. */
@@ -51,6 +52,11 @@ public final class WindowBar extends ToolBar {
   /** The menu of files. */
   public ScenarioMenu scenarios() {
     return scenarios;
+  }
+
+  /** Adds a menu of all commands. */
+  public void addMenu(Language language, WindowCommands commands) {
+    getItems().add(0, new CommandMenu(language, commands));
   }
 
   private ToggleButton drones(ViewContext context) {

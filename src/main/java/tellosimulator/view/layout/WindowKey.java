@@ -44,6 +44,7 @@ public enum WindowKey {
   AGAIN(KeyCombination.SHORTCUT_DOWN, KeyCode.N),
   NEXT_GROUP(KeyCode.N, KeyCombination.SHORTCUT_DOWN, KeyCombination.SHIFT_DOWN),
   SEARCH_LOG(KeyCombination.SHORTCUT_DOWN, KeyCode.F),
+  COMMANDS(KeyCombination.SHORTCUT_DOWN, KeyCode.K),
   QUIT(KeyCombination.SHORTCUT_DOWN, KeyCode.Q);
 
   private final boolean withShortcut;

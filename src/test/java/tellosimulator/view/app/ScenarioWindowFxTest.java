@@ -92,6 +92,13 @@ class ScenarioWindowFxTest {
   }
 
   @Test
+  void thePaletteOpensAScenarioByItsName() {
+    robot.push(KeyCode.CONTROL, KeyCode.K).write("slalom").type(KeyCode.ENTER);
+
+    waitUntil(() -> window.label("scenario-name").equals("Slalom"));
+  }
+
+  @Test
   void aScenarioThatAsksAndSaysNothingHasNoCard() throws IOException {
     Files.writeString(file, "name: Bare\ndrones:\n  - {start: [0, 0], state-port: 9}\n");
 

@@ -175,6 +175,7 @@ class PageOverlayFxTest {
         "RELOAD_SCENARIO",
         "AGAIN",
         "SEARCH_LOG",
+        "COMMANDS",
         "QUIT",
         "PROJECTOR",
         "NEXT_GROUP",
@@ -191,7 +192,7 @@ class PageOverlayFxTest {
   @Test
   void keysWithControlAct(FxRobot robot) {
     robot.press(KeyCode.CONTROL);
-    robot.type(KeyCode.O, KeyCode.S, KeyCode.R, KeyCode.N, KeyCode.F);
+    robot.type(KeyCode.O, KeyCode.S, KeyCode.R, KeyCode.N, KeyCode.F, KeyCode.K);
     robot.press(KeyCode.SHIFT).type(KeyCode.S, KeyCode.N).release(KeyCode.SHIFT);
     robot.release(KeyCode.CONTROL).type(KeyCode.HOME);
 
@@ -202,6 +203,7 @@ class PageOverlayFxTest {
             WindowKey.RELOAD_SCENARIO,
             WindowKey.AGAIN,
             WindowKey.SEARCH_LOG,
+            WindowKey.COMMANDS,
             WindowKey.SAVE_SCENARIO_AS,
             WindowKey.NEXT_GROUP,
             WindowKey.FIT);
