@@ -21,6 +21,9 @@ final class LiveChart extends Region {
   private static final double TITLE_HEIGHT = 16;
   private static final double AXIS_HEIGHT = 15;
 
+  /** A lower chart has no axis, but more of the curve [px]. Decided. */
+  private static final double LEAST_WITH_AXIS = 80;
+
   private final Label title = new Label();
   private final Label highest = new Label();
   private final Label oldest = new Label();
@@ -119,7 +122,10 @@ final class LiveChart extends Region {
   @Override
   protected void layoutChildren() {
     double width = getWidth();
-    double bottom = getHeight() - AXIS_HEIGHT;
+    boolean axis = getHeight() >= LEAST_WITH_AXIS;
+    oldest.setVisible(axis);
+    newest.setVisible(axis);
+    double bottom = getHeight() - (axis ? AXIS_HEIGHT : 0);
     plot.setY(TITLE_HEIGHT);
     plot.setWidth(width);
     plot.setHeight(Math.max(4, bottom - TITLE_HEIGHT));

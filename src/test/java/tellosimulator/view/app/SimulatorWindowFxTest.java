@@ -208,7 +208,7 @@ class SimulatorWindowFxTest {
     assertThat(window.shows("simulator-controls")).isTrue();
     assertThat(selected("show-trail")).isFalse();
     assertThat(selected("log-timestamps")).isFalse();
-    assertThat(window.text("reset")).isEqualTo("Zurücksetzen");
+    assertThat(window.text("reset")).isEqualTo("Drohne zurück");
     assertThat(window.state().logHeightProperty().get()).isEqualTo(logHeight).isGreaterThan(200);
   }
 

@@ -73,7 +73,7 @@ class TranslatedWindowFxTest {
     window.choose("language", "language-de");
 
     assertThat(window.text("camera")).isEqualTo("Startansicht");
-    assertThat(window.text("reset")).isEqualTo("Zurücksetzen");
+    assertThat(window.text("reset")).isEqualTo("Drohne zurück");
     assertThat(window.text("power")).isEqualTo("Drohne einschalten");
     assertThat(window.text("demo-flight")).isEqualTo("Demoflug");
     assertThat(window.text("log-clear")).isEqualTo("Leeren");

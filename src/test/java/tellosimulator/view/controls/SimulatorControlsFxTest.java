@@ -188,7 +188,7 @@ class SimulatorControlsFxTest {
     window.speak(Locale.GERMAN);
 
     assertThat(window.sentence("#room-width-value-error")).isEqualTo("Nur von 100 bis 20000.");
-    assertThat(window.text("#reset")).isEqualTo("Zurücksetzen");
+    assertThat(window.text("#reset")).isEqualTo("Drohne zurück");
     assertThat(window.text("#phase")).isEqualTo("aus");
   }
 
