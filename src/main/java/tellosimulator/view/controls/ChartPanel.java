@@ -88,8 +88,7 @@ final class ChartPanel extends Card {
     History shown = histories.get(simulation.selected());
     long period = simulation.period(PERIOD_NANOS);
     boolean due = nanos / period != drawnNanos / period; // with others in the same frame
-    boolean drawn =
-        shown.newest() == drawnSeconds && drawnDrone == simulation.selected().number();
+    boolean drawn = shown.newest() == drawnSeconds && drawnDrone == simulation.selected().number();
     if (due && isOpen() && !drawn) {
       drawnNanos = nanos;
       drawnDrone = simulation.selected().number();

@@ -13,8 +13,8 @@ import tellosimulator.view.settings.Settings;
 
 /**
  * A panel at a side of the window: parts below each other, of which some are {@link Card}s. Where
- * there is no room for all of them, it folds as many cards as it must, the least used first; who has
- * opened a card keeps it, and scrolls. For the JavaFX thread.
+ * there is no room for all of them, it folds as many cards as it must, the least used first; who
+ * has opened a card keeps it, and scrolls. For the JavaFX thread.
  */
 public abstract class ControlPanel extends ScrollPane {
 

@@ -8,8 +8,8 @@ import tellosimulator.view.model.FxDroneModel;
 public final class DroneColors {
 
   /**
-   * Relative luminance above which black letters have more contrast than white ones: where 1.05 / (L
-   * + 0.05) is (L + 0.05) / 0.05. Documented: WCAG 2.1.
+   * Relative luminance above which black letters have more contrast than white ones: where 1.05 /
+   * (L + 0.05) is (L + 0.05) / 0.05. Documented: WCAG 2.1.
    */
   private static final double BRIGHT = Math.sqrt(1.05 * 0.05) - 0.05;
 

@@ -5,7 +5,7 @@
  * tellosimulator.view.fx.FxFrames} convert meshes, textures and poses; {@link
  * tellosimulator.view.fx.ScreenPixels} shows pixels that somebody else draws. Meshes and textures
  * can be converted on any thread. {@link tellosimulator.view.fx.CommonStyles} and {@link
- * tellosimulator.view.fx.Tooltips} are what windows look like everywhere. What is converted comes from {@code scenery} and {@code math};
- * where it is shown is not its job.
+ * tellosimulator.view.fx.Tooltips} are what windows look like everywhere. What is converted comes
+ * from {@code scenery} and {@code math}; where it is shown is not its job.
  */
 package tellosimulator.view.fx;

@@ -13,8 +13,8 @@ import tellosimulator.view.text.Language;
 import tellosimulator.view.text.Messages;
 
 /**
- * A field in which one types what the window shall do, and below it what fits; Enter or a click does
- * it. For the JavaFX thread.
+ * A field in which one types what the window shall do, and below it what fits; Enter or a click
+ * does it. For the JavaFX thread.
  */
 final class CommandPalette extends VBox {
 

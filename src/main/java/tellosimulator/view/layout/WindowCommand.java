@@ -71,8 +71,7 @@ record WindowCommand(
    * @return empty if one of the words is nowhere in it
    */
   Optional<Integer> rank(String groupTitle, String... words) {
-    String text =
-        String.join(" ", title.getValue(), aliases, groupTitle).toLowerCase(Locale.ROOT);
+    String text = String.join(" ", title.getValue(), aliases, groupTitle).toLowerCase(Locale.ROOT);
     String spaced = " " + text.replaceAll("[^\\p{L}\\p{N}.,%]+", " ") + " ";
     int rank = 0;
     for (String word : words) {

@@ -64,8 +64,7 @@ final class LogFormat {
 
   /** A row as a sentence, for those who hear it. */
   String spoken(LogRow row) {
-    return String.join(
-            " ", drone(row.first()), words(row), reply(row), duration(row), reason(row))
+    return String.join(" ", drone(row.first()), words(row), reply(row), duration(row), reason(row))
         .strip();
   }
 

@@ -18,8 +18,8 @@ import tellosimulator.command.Peer;
 
 /**
  * The newest rows of the log, and those of them that pass a filter of level, drone and text. Lines
- * about one command are one row. A line that is added or falls out costs the same however many there
- * are. For the JavaFX thread.
+ * about one command are one row. A line that is added or falls out costs the same however many
+ * there are. For the JavaFX thread.
  */
 final class LogModel {
 
@@ -128,8 +128,7 @@ final class LogModel {
     LogRow.Arrival arrival = new LogRow.Arrival(arrived++, line);
     Optional<Key> key = line.exchange().map(exchange -> Key.of(line, exchange));
     boolean begins = line.exchange().filter(LogLine.Exchange::open).isPresent();
-    Optional<Long> answered =
-        begins ? Optional.empty() : key.map(open::get).map(Deque::pollLast);
+    Optional<Long> answered = begins ? Optional.empty() : key.map(open::get).map(Deque::pollLast);
     if (answered.isPresent()) {
       forget(key.get());
       int index = index(answered.get());
@@ -225,7 +224,8 @@ final class LogModel {
     LogLine line = oldest.first();
     line.exchange()
         .map(exchange -> Key.of(line, exchange))
-        .filter(key -> open.containsKey(key) && open.get(key).removeFirstOccurrence(oldest.number()))
+        .filter(
+            key -> open.containsKey(key) && open.get(key).removeFirstOccurrence(oldest.number()))
         .ifPresent(this::forget);
     return oldest;
   }

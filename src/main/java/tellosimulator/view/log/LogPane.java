@@ -71,15 +71,12 @@ public final class LogPane extends VBox {
         new LogToolbar(
             language,
             drones,
-            new LogToolbar.Actions(
-                this::clear, this::copy, this::chooseFile, () -> fold(true)),
+            new LogToolbar.Actions(this::clear, this::copy, this::chooseFile, () -> fold(true)),
             Bindings.size(model.shown()));
     this.details = new LogDetails(text, model, messages);
     this.newest =
         new FoldedLog(
-            messages,
-            new LogRowView(text, toolbar.timeStampsProperty()),
-            () -> fold(false));
+            messages, new LogRowView(text, toolbar.timeStampsProperty()), () -> fold(false));
     initializeSelf();
     initializeParts();
     layoutParts();

@@ -9,9 +9,9 @@ import javafx.scene.layout.Priority;
 import org.kordamp.ikonli.javafx.FontIcon;
 
 /**
- * Shows a row of the log in one line: level, time, drone, and what happened; of a command its reply,
- * how long it took, and why it was refused. What is cut off is whole in its tooltip. For the JavaFX
- * thread.
+ * Shows a row of the log in one line: level, time, drone, and what happened; of a command its
+ * reply, how long it took, and why it was refused. What is cut off is whole in its tooltip. For the
+ * JavaFX thread.
  */
 final class LogRowView extends HBox {
 

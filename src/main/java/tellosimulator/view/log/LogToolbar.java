@@ -189,7 +189,8 @@ final class LogToolbar extends HBox {
   }
 
   private void layoutParts() {
-    for (Node fixed : new Node[] {level, drone, report, timeStamps, autoscroll, copy, save, clear, fold}) {
+    for (Node fixed :
+        new Node[] {level, drone, report, timeStamps, autoscroll, copy, save, clear, fold}) {
       ((Region) fixed).setMinWidth(USE_PREF_SIZE);
     }
     getChildren()

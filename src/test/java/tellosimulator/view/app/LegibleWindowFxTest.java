@@ -100,7 +100,8 @@ class LegibleWindowFxTest {
 
     robot.type(KeyCode.TAB);
 
-    Border ring = onFxThread(() -> ((Region) window.stage().getScene().getFocusOwner()).getBorder());
+    Border ring =
+        onFxThread(() -> ((Region) window.stage().getScene().getFocusOwner()).getBorder());
     assertThat(ring.getStrokes()).singleElement();
     assertThat(ring.getStrokes().get(0).getWidths().getTop()).isEqualTo(2);
     assertThat(ring.getInsets().getTop()).as("nothing moves").isZero();
@@ -111,7 +112,8 @@ class LegibleWindowFxTest {
 
   @Test
   void whatTheMouseIsOverHasALine() {
-    for (String over : List.of("power", "help", "show-log", "time-factor", "log-search", "demo-flight")) {
+    for (String over :
+        List.of("power", "help", "show-log", "time-factor", "log-search", "demo-flight")) {
       robot.moveTo("#" + over);
       assertThat(border(over)).as(over).isNotNull();
       assertThat(border(over).getInsets().getTop()).as("nothing moves").isZero();
@@ -204,8 +206,7 @@ class LegibleWindowFxTest {
         counts.merge(pixels.getArgb(x, y), 1, Integer::sum);
       }
     }
-    int argb =
-        counts.entrySet().stream().max(Map.Entry.comparingByValue()).orElseThrow().getKey();
+    int argb = counts.entrySet().stream().max(Map.Entry.comparingByValue()).orElseThrow().getKey();
     return Color.rgb(argb >> 16 & 0xff, argb >> 8 & 0xff, argb & 0xff);
   }
 

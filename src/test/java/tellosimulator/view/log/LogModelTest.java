@@ -133,8 +133,7 @@ class LogModelTest {
     model.append(List.of(received(1, "takeoff"), received(2, "takeoff")));
     model.append(List.of(line(LogLevel.INFO, "took off"), answered(2, 3, "takeoff")));
 
-    assertThat(words())
-        .containsExactly("takeoff", "takeoff | takeoff: ok", "took off");
+    assertThat(words()).containsExactly("takeoff", "takeoff | takeoff: ok", "took off");
     assertThat(model.shown().get(1).duration()).hasValue(3);
     assertThat(model.shown().get(0).outcome()).isEmpty();
     assertThat(model.lines().stream().map(line -> line.words(language)))

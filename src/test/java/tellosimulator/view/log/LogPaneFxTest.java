@@ -128,8 +128,7 @@ class LogPaneFxTest {
     assertThat(textOf(cell(1), ".log-words")).isEqualTo("takeoff");
     assertThat(textOf(cell(1), ".log-reply")).isEqualTo("…");
 
-    happens(
-        new SimEvent.ReplySent(new SimTime(5_250_000_000L), 1, peer(), "takeoff", Reply.OK));
+    happens(new SimEvent.ReplySent(new SimTime(5_250_000_000L), 1, peer(), "takeoff", Reply.OK));
 
     assertThat(shown()).as("a greeting and the command").hasSize(2);
     assertThat(textOf(cell(1), ".log-reply")).isEqualTo("ok");
