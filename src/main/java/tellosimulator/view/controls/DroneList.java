@@ -28,7 +28,7 @@ import tellosimulator.view.text.Messages;
 public final class DroneList extends VBox {
 
   /** Width of the list [px]. Decided: the longest address. */
-  private static final double WIDTH = 316;
+  private static final double WIDTH = 336;
 
   private static final double ROW_HEIGHT = 24;
 
@@ -77,6 +77,7 @@ public final class DroneList extends VBox {
     int count = simulation.drones().size();
     heading.getStyleClass().add("heading");
     heading.setId("drones-heading");
+    heading.setMinWidth(USE_PREF_SIZE);
     allOn.setId("drones-on");
     allOff.setId("drones-off");
     allBack.setId("drones-reset");

@@ -36,7 +36,7 @@ public final class NetworkControls extends ControlPanel {
     WindPanel wind = new WindPanel(context);
     FaultPanel faults = new FaultPanel(context);
     layoutPanel(power, link, ports, product, time, wind, faults);
-    foldInOrder(faults, wind, product, ports, time);
+    foldInOrder(faults, wind, product, time, ports);
     setupBindings();
     context.pulse().onBeat(this::beat);
   }

@@ -2,8 +2,10 @@ package tellosimulator.view.controls;
 
 import atlantafx.base.theme.Styles;
 import java.util.List;
+import java.util.Optional;
 import java.util.function.Consumer;
 import javafx.beans.value.ObservableValue;
+import javafx.scene.control.Toggle;
 import javafx.scene.control.ToggleButton;
 import javafx.scene.control.ToggleGroup;
 import javafx.scene.layout.HBox;
@@ -30,6 +32,7 @@ final class SegmentedButton<T> extends HBox {
   private final Consumer<T> taker;
   private final List<Option<T>> options;
   private final List<ToggleButton> buttons;
+  private Optional<T> shown = Optional.empty();
 
   /**
    * @param taker gets what a person chooses
@@ -40,6 +43,7 @@ final class SegmentedButton<T> extends HBox {
     this.buttons = this.options.stream().map(option -> button(id, option)).toList();
     setId(id);
     layoutParts();
+    group.selectedToggleProperty().addListener((property, before, now) -> take(now));
   }
 
   private void layoutParts() {
@@ -60,19 +64,25 @@ final class SegmentedButton<T> extends HBox {
     button.setMaxWidth(Double.MAX_VALUE);
     HBox.setHgrow(button, Priority.ALWAYS);
     Tooltips.install(button, option.hint());
-    button.setOnAction(
-        pressed -> {
-          if (button.isSelected()) {
-            taker.accept(option.value());
-          } else {
-            button.setSelected(true); // one of them is always pressed
-          }
-        });
+    button.setOnAction(pressed -> button.setSelected(true)); // one of them is always pressed
     return button;
+  }
+
+  /** By click or by arrow key, which fires no action. */
+  private void take(Toggle pressed) {
+    int index = buttons.indexOf(pressed);
+    if (index >= 0) {
+      T value = options.get(index).value();
+      if (!shown.equals(Optional.of(value))) {
+        shown = Optional.of(value);
+        taker.accept(value);
+      }
+    }
   }
 
   /** Presses the button of what holds now. */
   void show(T value) {
+    shown = Optional.of(value);
     for (int i = 0; i < buttons.size(); i++) {
       if (options.get(i).value().equals(value)) {
         buttons.get(i).setSelected(true);

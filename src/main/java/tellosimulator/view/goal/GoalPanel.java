@@ -37,7 +37,7 @@ import tellosimulator.view.text.Messages;
 public final class GoalPanel extends VBox {
 
   /** Width of the panel [px]. Decided: that of the list of drones. */
-  private static final double WIDTH = 316;
+  private static final double WIDTH = 336;
 
   private static final PseudoClass REACHED = PseudoClass.getPseudoClass("reached");
   private static final PseudoClass FAILED = PseudoClass.getPseudoClass("failed");

@@ -1,5 +1,6 @@
 package tellosimulator.view.layout;
 
+import javafx.application.Platform;
 import javafx.scene.control.Label;
 import javafx.scene.control.ListCell;
 import javafx.scene.control.ListView;
@@ -65,11 +66,21 @@ final class CommandPalette extends VBox {
     list.accessibleTextProperty().bind(messages.text("key-commands"));
     list.setCellFactory(view -> new CommandCell());
     list.setPlaceholder(messages.label("commands-none"));
-    getChildren().addAll(field, list, messages.label("commands-examples", "muted"));
+    Label examples = messages.label("commands-examples", "muted");
+    examples.setWrapText(true);
+    getChildren().addAll(field, list, examples);
   }
 
   private void setupEventHandlers() {
     field.textProperty().addListener((property, before, now) -> search());
+    field
+        .focusedProperty()
+        .subscribe(
+            focused -> {
+              if (focused) {
+                Platform.runLater(field::end); // or what was typed already would be selected
+              }
+            });
     addEventFilter(KeyEvent.KEY_PRESSED, this::press);
     list.addEventHandler(
         MouseEvent.MOUSE_CLICKED,

@@ -144,6 +144,7 @@ final class LogToolbar extends HBox {
   private void initializeSelf() {
     getStyleClass().add("log-toolbar");
     setAlignment(Pos.CENTER_LEFT);
+    setMinWidth(0); // or words would keep the window wide, and never become icons
   }
 
   private void initializeParts() {
@@ -190,7 +191,7 @@ final class LogToolbar extends HBox {
 
   private void layoutParts() {
     for (Node fixed :
-        new Node[] {level, drone, report, timeStamps, autoscroll, copy, save, clear, fold}) {
+        new Node[] {title, level, drone, report, timeStamps, autoscroll, copy, save, clear, fold}) {
       ((Region) fixed).setMinWidth(USE_PREF_SIZE);
     }
     getChildren()

@@ -14,6 +14,7 @@ import javafx.scene.control.ButtonBase;
 import javafx.scene.control.Control;
 import javafx.scene.control.Labeled;
 import javafx.scene.control.ScrollPane;
+import javafx.scene.control.ToggleButton;
 import javafx.scene.control.ToolBar;
 import javafx.scene.input.KeyCode;
 import org.junit.jupiter.api.AfterEach;
@@ -22,6 +23,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.testfx.api.FxRobot;
 import tellosimulator.math.Vec3;
+import tellosimulator.profile.Profile;
 import tellosimulator.sim.SimConfig;
 import tellosimulator.sim.Swarm;
 import tellosimulator.world.Room;
@@ -82,6 +84,16 @@ class KeyboardWindowFxTest {
     assertThat(owner()).isEqualTo(window.scene());
   }
 
+  @Test
+  void arrowKeysChooseInAGroup() {
+    window.change(() -> window.find("profile-edu").requestFocus());
+
+    robot.type(KeyCode.RIGHT);
+
+    assertThat(owner().getId()).isEqualTo("profile-tello");
+    assertThat(window.snapshot().drones().get(0).product().profile()).isEqualTo(Profile.TELLO);
+  }
+
   private void assertReachableAndNamed() {
     List<Node> controls = controls();
     assertThat(controls).hasSizeGreaterThan(15).filteredOn(node -> name(node).isBlank()).isEmpty();
@@ -115,7 +127,7 @@ class KeyboardWindowFxTest {
     boolean holder = node instanceof ScrollPane || node instanceof ToolBar;
     boolean passive = node instanceof Labeled && !node.isFocusTraversable() && !presses(node);
     if (node instanceof Control && !holder && !passive) {
-      if (presses(node) || node.isFocusTraversable()) {
+      if (presses(node) || (node.isFocusTraversable() && !isAside(node))) {
         found.add(node);
       }
     } else if (node instanceof Parent parent) {
@@ -124,7 +136,14 @@ class KeyboardWindowFxTest {
   }
 
   private static boolean presses(Node node) {
-    return node instanceof ButtonBase;
+    return node instanceof ButtonBase && !isAside(node);
+  }
+
+  /** Whether arrow keys go to it from the chosen one of its group. */
+  private static boolean isAside(Node node) {
+    return node instanceof ToggleButton button
+        && button.getToggleGroup() != null
+        && !button.isSelected();
   }
 
   private static String name(Node node) {

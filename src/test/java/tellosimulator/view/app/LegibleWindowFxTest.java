@@ -14,6 +14,8 @@ import java.util.Optional;
 import javafx.geometry.Bounds;
 import javafx.scene.Node;
 import javafx.scene.Parent;
+import javafx.scene.control.ScrollPane;
+import javafx.scene.control.ToggleButton;
 import javafx.scene.image.PixelReader;
 import javafx.scene.image.WritableImage;
 import javafx.scene.input.KeyCode;
@@ -63,7 +65,6 @@ class LegibleWindowFxTest {
         WholeWindow.open(
             SimConfig.DEFAULT.withRoom(Room.DEFAULT, Swarm.row(3, Vec3.ZERO, Room.DEFAULT)),
             folder.resolve("settings"));
-    window.change(() -> window.stage().setHeight(1400));
   }
 
   @AfterEach
@@ -75,7 +76,11 @@ class LegibleWindowFxTest {
   @EnumSource(Theme.class)
   void eachTextIsLargeEnoughAndHasContrast(Theme theme) {
     window.change(() -> window.state().themeProperty().set(theme));
+    window.change(this::unfold);
     assertThat(illegible("simulator-pane")).as("while all is off").isEmpty();
+    window.change(() -> window.find("network-controls", ScrollPane.class).setVvalue(1));
+    window.change(() -> window.find("simulator-controls", ScrollPane.class).setVvalue(1));
+    assertThat(illegible("simulator-pane")).as("the rest of the panels").isEmpty();
 
     window.switchOn();
     assertThat(window.fly("command", "flip f")).startsWith("error");
@@ -102,7 +107,7 @@ class LegibleWindowFxTest {
 
     Border ring =
         onFxThread(() -> ((Region) window.stage().getScene().getFocusOwner()).getBorder());
-    assertThat(ring.getStrokes()).singleElement();
+    assertThat(ring.getStrokes()).hasSize(1);
     assertThat(ring.getStrokes().get(0).getWidths().getTop()).isEqualTo(2);
     assertThat(ring.getInsets().getTop()).as("nothing moves").isZero();
     Color color = (Color) ring.getStrokes().get(0).getTopStroke();
@@ -117,6 +122,14 @@ class LegibleWindowFxTest {
       robot.moveTo("#" + over);
       assertThat(border(over)).as(over).isNotNull();
       assertThat(border(over).getInsets().getTop()).as("nothing moves").isZero();
+    }
+  }
+
+  private void unfold() {
+    for (Node head : window.stage().getScene().getRoot().lookupAll(".card-head")) {
+      if (!((ToggleButton) head).isSelected()) {
+        ((ToggleButton) head).fire();
+      }
     }
   }
 

@@ -18,6 +18,7 @@ import javafx.scene.control.Labeled;
 import javafx.scene.control.ListView;
 import javafx.scene.control.ScrollPane;
 import javafx.scene.control.ToggleButton;
+import javafx.scene.input.KeyCode;
 import javafx.scene.text.Text;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -69,22 +70,23 @@ class SmallWindowFxTest {
 
   @Test
   void cardsForWhichThereIsNoRoomAreFoldedAndOpenOnClick() {
-    resize(1024, 768);
-    waitUntil(() -> !isOpen("card-faults"));
-    assertThat(window.shows("fault-text")).isFalse();
+    resize(1024, 600);
+    waitUntil(() -> !isOpen("card-product"));
+    assertThat(window.shows("wind-speed")).isFalse();
     assertThat(window.shows("power")).isTrue();
 
-    robot.clickOn("#card-faults");
-    assertThat(window.shows("fault-text")).isTrue();
-
-    resize(1280, 1600);
-    waitUntil(() -> isOpen("card-wind"));
-    assertThat(window.shows("wind-speed")).isTrue();
     robot.clickOn("#card-wind");
+    assertThat(window.shows("wind-speed")).isTrue();
+
+    robot.type(KeyCode.F4);
+    resize(1280, 800);
+    waitUntil(() -> isOpen("card-product"));
+    assertThat(window.shows("profile")).as("there is room without the log").isTrue();
+    robot.clickOn("#card-product");
     window.close();
     window = WholeWindow.open(SimConfig.DEFAULT, folder.resolve("settings"));
-    assertThat(window.shows("wind-speed")).as("remembered").isFalse();
-    assertThat(window.shows("fault-text")).as("remembered").isTrue();
+    assertThat(window.shows("profile")).as("remembered").isFalse();
+    assertThat(window.shows("wind-speed")).as("remembered").isTrue();
   }
 
   @Test
@@ -104,6 +106,7 @@ class SmallWindowFxTest {
   }
 
   private void resize(double width, double height) {
+    window.passFrames(80); // for more than a second it keeps the size with which it was opened
     window.change(
         () -> {
           window.stage().setWidth(width);
