@@ -10,6 +10,7 @@ import javafx.beans.property.BooleanProperty;
 import javafx.beans.value.ObservableValue;
 import tellosimulator.fault.LinkPreset;
 import tellosimulator.scenario.Gallery;
+import tellosimulator.scenario.Scenario;
 import tellosimulator.sim.Control;
 import tellosimulator.time.TimeFactor;
 import tellosimulator.translation.PhraseCatalog;
@@ -100,12 +101,20 @@ public final class WindowCommands {
                   name ->
                       WindowCommand.of(
                           Group.SCENARIO,
-                          messages.text("command-open", Gallery.find(name).get().name()),
+                          opening(Gallery.find(name).get()),
                           name,
                           () -> context.scenario().actions().openKnown(name)))
               .toList();
     }
     return scenarios;
+  }
+
+  private ObservableValue<String> opening(Scenario scenario) {
+    return context
+        .language()
+        .localeProperty()
+        .flatMap(
+            locale -> messages.text("command-open", scenario.description().name().in(locale)));
   }
 
   private void addDrone() {

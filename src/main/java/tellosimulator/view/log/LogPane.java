@@ -109,6 +109,7 @@ public final class LogPane extends VBox {
   public void clear() {
     logQueue.drain();
     model.clear();
+    details.refresh();
   }
 
   /** Hands what it shows to the log that comes after it. */
@@ -212,11 +213,6 @@ public final class LogPane extends VBox {
     } else {
       list.requestFocus();
     }
-  }
-
-  private void clear() {
-    model.clear();
-    details.refresh();
   }
 
   private void press(KeyEvent event) {
