@@ -72,6 +72,7 @@ public final class SimulatorWindow implements AutoCloseable {
   private static final double ASIDE_GAP = 8;
 
   private static final Pattern SCENARIO_FILE = Pattern.compile("(?i).*\\.ya?ml");
+
   /**
    * Width of the scene below which goals and drones are folded, and buttons over it have no words
    * [px]. Measured: what the buttons need with words, in German.

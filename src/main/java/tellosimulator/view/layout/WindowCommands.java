@@ -113,8 +113,7 @@ public final class WindowCommands {
     return context
         .language()
         .localeProperty()
-        .flatMap(
-            locale -> messages.text("command-open", scenario.description().name().in(locale)));
+        .flatMap(locale -> messages.text("command-open", scenario.description().name().in(locale)));
   }
 
   private void addDrone() {
