@@ -59,12 +59,12 @@ enum Finishing {
     }
   },
 
-  /** Segments of a gate, in its colour and in one that stands out against it. */
+  /** Segments of a gate, in two shades of its colour, by which programs find it. */
   SEGMENTS {
     @Override
     Texels texels(int size, Rgb color) {
       ColorRamp own = ramp(color, 0.06);
-      ColorRamp other = ramp(besides(color), 0.06);
+      ColorRamp other = ramp(color.shaded(DARKER), 0.06);
       return (x, y) -> {
         double segments = (x + 0.5) / size * PatternTexture.TILE / SEGMENT;
         double within = segments - (int) segments;
@@ -75,10 +75,13 @@ enum Finishing {
     }
   };
 
-  /** A segment in each of the two colours [m]. */
+  /** The darker of the two shades of segments. Decided: seen, and still the same colour. */
+  private static final double DARKER = 0.82;
+
+  /** A segment in each of the two shades [m]. */
   static final double SEGMENT = 0.5;
 
-  /** How much of that is in the gate's own colour. */
+  /** How much of that is in the lighter one, the gate's own. */
   private static final double OWN_PART = 0.6;
 
   private static final int BOARDS = 8;
@@ -135,14 +138,6 @@ enum Finishing {
     int green = color.green();
     int blue = color.blue();
     return red > green && green > blue && red - blue > 40 && green * 10 > 4 * red && red < 235;
-  }
-
-  private static Rgb besides(Rgb color) {
-    int least = Math.min(color.red(), Math.min(color.green(), color.blue()));
-    if (least > 190) {
-      return Rgb.of(0xc4382e);
-    }
-    return color.luma() < PatternTexture.LIGHT ? Rgb.of(0xf6f4ee) : Rgb.of(0x34373c);
   }
 
   /**

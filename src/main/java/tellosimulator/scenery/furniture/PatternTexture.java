@@ -30,7 +30,7 @@ record PatternTexture(int size) {
   private static final int MOST_HALF = 64;
 
   /** From here on a colour is light, 0 to 1. Decided: by eye. */
-  static final double LIGHT = 0.62;
+  private static final double LIGHT = 0.62;
 
   /** Edge of a square of the checks [m]. */
   private static final double SQUARE = 0.1;
