@@ -117,7 +117,7 @@ class ReplayWindowDisplayTest {
         });
 
     assertThat(text("ghost-name")).isEmpty();
-    waitUntil(() -> purplePixels() == 0);
+    waitUntil(() -> purplePixels() < 10); // smooth edges mix a pixel or two of that colour
   }
 
   @Test
