@@ -143,11 +143,10 @@ final class WindowTrial {
 
   private static Opened open(Pipeline pipeline, Scene scene) throws IOException {
     Path settings = Files.createTempDirectory("endurance-window");
-    if (scene == Scene.INSET) {
-      Path file = settings.resolve("tello-simulator").resolve("settings.properties");
-      Files.createDirectories(file.getParent());
-      Files.writeString(file, "show.inset=true\n");
-    }
+    Path file = settings.resolve("tello-simulator").resolve("settings.properties");
+    Files.createDirectories(file.getParent());
+    // with settings it is no first start, at which the gallery would take the keys
+    Files.writeString(file, "show.inset=" + (scene == Scene.INSET) + "\n");
     SimulatorProcess simulator =
         SimulatorProcess.inWindow(settings, List.of(pipeline.property), scene != Scene.OFF);
     Opened window = new Opened(scene, simulator);
