@@ -20,8 +20,8 @@ import tellosimulator.report.ReportTexts;
 /** Compares two recordings. For one thread. */
 final class DiffSubcommand implements Subcommand {
 
-  private final Choices choices =
-      Choices.of(
+  private final OptionList choices =
+      OptionList.of(
           SubcommandName.DIFF,
           "Compares two recorded flights, command by command: replies, durations, and how the"
               + " drones moved as their state lines tell it.",
@@ -30,7 +30,7 @@ final class DiffSubcommand implements Subcommand {
   private final Supplier<Path> first = choices.recording("A");
   private final Supplier<Path> second = choices.recording("B");
 
-  private final Choice<Optional<Path>> output =
+  private final OptionValue<Optional<Path>> output =
       choices.output("Also write the table and charts of both as an HTML file.");
 
   @Override

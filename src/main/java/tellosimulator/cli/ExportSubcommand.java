@@ -16,8 +16,8 @@ import tellosimulator.recording.UnreadableRecordingException;
 /** Writes a recording in the format of another tool. For one thread. */
 final class ExportSubcommand implements Subcommand {
 
-  private final Choices choices =
-      Choices.of(
+  private final OptionList choices =
+      OptionList.of(
           SubcommandName.EXPORT,
           "Writes a recorded flight in the format of another tool.",
           "Exit code 0: written; 1: cannot be read or written; 2: wrong options.");
@@ -35,7 +35,7 @@ final class ExportSubcommand implements Subcommand {
                   + " recording is a table already.")
           .readRequired(OptionTypes::exportFormat);
 
-  private final Choice<Optional<Path>> output =
+  private final OptionValue<Optional<Path>> output =
       choices.output("The file to write. Default: flight.pcap or flight.mcap in the folder.");
 
   @Override

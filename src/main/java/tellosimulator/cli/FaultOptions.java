@@ -17,10 +17,10 @@ final class FaultOptions {
 
   private static final String FAULT = "--fault";
 
-  private final Choice<Optional<LinkPreset>> link;
-  private final Choice<List<Fault>> faults;
+  private final OptionValue<Optional<LinkPreset>> link;
+  private final OptionValue<List<Fault>> faults;
 
-  FaultOptions(Choices choices) {
+  FaultOptions(OptionList choices) {
     link =
         choices
             .option(

@@ -19,16 +19,16 @@ final class NetworkOptions {
 
   static final String USUAL_VIDEO_PORT = "11111";
 
-  private final Choice<Integer> commandPort;
-  private final Choice<Integer> statePort;
-  private final Choice<OptionTypes.PortList> videoPorts;
-  private final Choice<OptionalInt> replyPort;
-  private final Choice<Optional<OptionTypes.AddressList>> bind;
-  private final Choice<Boolean> lan;
-  private final Choice<OperatorRule> operators;
-  private final Choice<Boolean> portPerDrone;
+  private final OptionValue<Integer> commandPort;
+  private final OptionValue<Integer> statePort;
+  private final OptionValue<OptionTypes.PortList> videoPorts;
+  private final OptionValue<OptionalInt> replyPort;
+  private final OptionValue<Optional<OptionTypes.AddressList>> bind;
+  private final OptionValue<Boolean> lan;
+  private final OptionValue<OperatorRule> operators;
+  private final OptionValue<Boolean> portPerDrone;
 
-  NetworkOptions(Choices choices) {
+  NetworkOptions(OptionList choices) {
     commandPort = commandPort(choices, "Where drones take commands");
     statePort = statePort(choices);
     videoPorts =
@@ -82,14 +82,14 @@ final class NetworkOptions {
    *
    * @param what is said at that port
    */
-  static Choice<Integer> commandPort(Choices choices, String what) {
+  static OptionValue<Integer> commandPort(OptionList choices, String what) {
     return choices
         .option("--command-port", "PORT", what + "; 0 chooses a free port. Default: 8879.")
         .read(OptionTypes::portOrFree, "8879");
   }
 
   /** The option that says at which port of its machine a program takes the state. */
-  static Choice<Integer> statePort(Choices choices) {
+  static OptionValue<Integer> statePort(OptionList choices) {
     return choices
         .option(
             "--state-port", "PORT", "Where your program takes the drone's state. Default: 8890.")

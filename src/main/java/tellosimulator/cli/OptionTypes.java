@@ -19,7 +19,7 @@ import tellosimulator.export.ExportFormat;
 import tellosimulator.math.Frames;
 import tellosimulator.math.Vec3;
 import tellosimulator.network.AddressPlan;
-import tellosimulator.profile.Behaviour;
+import tellosimulator.profile.Behavior;
 import tellosimulator.profile.Profile;
 import tellosimulator.proxy.ProxyPlan;
 import tellosimulator.time.TimeFactor;
@@ -169,8 +169,8 @@ final class OptionTypes {
     return byName(word, List.of(Profile.values()), Profile::option);
   }
 
-  static Behaviour behaviourName(String word) {
-    return byName(word, List.of(Behaviour.values()), Behaviour::option);
+  static Behavior behaviourName(String word) {
+    return byName(word, List.of(Behavior.values()), Behavior::option);
   }
 
   static String logLevel(String word) {

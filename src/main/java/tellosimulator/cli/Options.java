@@ -9,7 +9,7 @@ import picocli.CommandLine;
 import picocli.CommandLine.IVersionProvider;
 import tellosimulator.math.Pose;
 import tellosimulator.network.AddressPlan;
-import tellosimulator.profile.Behaviour;
+import tellosimulator.profile.Behavior;
 import tellosimulator.profile.Profile;
 import tellosimulator.scenario.OpenedScenario;
 import tellosimulator.scenario.Scenario;
@@ -32,18 +32,18 @@ public final class Options {
 
   private static final String CONTROL = "--control";
 
-  private final Choices choices = Choices.ofSimulator();
+  private final OptionList choices = OptionList.ofSimulator();
 
-  private final Choice<Boolean> headless = choices.flag(HEADLESS, "Run without a window.");
+  private final OptionValue<Boolean> headless = choices.flag(HEADLESS, "Run without a window.");
 
-  private final Choice<Boolean> on =
+  private final OptionValue<Boolean> on =
       choices.flag("--on", "Switch all drones on at once. Without a window they always are.");
 
   private final ScenarioOptions scenarioOptions = new ScenarioOptions(choices);
 
   private final NetworkOptions network = new NetworkOptions(choices);
 
-  private final Choice<Double> fieldOfViewDeg =
+  private final OptionValue<Double> fieldOfViewDeg =
       choices
           .option(
               CAMERA_FOV,
@@ -52,12 +52,12 @@ public final class Options {
                   + " the 82.6 degrees from corner to corner of the manual. Default: 55.")
           .read(OptionTypes::fieldOfView, "55");
 
-  private final Choice<Double> tiltDeg =
+  private final OptionValue<Double> tiltDeg =
       choices
           .option(CAMERA_TILT, "DEG", "How far the camera looks down, in degrees. Default: 15.")
           .read(OptionTypes::tilt, "15");
 
-  private final Choice<Optional<Integer>> drones =
+  private final OptionValue<Optional<Integer>> drones =
       choices
           .option(
               "--drones",
@@ -65,7 +65,7 @@ public final class Options {
               "How many drones to simulate. Default: 1, or as many as --bind has addresses.")
           .readIfGiven(OptionTypes::droneCount);
 
-  private final Choice<Profile> profile =
+  private final OptionValue<Profile> profile =
       choices
           .option(
               "--profile",
@@ -73,7 +73,7 @@ public final class Options {
               "Which drone: Tello EDU, white Tello or RoboMaster TT. Default: edu.")
           .read(OptionTypes::profileName, "edu");
 
-  private final Choice<Behaviour> behaviour =
+  private final OptionValue<Behavior> behaviour =
       choices
           .option(
               "--behaviour",
@@ -86,7 +86,7 @@ public final class Options {
 
   private final RoomOptions roomOptions = new RoomOptions(choices);
 
-  private final Choice<TimeFactor> timeFactor =
+  private final OptionValue<TimeFactor> timeFactor =
       choices
           .option(
               "--time-factor",
@@ -95,13 +95,13 @@ public final class Options {
                   + " while a drone moves, and waits for your program otherwise. Default: 1.")
           .read(OptionTypes::factor, "1");
 
-  private final Choice<Boolean> noSafetyLanding =
+  private final OptionValue<Boolean> noSafetyLanding =
       choices.flag(
           "--no-safety-landing",
           "Let drones stay in the air when no command comes for 15 s, for several drones with"
               + " --time-factor max.");
 
-  private final Choice<Optional<Integer>> control =
+  private final OptionValue<Optional<Integer>> control =
       choices
           .option(
               CONTROL,
@@ -111,7 +111,7 @@ public final class Options {
                   + " a free port. A line that begins with control says where, and the token.")
           .readIfGiven(OptionTypes::portOrFree);
 
-  private final Choice<Long> seed =
+  private final OptionValue<Long> seed =
       choices
           .option(
               "--seed",
@@ -124,7 +124,7 @@ public final class Options {
 
   private final ReplayOptions replayOptions = new ReplayOptions(choices);
 
-  private final Choice<String> logLevel =
+  private final OptionValue<String> logLevel =
       choices
           .option(
               LOG_LEVEL,
@@ -281,7 +281,7 @@ public final class Options {
   }
 
   private Scenario alone(Scenario scenario) {
-    for (Choice<?> option : List.of(drones, roomOptions.size(), roomOptions.startPoint())) {
+    for (OptionValue<?> option : List.of(drones, roomOptions.size(), roomOptions.startPoint())) {
       if (option.given()) {
         throw new IllegalArgumentException(
             option.name() + " does not go with --scenario, which says it");

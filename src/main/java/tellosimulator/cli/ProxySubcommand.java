@@ -16,7 +16,7 @@ import java.util.function.Supplier;
 import picocli.CommandLine;
 import picocli.CommandLine.IVersionProvider;
 import tellosimulator.concurrent.Agent;
-import tellosimulator.concurrent.Verdict;
+import tellosimulator.concurrent.ErrorPolicy;
 import tellosimulator.concurrent.Worker;
 import tellosimulator.network.AddressPlan;
 import tellosimulator.network.LocalNetworks;
@@ -31,8 +31,8 @@ import tellosimulator.sim.SimConfig.Outlets;
 /** Stands between programs and a real drone, and records its flights. For one thread. */
 final class ProxySubcommand implements Subcommand {
 
-  private final Choices choices =
-      Choices.of(
+  private final OptionList choices =
+      OptionList.of(
           SubcommandName.PROXY,
           "Passes commands on to a real drone, and back what it sends, and records its flights.",
           "Exit code 0: ended by quit; 1: an address or a port cannot be had; 2: wrong options.");
@@ -45,7 +45,7 @@ final class ProxySubcommand implements Subcommand {
               "Where the drone is: 192.168.10.1 once this machine has joined its network.")
           .readRequired(OptionTypes::droneAddress);
 
-  private final Choice<Path> record =
+  private final OptionValue<Path> record =
       choices
           .option(
               RecordingOptions.RECORD,
@@ -53,7 +53,7 @@ final class ProxySubcommand implements Subcommand {
               "The folder in which each flight has a folder of its own. Default: recordings.")
           .read(OptionTypes::fileOrFolder, "recordings");
 
-  private final Choice<Optional<InetAddress>> bind =
+  private final OptionValue<Optional<InetAddress>> bind =
       choices
           .option(
               "--bind",
@@ -61,24 +61,24 @@ final class ProxySubcommand implements Subcommand {
               "The address of this machine at which commands are taken. Default: 127.0.0.1.")
           .readIfGiven(OptionTypes::ownAddress);
 
-  private final Choice<Boolean> lan =
+  private final OptionValue<Boolean> lan =
       choices.flag(
           "--lan",
           "Take commands from other machines of the local network, too: at all addresses of this"
               + " machine.");
 
-  private final Choice<Integer> commandPort =
+  private final OptionValue<Integer> commandPort =
       NetworkOptions.commandPort(choices, "Where commands are taken");
 
-  private final Choice<Integer> statePort = NetworkOptions.statePort(choices);
+  private final OptionValue<Integer> statePort = NetworkOptions.statePort(choices);
 
-  private final Choice<Integer> videoPort =
+  private final OptionValue<Integer> videoPort =
       choices
           .option(
               "--video-port", "PORT", "Where your program takes the drone's video. Default: 11111.")
           .read(OptionTypes::port, NetworkOptions.USUAL_VIDEO_PORT);
 
-  private final Choice<Integer> droneStatePort =
+  private final OptionValue<Integer> droneStatePort =
       choices
           .option(
               "--drone-state-port",
@@ -86,7 +86,7 @@ final class ProxySubcommand implements Subcommand {
               "The port of this machine to which the drone sends its state. Default: 8890.")
           .read(OptionTypes::portOrFree, NetworkOptions.USUAL_STATE_PORT);
 
-  private final Choice<Integer> droneVideoPort =
+  private final OptionValue<Integer> droneVideoPort =
       choices
           .option(
               "--drone-video-port",
@@ -184,8 +184,8 @@ final class ProxySubcommand implements Subcommand {
     Worker.start(
         "console",
         new Agent() {
-          private final Verdict unreadable =
-              Verdict.finish("Standard input cannot be read any more");
+          private final ErrorPolicy unreadable =
+              ErrorPolicy.finish("Standard input cannot be read any more");
 
           @Override
           public Outcome doWork() throws IOException {
@@ -197,7 +197,7 @@ final class ProxySubcommand implements Subcommand {
           }
 
           @Override
-          public Verdict onError(Throwable failure) {
+          public ErrorPolicy onError(Throwable failure) {
             return unreadable;
           }
         });

@@ -13,10 +13,10 @@ final class RecordingOptions {
 
   private static final String REPORT = "--report";
 
-  private final Choice<Optional<Path>> folder;
-  private final Choice<Optional<Path>> report;
+  private final OptionValue<Optional<Path>> folder;
+  private final OptionValue<Optional<Path>> report;
 
-  RecordingOptions(Choices choices) {
+  RecordingOptions(OptionList choices) {
     folder =
         choices
             .option(

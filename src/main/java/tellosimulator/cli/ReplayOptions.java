@@ -15,11 +15,11 @@ final class ReplayOptions {
   private static final Set<String> COMPANIONS =
       Set.of(REPLAY, GHOST, Options.CAMERA_FOV, Options.CAMERA_TILT, Options.LOG_LEVEL);
 
-  private final Choices choices;
-  private final Choice<Optional<Path>> folder;
-  private final Choice<Optional<Path>> ghost;
+  private final OptionList choices;
+  private final OptionValue<Optional<Path>> folder;
+  private final OptionValue<Optional<Path>> ghost;
 
-  ReplayOptions(Choices choices) {
+  ReplayOptions(OptionList choices) {
     this.choices = choices;
     folder =
         choices

@@ -26,8 +26,8 @@ final class ReplaySubcommand implements Subcommand {
   /** What is shown of a line that differs [characters]. */
   private static final int LONGEST = 300;
 
-  private final Choices choices =
-      Choices.of(
+  private final OptionList choices =
+      OptionList.of(
           SubcommandName.REPLAY,
           "Flies a recorded flight again, with the same inputs after the same steps, and compares"
               + " both recordings byte by byte.",
@@ -35,7 +35,7 @@ final class ReplaySubcommand implements Subcommand {
 
   private final Supplier<Path> folder = choices.recording("FOLDER");
 
-  private final Choice<Optional<Path>> record =
+  private final OptionValue<Optional<Path>> record =
       choices
           .option(
               RecordingOptions.RECORD,

@@ -15,8 +15,8 @@ import tellosimulator.report.ReportTexts;
 /** Makes an HTML file of a recording. For one thread. */
 final class ReportSubcommand implements Subcommand {
 
-  private final Choices choices =
-      Choices.of(
+  private final OptionList choices =
+      OptionList.of(
           SubcommandName.REPORT,
           "Makes a report of a recorded flight: one HTML file that opens in any browser,"
               + " without a network.",
@@ -24,7 +24,7 @@ final class ReportSubcommand implements Subcommand {
 
   private final Supplier<Path> folder = choices.recording("FOLDER");
 
-  private final Choice<Optional<Path>> output =
+  private final OptionValue<Optional<Path>> output =
       choices.output("The file to write. Default: " + FlightReport.FILE_NAME + " in the folder.");
 
   @Override

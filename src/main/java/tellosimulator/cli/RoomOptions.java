@@ -10,12 +10,12 @@ import tellosimulator.world.Walls;
 /** The options that say what the room is like, and where in it the drones start. */
 final class RoomOptions {
 
-  private final Choice<Room> room;
-  private final Choice<Walls> walls;
-  private final Choice<List<Poster>> posters;
-  private final Choice<OptionTypes.Point> start;
+  private final OptionValue<Room> room;
+  private final OptionValue<Walls> walls;
+  private final OptionValue<List<Poster>> posters;
+  private final OptionValue<OptionTypes.Point> start;
 
-  RoomOptions(Choices choices) {
+  RoomOptions(OptionList choices) {
     room =
         choices
             .option(
@@ -53,10 +53,10 @@ final class RoomOptions {
 
   /** Whether anything is said about the room. */
   boolean given() {
-    return Stream.of(room, walls, posters, start).anyMatch(Choice::given);
+    return Stream.of(room, walls, posters, start).anyMatch(OptionValue::given);
   }
 
-  Choice<Room> size() {
+  OptionValue<Room> size() {
     return room;
   }
 
@@ -64,7 +64,7 @@ final class RoomOptions {
     return room.value();
   }
 
-  Choice<Walls> walls() {
+  OptionValue<Walls> walls() {
     return walls;
   }
 
@@ -72,7 +72,7 @@ final class RoomOptions {
     return posters.value();
   }
 
-  Choice<OptionTypes.Point> startPoint() {
+  OptionValue<OptionTypes.Point> startPoint() {
     return start;
   }
 

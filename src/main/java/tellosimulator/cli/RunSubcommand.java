@@ -28,8 +28,8 @@ final class RunSubcommand implements Subcommand {
   private static final List<String> DECIDED =
       List.of("--bind", "--command-port", "--lan", "--port-per-drone", "--replay", "--scenarios");
 
-  private final Choices choices =
-      Choices.of(
+  private final OptionList choices =
+      OptionList.of(
           SubcommandName.RUN,
           "Runs an unchanged program in a private network, in which the drone has 192.168.10.1:8889"
               + " and the program 192.168.10.2, as with a real drone; several drones have"

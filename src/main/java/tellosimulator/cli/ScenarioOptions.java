@@ -22,12 +22,12 @@ public final class ScenarioOptions {
   static final String EXIT_WHEN_DONE = "--exit-when-done";
   static final String TIMEOUT = "--timeout";
 
-  private final Choice<Optional<OpenedScenario>> scenario;
-  private final Choice<Boolean> list;
-  private final Choice<Boolean> exitWhenDone;
-  private final Choice<Optional<Double>> timeout;
+  private final OptionValue<Optional<OpenedScenario>> scenario;
+  private final OptionValue<Boolean> list;
+  private final OptionValue<Boolean> exitWhenDone;
+  private final OptionValue<Optional<Double>> timeout;
 
-  ScenarioOptions(Choices choices) {
+  ScenarioOptions(OptionList choices) {
     scenario =
         choices
             .option(

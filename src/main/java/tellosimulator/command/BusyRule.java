@@ -1,6 +1,6 @@
 package tellosimulator.command;
 
-import tellosimulator.profile.Behaviour;
+import tellosimulator.profile.Behavior;
 
 /** What becomes of a command that arrives while another one runs. Report: there is no queue. */
 public enum BusyRule {
@@ -19,7 +19,7 @@ public enum BusyRule {
     this.words = words;
   }
 
-  boolean allows(Behaviour behaviour) {
+  boolean allows(Behavior behaviour) {
     return switch (this) {
       case REFUSED -> false;
       case ALLOWED -> true;

@@ -2,7 +2,7 @@ package tellosimulator.command;
 
 import java.util.Optional;
 import tellosimulator.command.CommandParser.Parsed;
-import tellosimulator.profile.Behaviour;
+import tellosimulator.profile.Behavior;
 import tellosimulator.profile.Profile;
 import tellosimulator.time.SimTime;
 import tellosimulator.words.Phrase;
@@ -21,7 +21,7 @@ public final class CommandHandler {
   private static final String APP_REQUEST = "conn_req";
 
   private final Profile profile;
-  private final Behaviour behaviour;
+  private final Behavior behaviour;
   private final CommandParser parser;
   private final Retransmission retransmission = new Retransmission();
   private final CommandTarget target;
@@ -39,7 +39,7 @@ public final class CommandHandler {
     this.observer = parts.observer;
   }
 
-  public static Builder of(Profile profile, Behaviour behaviour) {
+  public static Builder of(Profile profile, Behavior behaviour) {
     return new Builder(profile, behaviour);
   }
 
@@ -151,13 +151,13 @@ public final class CommandHandler {
   /** Gathers the handler's neighbours. */
   public static final class Builder {
     private final Profile profile;
-    private final Behaviour behaviour;
+    private final Behavior behaviour;
     private CommandTarget target;
     private OperatorSession session;
     private ReplyPort replies;
     private CommandObserver observer;
 
-    private Builder(Profile profile, Behaviour behaviour) {
+    private Builder(Profile profile, Behavior behaviour) {
       this.profile = profile;
       this.behaviour = behaviour;
     }

@@ -45,7 +45,7 @@ sealed interface Parameter {
 
   /** One of a few words. */
   static Parameter choice(String name, String... words) {
-    return new Choice(name, List.of(words));
+    return new OptionValue(name, List.of(words));
   }
 
   /** Any word. */
@@ -158,7 +158,7 @@ sealed interface Parameter {
   }
 
   /** One of a few words; another word is out of range. Two blanks enclose no word. */
-  record Choice(String name, List<String> words) implements Parameter {
+  record OptionValue(String name, List<String> words) implements Parameter {
 
     @Override
     public boolean limited() {

@@ -27,7 +27,7 @@ public interface Agent {
    *
    * @param failure what {@link #doWork} or {@link #idle} threw, errors included
    */
-  Verdict onError(Throwable failure);
+  ErrorPolicy onError(Throwable failure);
 
   /** The last thing that is done on the thread, whatever ended it. */
   default void onClose() {}

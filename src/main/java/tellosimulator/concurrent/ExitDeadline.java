@@ -19,7 +19,9 @@ public final class ExitDeadline {
    */
   public ExitDeadline(int code, long nanos) {
     Worker.once(
-        "exit-deadline", Verdict.finish("The end in time is not sure"), () -> await(code, nanos));
+        "exit-deadline",
+        ErrorPolicy.finish("The end in time is not sure"),
+        () -> await(code, nanos));
   }
 
   /** Lets the time run. */

@@ -38,8 +38,10 @@ public final class Worker implements AutoCloseable {
   /** How long {@link #close} waits [ms]. Decided: longer than a picture takes on a busy machine. */
   private static final long PATIENCE_MS = 10_000;
 
-  private static final Verdict UNDECIDED = Verdict.retry("What a thread does on errors failed");
-  private static final Verdict UNCLOSED = Verdict.finish("What a thread does at its end failed");
+  private static final ErrorPolicy UNDECIDED =
+      ErrorPolicy.retry("What a thread does on errors failed");
+  private static final ErrorPolicy UNCLOSED =
+      ErrorPolicy.finish("What a thread does at its end failed");
 
   private final Agent agent;
   private final Thread thread;
@@ -84,7 +86,7 @@ public final class Worker implements AutoCloseable {
    * @param name of the thread
    * @param failed what is said if the task fails
    */
-  public static Worker once(String name, Verdict failed, Runnable task) {
+  public static Worker once(String name, ErrorPolicy failed, Runnable task) {
     return start(
         name,
         new Agent() {
@@ -95,7 +97,7 @@ public final class Worker implements AutoCloseable {
           }
 
           @Override
-          public Verdict onError(Throwable failure) {
+          public ErrorPolicy onError(Throwable failure) {
             return failed;
           }
         });
@@ -183,12 +185,12 @@ public final class Worker implements AutoCloseable {
 
   /** Makes nothing new: there may be no memory left. */
   private boolean survives(Throwable thrown) {
-    Verdict verdict = verdict(thrown);
+    ErrorPolicy verdict = verdict(thrown);
     tell(verdict, thrown);
-    if (verdict.action() == Verdict.Action.FINISH) {
+    if (verdict.action() == ErrorPolicy.Action.FINISH) {
       return false;
     }
-    if (verdict.action() == Verdict.Action.RETRY) {
+    if (verdict.action() == ErrorPolicy.Action.RETRY) {
       bucket += thrown instanceof OutOfMemoryError ? MEMORY_FULL : FAILURE;
     }
     if (bucket >= LIMIT) {
@@ -201,7 +203,7 @@ public final class Worker implements AutoCloseable {
     return true;
   }
 
-  private Verdict verdict(Throwable thrown) {
+  private ErrorPolicy verdict(Throwable thrown) {
     try {
       return agent.onError(thrown);
     } catch (Throwable another) {
@@ -209,7 +211,7 @@ public final class Worker implements AutoCloseable {
     }
   }
 
-  private void tell(Verdict verdict, Throwable thrown) {
+  private void tell(ErrorPolicy verdict, Throwable thrown) {
     long now = System.nanoTime();
     if (told && now - toldNanos < QUIET_NANOS) {
       untold++;

@@ -11,7 +11,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.function.Consumer;
 import tellosimulator.concurrent.Agent;
-import tellosimulator.concurrent.Verdict;
+import tellosimulator.concurrent.ErrorPolicy;
 import tellosimulator.json.Json;
 
 /**
@@ -29,8 +29,8 @@ final class ControlConnection implements Agent {
   private static final String WRONG_TOKEN =
       "the token is %s: it stands in the line that begins with `control:`";
 
-  private final Verdict failed = Verdict.goOn("A request to the control channel failed");
-  private final Verdict gone = Verdict.finish("A client of the control channel is gone");
+  private final ErrorPolicy failed = ErrorPolicy.goOn("A request to the control channel failed");
+  private final ErrorPolicy gone = ErrorPolicy.finish("A client of the control channel is gone");
   private final Socket socket;
   private final InputStream in;
   private final AccessToken token;
@@ -134,7 +134,7 @@ final class ControlConnection implements Agent {
   }
 
   @Override
-  public Verdict onError(Throwable failure) {
+  public ErrorPolicy onError(Throwable failure) {
     return failure instanceof IOException ? gone : failed;
   }
 

@@ -8,7 +8,7 @@ import java.net.Socket;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 import tellosimulator.concurrent.Agent;
-import tellosimulator.concurrent.Verdict;
+import tellosimulator.concurrent.ErrorPolicy;
 import tellosimulator.concurrent.Worker;
 import tellosimulator.junit.TelloSimulator;
 import tellosimulator.network.PortTakenException;
@@ -51,7 +51,8 @@ public final class ControlServer implements AutoCloseable {
   /** Gives each client a thread of its own. */
   private final class Acceptor implements Agent {
 
-    private final Verdict failed = Verdict.goOn("A client of the control channel was not accepted");
+    private final ErrorPolicy failed =
+        ErrorPolicy.goOn("A client of the control channel was not accepted");
 
     @Override
     public Outcome doWork() throws IOException {
@@ -67,7 +68,7 @@ public final class ControlServer implements AutoCloseable {
     }
 
     @Override
-    public Verdict onError(Throwable failure) {
+    public ErrorPolicy onError(Throwable failure) {
       return failed;
     }
 

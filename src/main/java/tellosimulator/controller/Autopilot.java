@@ -6,7 +6,7 @@ import tellosimulator.math.Vec3;
 import tellosimulator.model.DroneSpec;
 import tellosimulator.model.Motion;
 import tellosimulator.physics.Setpoint;
-import tellosimulator.profile.Behaviour;
+import tellosimulator.profile.Behavior;
 import tellosimulator.time.SimTime;
 import tellosimulator.words.Phrase;
 
@@ -40,7 +40,7 @@ final class Autopilot {
   /** A target missed by less is where the next maneuver starts from [m, rad]. Assumed. */
   private static final double ON_TARGET = 0.02;
 
-  private final Behaviour behaviour;
+  private final Behavior behaviour;
   private final RcSteering rc;
   private final Settling settling = new Settling();
   private Maneuver maneuver;
@@ -51,7 +51,7 @@ final class Autopilot {
   private boolean touched;
   private Vec3 drift = Vec3.ZERO;
 
-  Autopilot(Behaviour behaviour, RcSteering rc) {
+  Autopilot(Behavior behaviour, RcSteering rc) {
     this.behaviour = behaviour;
     this.rc = rc;
     this.maneuver = new Parked();

@@ -5,7 +5,7 @@ import java.util.function.Supplier;
 import tellosimulator.command.OperatorSession;
 import tellosimulator.fault.ActiveFaults;
 import tellosimulator.model.DroneModel;
-import tellosimulator.profile.Behaviour;
+import tellosimulator.profile.Behavior;
 import tellosimulator.profile.Profile;
 import tellosimulator.sensor.SeededNoise;
 
@@ -22,7 +22,7 @@ import tellosimulator.sensor.SeededNoise;
 public record ControllerContext(
     DroneModel model,
     Profile profile,
-    Behaviour behaviour,
+    Behavior behaviour,
     double crashSpeed,
     boolean landsWhenSilent,
     OperatorSession session,

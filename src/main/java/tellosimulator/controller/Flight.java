@@ -18,7 +18,7 @@ import tellosimulator.model.DroneModel;
 import tellosimulator.model.DroneSpec;
 import tellosimulator.model.FlightPhase;
 import tellosimulator.physics.Setpoint;
-import tellosimulator.profile.Behaviour;
+import tellosimulator.profile.Behavior;
 import tellosimulator.time.Demand;
 import tellosimulator.time.SimTime;
 import tellosimulator.words.Phrase;
@@ -42,7 +42,7 @@ final class Flight {
   private static final double STEP = SimTime.STEP;
 
   private final DroneModel model;
-  private final Behaviour behaviour;
+  private final Behavior behaviour;
   private final FlightObserver observer;
   private final RcSteering rc;
   private final Autopilot autopilot;

@@ -5,7 +5,7 @@ import java.util.Deque;
 import java.util.Iterator;
 import tellosimulator.command.Sticks;
 import tellosimulator.math.Vec3;
-import tellosimulator.profile.Behaviour;
+import tellosimulator.profile.Behavior;
 import tellosimulator.time.SimTime;
 
 /**
@@ -19,13 +19,13 @@ final class RcSteering {
 
   private record Change(SimTime time, Sticks sticks) {}
 
-  private final Behaviour behaviour;
+  private final Behavior behaviour;
   private final Deque<Change> changes = new ArrayDeque<>();
   private Vec3 velocity = Vec3.ZERO;
   private Vec3 acceleration = Vec3.ZERO;
   private double yawRate;
 
-  RcSteering(Behaviour behaviour) {
+  RcSteering(Behavior behaviour) {
     this.behaviour = behaviour;
     center();
   }

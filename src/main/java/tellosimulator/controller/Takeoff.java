@@ -3,7 +3,7 @@ package tellosimulator.controller;
 import tellosimulator.math.Vec3;
 import tellosimulator.model.DroneSpec;
 import tellosimulator.physics.Setpoint;
-import tellosimulator.profile.Behaviour;
+import tellosimulator.profile.Behavior;
 import tellosimulator.words.Phrase;
 
 /** Starts the motors, climbs, and hovers for a moment. */
@@ -33,7 +33,7 @@ final class Takeoff implements Maneuver {
    * @param heading where the nose points [rad]
    * @param height to which it climbs [m]
    */
-  Takeoff(Vec3 start, double heading, double height, Behaviour behaviour) {
+  Takeoff(Vec3 start, double heading, double height, Behavior behaviour) {
     this.path = new Path.Line(start, Vec3.UP, height);
     this.profile =
         SpeedProfile.over(

@@ -5,7 +5,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.stream.Stream;
-import tellosimulator.profile.Behaviour;
+import tellosimulator.profile.Behavior;
 
 /** How good the link is when nobody says more: faults that act all the time. */
 public enum LinkPreset {
@@ -50,8 +50,8 @@ public enum LinkPreset {
   }
 
   /** What a drone of a behaviour has unless somebody says otherwise. */
-  public static LinkPreset usual(Behaviour behaviour) {
-    return behaviour == Behaviour.MEASURED ? LAB : IDEAL;
+  public static LinkPreset usual(Behavior behaviour) {
+    return behaviour == Behavior.MEASURED ? LAB : IDEAL;
   }
 
   /** The word that chooses it. */

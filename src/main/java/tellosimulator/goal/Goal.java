@@ -27,7 +27,7 @@ public sealed interface Goal {
   }
 
   /** To be at a place with its feet. */
-  record Reach(OptionalInt drone, Spot spot) implements Goal {
+  record Reach(OptionalInt drone, GoalRegion spot) implements Goal {
     @Override
     public Phrase task() {
       return Phrase.of(
@@ -41,7 +41,7 @@ public sealed interface Goal {
    *
    * @param seconds how long without a break
    */
-  record Hover(OptionalInt drone, Spot spot, double seconds) implements Goal {
+  record Hover(OptionalInt drone, GoalRegion spot, double seconds) implements Goal {
     public Hover {
       if (!(seconds > 0 && seconds <= LONGEST_HOVER)) {
         throw new IllegalArgumentException(
@@ -85,7 +85,7 @@ public sealed interface Goal {
   }
 
   /** To land at a place: afterwards it stands there without motors. */
-  record Land(OptionalInt drone, Spot spot) implements Goal {
+  record Land(OptionalInt drone, GoalRegion spot) implements Goal {
     @Override
     public Phrase task() {
       return Phrase.of("land at x %.0f, y %.0f cm", spot.place().x() * 100, spot.place().y() * 100);

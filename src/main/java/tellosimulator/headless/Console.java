@@ -11,7 +11,7 @@ import java.util.function.Supplier;
 import java.util.regex.Pattern;
 import tellosimulator.command.WireText;
 import tellosimulator.concurrent.Agent;
-import tellosimulator.concurrent.Verdict;
+import tellosimulator.concurrent.ErrorPolicy;
 import tellosimulator.fault.Fault;
 import tellosimulator.fault.LinkPreset;
 import tellosimulator.math.Frames;
@@ -78,8 +78,9 @@ final class Console {
   Agent agent(Runnable onQuit) {
     return new Agent() {
 
-      private final Verdict failed = Verdict.goOn("What was typed could not be done");
-      private final Verdict unreadable = Verdict.finish("Standard input cannot be read any more");
+      private final ErrorPolicy failed = ErrorPolicy.goOn("What was typed could not be done");
+      private final ErrorPolicy unreadable =
+          ErrorPolicy.finish("Standard input cannot be read any more");
 
       @Override
       public Outcome doWork() throws IOException {
@@ -87,7 +88,7 @@ final class Console {
       }
 
       @Override
-      public Verdict onError(Throwable failure) {
+      public ErrorPolicy onError(Throwable failure) {
         return failure instanceof IOException ? unreadable : failed;
       }
     };

@@ -10,7 +10,7 @@ import java.util.stream.Collectors;
 import tellosimulator.fault.Fault;
 import tellosimulator.fault.FaultText;
 import tellosimulator.fault.LinkPreset;
-import tellosimulator.profile.Behaviour;
+import tellosimulator.profile.Behavior;
 import tellosimulator.profile.Profile;
 import tellosimulator.scenario.OpenedScenario;
 import tellosimulator.scenario.Scenario;
@@ -175,7 +175,7 @@ public abstract sealed class SimulatorSettings<T extends SimulatorSettings<T>>
               new Product(
                   byName("profile", profile, Profile.values(), Profile::option)
                       .orElse(product.profile()),
-                  byName("behaviour", behaviour, Behaviour.values(), Behaviour::option)
+                  byName("behaviour", behaviour, Behavior.values(), Behavior::option)
                       .orElse(product.behaviour()))));
     }
     return base.withConfig(config.withDrones(changed));

@@ -9,7 +9,7 @@ import java.util.OptionalInt;
 import java.util.function.Consumer;
 import java.util.stream.Collectors;
 import tellosimulator.concurrent.Agent;
-import tellosimulator.concurrent.Verdict;
+import tellosimulator.concurrent.ErrorPolicy;
 import tellosimulator.concurrent.Worker;
 import tellosimulator.sim.Control;
 import tellosimulator.sim.SimConfig;
@@ -17,8 +17,8 @@ import tellosimulator.sim.SimListener;
 import tellosimulator.sim.SimSnapshot;
 import tellosimulator.sim.Simulation;
 import tellosimulator.sim.SimulationLoop;
-import tellosimulator.time.Metronome;
 import tellosimulator.time.SimTime;
+import tellosimulator.time.Ticker;
 
 /**
  * A simulation that runs at the pace of its clock, with drones that programs reach over UDP while
@@ -36,7 +36,7 @@ public final class OnlineSimulation implements AutoCloseable {
   private final OptionalInt replyPort;
   private final Simulation simulation;
   private final SimulationLoop loop;
-  private final Metronome clock = new Metronome();
+  private final Ticker clock = new Ticker();
   private final Worker watch;
   private volatile Optional<SilenceWatch> silence = Optional.empty();
   private boolean closed;
@@ -60,7 +60,7 @@ public final class OnlineSimulation implements AutoCloseable {
   /** Looks after the sockets now and then. */
   private final class Watch implements Agent {
 
-    private final Verdict failed = Verdict.goOn("The network could not be looked after");
+    private final ErrorPolicy failed = ErrorPolicy.goOn("The network could not be looked after");
 
     @Override
     public Outcome doWork() {
@@ -73,7 +73,7 @@ public final class OnlineSimulation implements AutoCloseable {
     }
 
     @Override
-    public Verdict onError(Throwable failure) {
+    public ErrorPolicy onError(Throwable failure) {
       return failed;
     }
   }

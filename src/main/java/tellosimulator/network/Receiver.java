@@ -15,8 +15,8 @@ import java.util.concurrent.TimeUnit;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 import tellosimulator.concurrent.Agent;
+import tellosimulator.concurrent.ErrorPolicy;
 import tellosimulator.concurrent.Exceptions;
-import tellosimulator.concurrent.Verdict;
 import tellosimulator.concurrent.Worker;
 import tellosimulator.sim.Simulation;
 
@@ -122,8 +122,8 @@ final class Receiver implements AutoCloseable {
 
   private final class Turns implements Agent {
 
-    private final Verdict once = Verdict.goOn("A datagram could not be handled");
-    private final Verdict fatal = Verdict.retry("Receiving failed");
+    private final ErrorPolicy once = ErrorPolicy.goOn("A datagram could not be handled");
+    private final ErrorPolicy fatal = ErrorPolicy.retry("Receiving failed");
     private final ByteBuffer buffer = ByteBuffer.allocateDirect(BUFFER);
     private final byte[] bytes = new byte[BUFFER];
     private final DatagramBatch batch = new DatagramBatch();
@@ -206,7 +206,7 @@ final class Receiver implements AutoCloseable {
     }
 
     @Override
-    public Verdict onError(Throwable failure) {
+    public ErrorPolicy onError(Throwable failure) {
       return Exceptions.isFatal(failure) ? fatal : once;
     }
   }

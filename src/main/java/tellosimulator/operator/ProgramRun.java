@@ -8,7 +8,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import tellosimulator.concurrent.Agent;
-import tellosimulator.concurrent.Verdict;
+import tellosimulator.concurrent.ErrorPolicy;
 import tellosimulator.concurrent.Worker;
 
 /**
@@ -167,8 +167,8 @@ public final class ProgramRun implements AutoCloseable {
     }
 
     @Override
-    public Verdict onError(Throwable failure) {
-      return Verdict.finish("What the simulator says is not passed on any more");
+    public ErrorPolicy onError(Throwable failure) {
+      return ErrorPolicy.finish("What the simulator says is not passed on any more");
     }
   }
 

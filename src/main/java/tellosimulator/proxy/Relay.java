@@ -17,7 +17,7 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 import tellosimulator.command.Peer;
 import tellosimulator.concurrent.Agent;
-import tellosimulator.concurrent.Verdict;
+import tellosimulator.concurrent.ErrorPolicy;
 import tellosimulator.network.LocalNetworks;
 import tellosimulator.network.PortTakenException;
 import tellosimulator.network.Reach;
@@ -44,7 +44,7 @@ final class Relay implements Agent {
 
   private static final byte[] COMMAND = "command".getBytes(StandardCharsets.US_ASCII);
 
-  private final Verdict failed = Verdict.goOn("A datagram could not be passed on");
+  private final ErrorPolicy failed = ErrorPolicy.goOn("A datagram could not be passed on");
   private final ProxyPlan plan;
   private final DroneRecorder recorder;
   private final Selector selector;
@@ -351,7 +351,7 @@ final class Relay implements Agent {
   }
 
   @Override
-  public Verdict onError(Throwable thrown) {
+  public ErrorPolicy onError(Throwable thrown) {
     return failed;
   }
 

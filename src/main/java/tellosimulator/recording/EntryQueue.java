@@ -6,7 +6,7 @@ import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.Consumer;
-import tellosimulator.time.Metronome;
+import tellosimulator.time.Ticker;
 
 /**
  * What waits to be written. Nobody who adds something ever waits: when there is too much, the last
@@ -34,7 +34,7 @@ final class EntryQueue {
   private final AtomicLong weight = new AtomicLong();
   private final AtomicBoolean closed = new AtomicBoolean();
   private final AtomicBoolean pressed = new AtomicBoolean();
-  private final Metronome metronome = new Metronome();
+  private final Ticker metronome = new Ticker();
   private final long most;
 
   /** Weight that was taken and still counts: who adds shall seldom meet who takes. */

@@ -23,8 +23,8 @@ import tellosimulator.sim.SimSnapshot.DroneSnapshot;
 import tellosimulator.sim.Simulation;
 import tellosimulator.time.SimTime;
 import tellosimulator.world.Arena;
-import tellosimulator.world.Cover;
 import tellosimulator.world.Obstacle;
+import tellosimulator.world.ObstacleAppearance;
 
 /**
  * Rebuilds what could be seen at the moments of a recorded flight. Between two samples drones are
@@ -98,10 +98,10 @@ public final class FlightSnapshots {
   }
 
   private static Obstacle readable(Obstacle obstacle) {
-    Cover cover = obstacle.cover();
+    ObstacleAppearance cover = obstacle.cover();
     boolean readable =
         cover.pictures().values().stream().allMatch(file -> Files.isReadable(Path.of(file)));
-    Cover plain = new Cover(cover.rgb(), cover.pattern(), Map.of());
+    ObstacleAppearance plain = new ObstacleAppearance(cover.rgb(), cover.pattern(), Map.of());
     return readable
         ? obstacle
         : new Obstacle(

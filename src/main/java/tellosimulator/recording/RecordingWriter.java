@@ -11,7 +11,7 @@ import java.util.function.Consumer;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 import tellosimulator.concurrent.Agent;
-import tellosimulator.concurrent.Verdict;
+import tellosimulator.concurrent.ErrorPolicy;
 import tellosimulator.files.IoReason;
 import tellosimulator.model.FlightPhase;
 import tellosimulator.network.WireTap.Kind;
@@ -38,7 +38,7 @@ final class RecordingWriter implements Agent {
   /** Lines of what came before a takeoff that belong to the flight. Decided. */
   private static final int MOST_BEFORE = 1000;
 
-  private final Verdict failed = Verdict.goOn("A recording failed");
+  private final ErrorPolicy failed = ErrorPolicy.goOn("A recording failed");
   private final EntryQueue queue;
   private final VideoRecorders films;
   private final InputHistory inputs;
@@ -252,7 +252,7 @@ final class RecordingWriter implements Agent {
   }
 
   @Override
-  public Verdict onError(Throwable failure) {
+  public ErrorPolicy onError(Throwable failure) {
     return failed;
   }
 

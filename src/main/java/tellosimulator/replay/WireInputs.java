@@ -11,7 +11,7 @@ import java.util.stream.Stream;
 import tellosimulator.command.CommandSyntax;
 import tellosimulator.command.Peer;
 import tellosimulator.json.JsonRecords;
-import tellosimulator.profile.Behaviour;
+import tellosimulator.profile.Behavior;
 import tellosimulator.profile.Profile;
 import tellosimulator.recording.RecordedDatagram;
 import tellosimulator.recording.RecordedFlight;
@@ -97,7 +97,7 @@ record WireInputs(Start start, List<RecordedInput> commands) {
   private static Product product(RecordedRun.DroneEntry drone) {
     return new Product(
         option(Profile.values(), drone.profile(), Product.DEFAULT.profile()),
-        option(Behaviour.values(), drone.behaviour(), Product.DEFAULT.behaviour()));
+        option(Behavior.values(), drone.behaviour(), Product.DEFAULT.behaviour()));
   }
 
   private static <T extends Enum<T>> T option(T[] known, String word, T other) {

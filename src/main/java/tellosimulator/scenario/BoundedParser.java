@@ -12,7 +12,7 @@ import org.snakeyaml.engine.v2.events.Event.ID;
 import org.snakeyaml.engine.v2.events.NodeEvent;
 import org.snakeyaml.engine.v2.events.ScalarEvent;
 import org.snakeyaml.engine.v2.parser.Parser;
-import tellosimulator.scenario.Mistake.Place;
+import tellosimulator.scenario.Diagnostic.Place;
 import tellosimulator.words.Phrase;
 
 /** A parser that gives up before there is more in a text, or deeper, than a scenario needs. */
@@ -54,7 +54,7 @@ final class BoundedParser implements Parser {
 
     private ExceededException(Event event, Phrase phrase) {
       super(phrase.english());
-      this.place = event.getStartMark().map(Mistakes::place).orElse(Place.WHOLE);
+      this.place = event.getStartMark().map(Diagnostics::place).orElse(Place.WHOLE);
       this.phrase = phrase;
     }
 

@@ -23,7 +23,7 @@ interface Codec<T> {
    * @param looked whether a picture that is not there is a mistake
    * @param drones how many there are
    */
-  record Context(Mistakes mistakes, Path folder, boolean looked, int drones) {
+  record Context(Diagnostics mistakes, Path folder, boolean looked, int drones) {
 
     Context withDrones(int newDrones) {
       return new Context(mistakes, folder, looked, newDrones);

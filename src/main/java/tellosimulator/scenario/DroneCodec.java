@@ -4,7 +4,7 @@ import java.net.InetAddress;
 import tellosimulator.math.Attitude;
 import tellosimulator.math.Pose;
 import tellosimulator.math.Vec3;
-import tellosimulator.profile.Behaviour;
+import tellosimulator.profile.Behavior;
 import tellosimulator.profile.Profile;
 import tellosimulator.scenario.Scenario.Station;
 import tellosimulator.sim.DroneSetup;
@@ -29,10 +29,10 @@ final class DroneCodec extends RecordCodec<DroneCodec.StationedDrone> {
           .usual(
               WordCodec.of(Profile.values()).or(Product.DEFAULT.profile()),
               drone -> drone.setup().product().profile());
-  private final Field<StationedDrone, Behaviour> behaviour =
+  private final Field<StationedDrone, Behavior> behaviour =
       key("behaviour", "Exact, or with the noise and delays of real drones.")
           .usual(
-              WordCodec.of(Behaviour.values()).or(Product.DEFAULT.behaviour()),
+              WordCodec.of(Behavior.values()).or(Product.DEFAULT.behaviour()),
               drone -> drone.setup().product().behaviour());
   private final Field<StationedDrone, Integer> color =
       key("colour", "").optionalInt(Scalars.COLOR, drone -> drone.setup().rgb());

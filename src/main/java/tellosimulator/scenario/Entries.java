@@ -73,7 +73,7 @@ final class Entries {
     return nodes;
   }
 
-  Mistakes mistakes() {
+  Diagnostics mistakes() {
     return context.mistakes();
   }
 

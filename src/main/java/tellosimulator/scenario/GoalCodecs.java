@@ -9,7 +9,7 @@ import java.util.function.Function;
 import org.snakeyaml.engine.v2.nodes.Node;
 import tellosimulator.goal.Goal;
 import tellosimulator.goal.Goal.Direction;
-import tellosimulator.goal.Spot;
+import tellosimulator.goal.GoalRegion;
 import tellosimulator.math.Vec3;
 import tellosimulator.network.AddressPlan;
 import tellosimulator.words.Phrase;
@@ -42,14 +42,14 @@ final class GoalCodecs {
   private static Codec<Goal.Reach> reach() {
     KindCodec<Goal.Reach> reach =
         new KindCodec<>("reach", Phrase.of("a place to reach"), "To be at a place.");
-    Function<Entries, Spot> spot = reach.spot(Goal.Reach::spot);
+    Function<Entries, GoalRegion> spot = reach.spot(Goal.Reach::spot);
     return reach.madeFor((in, drone) -> new Goal.Reach(drone, spot.apply(in)));
   }
 
   private static Codec<Goal.Hover> hover() {
     KindCodec<Goal.Hover> hover =
         new KindCodec<>("hover", Phrase.of("a place to hover"), "To stay at a place.");
-    Function<Entries, Spot> spot = hover.spot(Goal.Hover::spot);
+    Function<Entries, GoalRegion> spot = hover.spot(Goal.Hover::spot);
     Field<Goal.Hover, Double> seconds =
         hover
             .key("seconds", "How long without a break.")
@@ -77,7 +77,7 @@ final class GoalCodecs {
   private static Codec<Goal.Land> land() {
     KindCodec<Goal.Land> land =
         new KindCodec<>("land", Phrase.of("a place to land"), "To land at a place.");
-    Function<Entries, Spot> spot =
+    Function<Entries, GoalRegion> spot =
         land.spot("The place: [x, y] in cm.", Scalars.FLOOR_POINT, Goal.Land::spot);
     return land.madeFor((in, drone) -> new Goal.Land(drone, spot.apply(in)));
   }
@@ -100,20 +100,22 @@ final class GoalCodecs {
       super(name, phrase, description);
     }
 
-    Function<Entries, Spot> spot(Function<G, Spot> getter) {
+    Function<Entries, GoalRegion> spot(Function<G, GoalRegion> getter) {
       String description = "The place: [x, y, z] in cm, z from the floor to the drone's feet.";
       return spot(description, Scalars.POINT, getter);
     }
 
     /** Declares a place and its radius. */
-    Function<Entries, Spot> spot(String description, Codec<Vec3> place, Function<G, Spot> getter) {
-      Field<G, Vec3> at = key("at", description).need(place, getter.andThen(Spot::place));
+    Function<Entries, GoalRegion> spot(
+        String description, Codec<Vec3> place, Function<G, GoalRegion> getter) {
+      Field<G, Vec3> at = key("at", description).need(place, getter.andThen(GoalRegion::place));
       Field<G, Double> radius =
           key("radius", "How near is near enough, in cm.")
               .usual(
-                  NumberCodec.length(Spot.SMALLEST * 100, Scalars.LONGEST_CM).orWritten(RADIUS),
-                  getter.andThen(Spot::radius));
-      return in -> new Spot(in.get(at), in.get(radius));
+                  NumberCodec.length(GoalRegion.SMALLEST * 100, Scalars.LONGEST_CM)
+                      .orWritten(RADIUS),
+                  getter.andThen(GoalRegion::radius));
+      return in -> new GoalRegion(in.get(at), in.get(radius));
     }
 
     /** Declares, as the last key, which drone shall do it. */

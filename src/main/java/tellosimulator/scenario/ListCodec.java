@@ -9,7 +9,7 @@ import org.snakeyaml.engine.v2.common.FlowStyle;
 import org.snakeyaml.engine.v2.nodes.Node;
 import org.snakeyaml.engine.v2.nodes.SequenceNode;
 import org.snakeyaml.engine.v2.nodes.Tag;
-import tellosimulator.scenario.Mistake.Place;
+import tellosimulator.scenario.Diagnostic.Place;
 import tellosimulator.words.Phrase;
 
 /**
@@ -55,7 +55,7 @@ record ListCodec<T>(Codec<T> codec, int most) implements Codec<List<ListCodec.It
     if (!(node instanceof SequenceNode sequence)) {
       return context
           .mistakes()
-          .add(node, Phrase.of("expected a list, found %s", Mistakes.found(node)));
+          .add(node, Phrase.of("expected a list, found %s", Diagnostics.found(node)));
     }
     List<Node> nodes = sequence.getValue();
     if (nodes.size() > most) {
@@ -67,7 +67,7 @@ record ListCodec<T>(Codec<T> codec, int most) implements Codec<List<ListCodec.It
     for (int i = 0; i < nodes.size(); i++) {
       Optional<T> value = codec.read(nodes.get(i), context);
       if (value.isPresent()) {
-        items.add(new Item<>(value.get(), i + 1, Mistakes.place(nodes.get(i))));
+        items.add(new Item<>(value.get(), i + 1, Diagnostics.place(nodes.get(i))));
       }
     }
     return Optional.of(items);

@@ -33,7 +33,7 @@ record LocalizedTextCodec() implements Codec<LocalizedText> {
   }
 
   private static Optional<Map<String, String>> lines(MappingNode mapping, Context context) {
-    Mistakes mistakes = context.mistakes();
+    Diagnostics mistakes = context.mistakes();
     int before = mistakes.count();
     Map<String, String> lines = new LinkedHashMap<>();
     for (NodeTuple tuple : mapping.getValue()) {
@@ -49,7 +49,7 @@ record LocalizedTextCodec() implements Codec<LocalizedText> {
     return mistakes.count() == before ? Optional.of(lines) : Optional.empty();
   }
 
-  private static Optional<String> language(Node key, Mistakes mistakes) {
+  private static Optional<String> language(Node key, Diagnostics mistakes) {
     Optional<String> language = Scalars.text(key).filter(LocalizedTextCodec::isLanguage);
     return language.isPresent()
         ? language

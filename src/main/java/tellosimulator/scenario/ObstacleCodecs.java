@@ -10,11 +10,11 @@ import tellosimulator.math.Frames;
 import tellosimulator.math.Vec3;
 import tellosimulator.scenario.Notation.Ends;
 import tellosimulator.words.Phrase;
-import tellosimulator.world.Cover;
-import tellosimulator.world.Cover.Pattern;
-import tellosimulator.world.Cover.Side;
 import tellosimulator.world.Footprint;
 import tellosimulator.world.Obstacle;
+import tellosimulator.world.ObstacleAppearance;
+import tellosimulator.world.ObstacleAppearance.Pattern;
+import tellosimulator.world.ObstacleAppearance.Side;
 import tellosimulator.world.ObstacleNames;
 import tellosimulator.world.Shape;
 
@@ -102,12 +102,14 @@ final class ObstacleCodecs {
 
   private static final Field<NotedObstacle, Integer> COLOR =
       shared("colour", "")
-          .usual(Scalars.COLOR.or(Cover.DEFAULT.rgb()), entry -> entry.obstacle().cover().rgb());
+          .usual(
+              Scalars.COLOR.or(ObstacleAppearance.DEFAULT.rgb()),
+              entry -> entry.obstacle().cover().rgb());
 
   private static final Field<NotedObstacle, Pattern> PATTERN =
       shared("pattern", "What is painted on it in two shades of its colour.")
           .usual(
-              WordCodec.of(Pattern.values()).or(Cover.DEFAULT.pattern()),
+              WordCodec.of(Pattern.values()).or(ObstacleAppearance.DEFAULT.pattern()),
               entry -> entry.obstacle().cover().pattern());
 
   private static final Field<NotedObstacle, Map<Side, String>> PICTURES =
@@ -129,7 +131,8 @@ final class ObstacleCodecs {
 
   private static NotedObstacle finished(Entries in, String kind, Stand stand, Shape shape) {
     Optional<String> name = in.find(NAME);
-    Cover cover = new Cover(in.get(COLOR), in.get(PATTERN), in.get(PICTURES));
+    ObstacleAppearance cover =
+        new ObstacleAppearance(in.get(COLOR), in.get(PATTERN), in.get(PICTURES));
     Vec3 foot = stand.at().withZ(in.get(BASE));
     return new NotedObstacle(
         new Notation(kind, name.isPresent(), Optional.empty()),

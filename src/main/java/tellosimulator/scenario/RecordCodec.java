@@ -126,22 +126,22 @@ class RecordCodec<T> implements Codec<T> {
   }
 
   private void take(NodeTuple tuple, Entries in) {
-    Mistakes mistakes = in.mistakes();
+    Diagnostics mistakes = in.mistakes();
     Node key = tuple.getKeyNode();
     if (!(key instanceof ScalarNode scalar)) {
-      mistakes.add(key, Phrase.of("expected a key, found %s", Mistakes.found(key)));
+      mistakes.add(key, Phrase.of("expected a key, found %s", Diagnostics.found(key)));
       return;
     }
     String word = scalar.getValue();
     if (!fields.containsKey(word)) {
-      mistakes.add(Mistakes.place(key), () -> unknown(word));
+      mistakes.add(Diagnostics.place(key), () -> unknown(word));
     } else if (!in.put(word, tuple.getValueNode())) {
       mistakes.add(key, Phrase.of("the key %s is there twice", word));
     }
   }
 
   private Phrase unknown(String key) {
-    String shown = Mistakes.shown(key);
+    String shown = Diagnostics.shown(key);
     return Spelling.meant(key, fields.keySet())
         .map(meant -> Phrase.of("%s has no key %s, did you mean %s?", phrase, shown, meant))
         .orElseGet(

@@ -229,7 +229,7 @@ final class Scalars {
           file = Optional.empty(); // it names no file
         }
         if (file.isEmpty() || (context.looked() && !Files.isRegularFile(file.get()))) {
-          Object found = Mistakes.found(node);
+          Object found = Diagnostics.found(node);
           return context
               .mistakes()
               .add(node, Phrase.of("expected the name of an image file, found no file %s", found));

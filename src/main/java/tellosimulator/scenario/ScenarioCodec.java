@@ -257,7 +257,7 @@ final class ScenarioCodec extends RecordCodec<ScenarioCodec.Noted> {
   }
 
   private void checkParts(Entries in) {
-    Checks checks = new Checks(in.find(room).orElse(UNKNOWN), in.mistakes());
+    ScenarioValidator checks = new ScenarioValidator(in.find(room).orElse(UNKNOWN), in.mistakes());
     List<Item<ObstacleCodecs.NotedObstacle>> written = in.find(obstacles).orElse(List.of());
     List<Item<Obstacle>> named = named(written);
     List<Item<MissionPad>> placed = in.find(pads).orElse(List.of());
@@ -290,7 +290,7 @@ final class ScenarioCodec extends RecordCodec<ScenarioCodec.Noted> {
   private List<Item<DroneCodec.StationedDrone>> flying(Entries in) {
     List<Item<DroneCodec.StationedDrone>> written = in.find(drones).orElse(List.of());
     return written.isEmpty() && in.sound(drones)
-        ? List.of(new Item<>(USUAL_DRONE, 1, Mistakes.place(in.node())))
+        ? List.of(new Item<>(USUAL_DRONE, 1, Diagnostics.place(in.node())))
         : written;
   }
 

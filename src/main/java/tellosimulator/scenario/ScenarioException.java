@@ -8,15 +8,15 @@ public final class ScenarioException extends Exception {
 
   private static final long serialVersionUID = 1;
 
-  private final transient List<Mistake> mistakes;
+  private final transient List<Diagnostic> mistakes;
 
-  ScenarioException(List<Mistake> mistakes) {
-    super(mistakes.stream().map(Mistake::toString).collect(Collectors.joining("\n")));
+  ScenarioException(List<Diagnostic> mistakes) {
+    super(mistakes.stream().map(Diagnostic::toString).collect(Collectors.joining("\n")));
     this.mistakes = List.copyOf(mistakes);
   }
 
   /** What is wrong, in the order of the places; at least one. */
-  public List<Mistake> mistakes() {
+  public List<Diagnostic> mistakes() {
     return mistakes;
   }
 }

@@ -43,7 +43,7 @@ public final class ScenarioFile {
    * @throws ScenarioException with all that is wrong with it
    */
   public static ScenarioDocument open(Path file) throws ScenarioException {
-    Mistakes mistakes = new Mistakes(file.toString());
+    Diagnostics mistakes = new Diagnostics(file.toString());
     Optional<byte[]> bytes = new Source(file.toString(), mistakes).bytes(file);
     mistakes.check();
     return open(file.toString(), bytes.orElseThrow(), folder(file));
@@ -57,7 +57,7 @@ public final class ScenarioFile {
 
   private static ScenarioDocument open(String name, byte[] bytes, Path folder)
       throws ScenarioException {
-    Mistakes mistakes = new Mistakes(name);
+    Diagnostics mistakes = new Diagnostics(name);
     Source source = new Source(name, mistakes);
     Optional<String> text = source.text(bytes);
     Optional<Node> root = text.isPresent() ? source.root(text.get()) : Optional.empty();
@@ -75,7 +75,7 @@ public final class ScenarioFile {
    * @return empty if a part of it could not be read
    */
   static Optional<Noted> understood(String text, Path folder) {
-    Mistakes mistakes = new Mistakes("");
+    Diagnostics mistakes = new Diagnostics("");
     Codec.Context context = new Codec.Context(mistakes, folder, false, 1);
     return new Source("", mistakes)
         .root(text)

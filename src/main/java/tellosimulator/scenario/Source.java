@@ -22,7 +22,7 @@ import org.snakeyaml.engine.v2.parser.Parser;
 import org.snakeyaml.engine.v2.parser.ParserImpl;
 import org.snakeyaml.engine.v2.scanner.StreamReader;
 import org.snakeyaml.engine.v2.schema.FailsafeSchema;
-import tellosimulator.scenario.Mistake.Place;
+import tellosimulator.scenario.Diagnostic.Place;
 import tellosimulator.words.Phrase;
 
 /** The text of a file, made into nodes; whatever it holds, it costs little time and memory. */
@@ -37,9 +37,9 @@ final class Source {
   private static final char BYTE_ORDER_MARK = '\uFEFF';
 
   private final String file;
-  private final Mistakes mistakes;
+  private final Diagnostics mistakes;
 
-  Source(String file, Mistakes mistakes) {
+  Source(String file, Diagnostics mistakes) {
     this.file = file;
     this.mistakes = mistakes;
   }
@@ -101,7 +101,7 @@ final class Source {
       mistakes.add(e.place(), e.phrase());
     } catch (MarkedYamlEngineException e) {
       Place place =
-          e.getProblemMark().or(e::getContextMark).map(Mistakes::place).orElse(Place.WHOLE);
+          e.getProblemMark().or(e::getContextMark).map(Diagnostics::place).orElse(Place.WHOLE);
       mistakes.add(
           place, Phrase.of("this is not YAML: %s", shortened(String.valueOf(e.getProblem()))));
     } catch (YamlVersionException e) {

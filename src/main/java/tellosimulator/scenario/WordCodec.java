@@ -36,7 +36,7 @@ record WordCodec<T>(NavigableMap<String, T> words) implements Codec<T> {
       return meant;
     }
     String known = String.join(", ", words.keySet());
-    Object found = Mistakes.found(node);
+    Object found = Diagnostics.found(node);
     Phrase wrong =
         written
             .flatMap(word -> Spelling.meant(word, words.keySet()))

@@ -8,7 +8,7 @@ import tellosimulator.math.Vec3;
 import tellosimulator.model.DroneSpec;
 import tellosimulator.model.DroneState;
 import tellosimulator.model.Motion;
-import tellosimulator.profile.Behaviour;
+import tellosimulator.profile.Behavior;
 import tellosimulator.sensor.SeededNoise.Channel;
 import tellosimulator.sensor.SensorReadings.AttitudeDeg;
 import tellosimulator.sensor.SensorReadings.Health;
@@ -67,7 +67,7 @@ public final class Instruments {
    * @param wrong what becomes of right readings
    */
   public Instruments(
-      Behaviour behaviour, SeededNoise noise, Echoes echoes, UnaryOperator<SensorReadings> wrong) {
+      Behavior behaviour, SeededNoise noise, Echoes echoes, UnaryOperator<SensorReadings> wrong) {
     this.echoes = echoes;
     this.wrong = wrong;
     this.boardRange = behaviour.boardRange();

@@ -36,7 +36,7 @@ final class DroneLink implements ReplyPort {
   private final LinkChannel<SimInput.Datagram> commands;
   private final LinkChannel<Outgoing> replies;
   private final LinkChannel<StateReport> states;
-  private final Interference interference;
+  private final TrafficFaults interference;
   private ActiveFaults faults = ActiveFaults.NONE;
 
   /**
@@ -62,7 +62,7 @@ final class DroneLink implements ReplyPort {
     replies = new LinkChannel<>(noise, LinkDirection.REPLIES, new ReplyReceiver());
     states = new LinkChannel<>(noise, LinkDirection.STATE, new StateReceiver());
     interference =
-        new Interference(
+        new TrafficFaults(
             (peer, text) -> replies.send(new Outgoing(peer, text), false, now.get()),
             (peer, text) -> drone.accept(new SimInput.Datagram(ends.number(), peer, text)));
   }
@@ -87,7 +87,7 @@ final class DroneLink implements ReplyPort {
 
   @Override
   public void reply(Peer peer, String text) {
-    if (Interference.concerns(peer)) {
+    if (TrafficFaults.concerns(peer)) {
       return;
     }
     if (replies.clear()) {

@@ -18,7 +18,7 @@ final class PadSense {
    * @param model takes what is seen
    * @param blind whether a fault keeps it from seeing any
    */
-  void sense(DroneModel model, SimTime now, boolean blind, Surroundings surroundings) {
+  void sense(DroneModel model, SimTime now, boolean blind, CollisionWorld surroundings) {
     Perception before = model.perception();
     if (blind) {
       if (!before.pads().isEmpty()) {

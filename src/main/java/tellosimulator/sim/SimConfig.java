@@ -10,7 +10,7 @@ import tellosimulator.fault.LinkPreset;
 import tellosimulator.math.Pose;
 import tellosimulator.math.Vec3;
 import tellosimulator.model.DroneSpec;
-import tellosimulator.profile.Behaviour;
+import tellosimulator.profile.Behavior;
 import tellosimulator.profile.Profile;
 import tellosimulator.time.TimeFactor;
 import tellosimulator.world.Arena;
@@ -30,10 +30,10 @@ public record SimConfig(
     Arena arena, List<DroneSetup> drones, TimeFactor timeFactor, long seed, Rules rules) {
 
   /** Which drone is simulated, after which account of it. */
-  public record Product(Profile profile, Behaviour behaviour) {
+  public record Product(Profile profile, Behavior behaviour) {
 
     /** An EDU, after the report. */
-    public static final Product DEFAULT = new Product(Profile.EDU, Behaviour.REPORT);
+    public static final Product DEFAULT = new Product(Profile.EDU, Behavior.REPORT);
   }
 
   /** Where on an operator's host state lines and video go. */
@@ -105,7 +105,7 @@ public record SimConfig(
   }
 
   /** The same with all drones of another product. */
-  public SimConfig withProduct(Profile profile, Behaviour behaviour) {
+  public SimConfig withProduct(Profile profile, Behavior behaviour) {
     Product product = new Product(profile, behaviour);
     return withEach(drone -> drone.withProduct(product));
   }

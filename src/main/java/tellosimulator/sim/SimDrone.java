@@ -27,7 +27,7 @@ import tellosimulator.model.DroneState;
 import tellosimulator.model.FlightPhase;
 import tellosimulator.physics.QuadcopterDynamics;
 import tellosimulator.physics.Setpoint;
-import tellosimulator.profile.Behaviour;
+import tellosimulator.profile.Behavior;
 import tellosimulator.profile.Profile;
 import tellosimulator.sensor.Instruments;
 import tellosimulator.sensor.SeededNoise;
@@ -46,7 +46,7 @@ final class SimDrone {
   private final Neighborhood neighborhood;
   private final ReplyPort replies;
   private final Profile profile;
-  private final Behaviour behaviour;
+  private final Behavior behaviour;
   private final Instruments instruments;
   private final DroneModel model;
   private final OperatorSession session;
@@ -74,7 +74,7 @@ final class SimDrone {
   record Neighborhood(
       long seed,
       Rules rules,
-      Surroundings surroundings,
+      CollisionWorld surroundings,
       StatePort states,
       Consumer<SimEvent> events) {}
 
@@ -242,7 +242,7 @@ final class SimDrone {
       return this;
     }
     Profile newProfile = change.product().profile();
-    Behaviour newBehaviour = change.product().behaviour();
+    Behavior newBehaviour = change.product().behaviour();
     DroneSetup newSetup = setup.withProduct(change.product()).withOutlets(change.outlets());
     SimDrone other = new SimDrone(model, newSetup, replies, neighborhood);
     other.plan(now);
@@ -261,13 +261,13 @@ final class SimDrone {
   }
 
   /** Other things stand around it: what carried it may be gone, or something is where it is. */
-  void lookAround(Surroundings surroundings) {
+  void lookAround(CollisionWorld surroundings) {
     model.moveInto(surroundings.arena().room());
     settle(surroundings);
   }
 
   /** Lets a drone that rests fall, or move out of what it is in. */
-  private void settle(Surroundings surroundings) {
+  private void settle(CollisionWorld surroundings) {
     if (model.resting() && surroundings.unsettles(this)) {
       model.setMotion(model.motion());
     }
@@ -320,7 +320,7 @@ final class SimDrone {
     model.setPushed(dynamics.pushed());
   }
 
-  void collide(Surroundings surroundings) {
+  void collide(CollisionWorld surroundings) {
     if (!model.resting()) {
       surroundings.obstacle(this).ifPresent(this::stopBy);
     }
@@ -335,7 +335,7 @@ final class SimDrone {
   }
 
   /** Looks for mission pads. */
-  void sense(Surroundings surroundings) {
+  void sense(CollisionWorld surroundings) {
     boolean blind = faults().find(FaultKind.PAD_BLIND).isPresent();
     padSense.sense(model, now, blind, surroundings);
   }

@@ -47,7 +47,7 @@ public final class Simulation {
   /** What is run once nothing is left that anybody waits for. */
   private final List<Runnable> onceStill = new ArrayList<>();
 
-  private Surroundings surroundings;
+  private CollisionWorld surroundings;
   private volatile OperatorRule operators;
   private FaultInjection faults;
   private TimeDemand demand;
@@ -80,7 +80,7 @@ public final class Simulation {
   private void begin(SimConfig newConfig) {
     config = newConfig;
     drones.clear();
-    surroundings = new Surroundings(config.arena(), drones, config.seed());
+    surroundings = new CollisionWorld(config.arena(), drones, config.seed());
     clock = new Clock(config.timeFactor(), false);
     operators = config.rules().operators();
     now = SimTime.ZERO;
@@ -348,7 +348,7 @@ public final class Simulation {
     for (SimDrone drone : drones) {
       drone.collide(surroundings);
     }
-    Encounters.resolve(drones);
+    DroneCollisions.resolve(drones);
     for (SimDrone drone : drones) {
       drone.consume();
       drone.sense(surroundings);

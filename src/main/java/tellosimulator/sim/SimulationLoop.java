@@ -6,7 +6,7 @@ import java.util.concurrent.TimeUnit;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 import tellosimulator.concurrent.Agent;
-import tellosimulator.concurrent.Verdict;
+import tellosimulator.concurrent.ErrorPolicy;
 import tellosimulator.concurrent.Worker;
 import tellosimulator.sim.SimSnapshot.Clock;
 import tellosimulator.time.Pacer;
@@ -35,7 +35,7 @@ public final class SimulationLoop implements AutoCloseable {
   /** Steps when it is time to, and takes what has arrived whenever it is woken. */
   private final class Turns implements Agent {
 
-    private final Verdict failed = Verdict.retry("A step of the simulation failed");
+    private final ErrorPolicy failed = ErrorPolicy.retry("A step of the simulation failed");
 
     @Override
     public Outcome doWork() {
@@ -48,7 +48,7 @@ public final class SimulationLoop implements AutoCloseable {
     }
 
     @Override
-    public Verdict onError(Throwable failure) {
+    public ErrorPolicy onError(Throwable failure) {
       return failed;
     }
 

@@ -1,7 +1,7 @@
 package tellosimulator.sim;
 
 import java.util.Optional;
-import tellosimulator.profile.Behaviour;
+import tellosimulator.profile.Behavior;
 import tellosimulator.sensor.SeededNoise;
 import tellosimulator.sensor.SeededNoise.Channel;
 import tellosimulator.time.Periodic;
@@ -20,13 +20,13 @@ final class StateLines {
   /** Period of state lines [s]. Report. */
   private static final double PERIOD = 0.1;
 
-  private final Behaviour behaviour;
+  private final Behavior behaviour;
   private final SeededNoise noise;
   private Optional<Periodic> lines = Optional.empty();
   private boolean owed;
   private long count;
 
-  StateLines(Behaviour behaviour, SeededNoise noise) {
+  StateLines(Behavior behaviour, SeededNoise noise) {
     this.behaviour = behaviour;
     this.noise = noise;
   }

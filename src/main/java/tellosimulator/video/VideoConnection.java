@@ -11,7 +11,7 @@ import org.slf4j.LoggerFactory;
 import tellosimulator.command.Link;
 import tellosimulator.network.DatagramPort;
 import tellosimulator.network.UdpPort;
-import tellosimulator.time.Metronome;
+import tellosimulator.time.Ticker;
 
 /**
  * Sends a drone's video to its operator's host, from the drone's own address. Its socket is not
@@ -52,7 +52,7 @@ final class VideoConnection implements AutoCloseable {
         throws IOException;
   }
 
-  private final Metronome metronome;
+  private final Ticker metronome;
   private final Runnable unreachable;
   private final Connector connector;
   private final VideoFaults faults;
@@ -72,7 +72,7 @@ final class VideoConnection implements AutoCloseable {
    * @param tapped lets somebody see what is sent through a port
    */
   VideoConnection(
-      Metronome metronome,
+      Ticker metronome,
       Runnable unreachable,
       VideoFaults faults,
       UnaryOperator<DatagramPort> tapped) {
@@ -80,7 +80,7 @@ final class VideoConnection implements AutoCloseable {
   }
 
   VideoConnection(
-      Metronome metronome,
+      Ticker metronome,
       Runnable unreachable,
       VideoFaults faults,
       UnaryOperator<DatagramPort> tapped,

@@ -8,8 +8,8 @@ import java.util.function.UnaryOperator;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 import tellosimulator.concurrent.Agent;
+import tellosimulator.concurrent.ErrorPolicy;
 import tellosimulator.concurrent.Exceptions;
-import tellosimulator.concurrent.Verdict;
 import tellosimulator.concurrent.Worker;
 import tellosimulator.model.FlightPhase;
 import tellosimulator.model.VideoSettings;
@@ -17,7 +17,7 @@ import tellosimulator.network.DatagramPort;
 import tellosimulator.network.WireTap;
 import tellosimulator.sim.SimSnapshot;
 import tellosimulator.sim.SimSnapshot.DroneSnapshot;
-import tellosimulator.time.Metronome;
+import tellosimulator.time.Ticker;
 import tellosimulator.video.VideoConnection.Route;
 import tellosimulator.video.camera.CameraView;
 import tellosimulator.video.codec.AccessUnit;
@@ -55,7 +55,7 @@ public final class VideoStream implements AutoCloseable {
   private final int drone;
   private final Supplier<SimSnapshot> snapshots;
   private final Supplier<Film> films;
-  private final Metronome metronome = new Metronome();
+  private final Ticker metronome = new Ticker();
   private final Reachability reachability = new Reachability(metronome::nanos);
   private final VideoFaults faults;
   private final VideoConnection connection;
@@ -153,9 +153,9 @@ public final class VideoStream implements AutoCloseable {
 
   private final class Filming implements Agent {
 
-    private final Verdict failed = Verdict.goOn("A picture of drone " + drone + " failed");
-    private final Verdict resting =
-        Verdict.goOn("The video of drone " + drone + " rests until the next streamon");
+    private final ErrorPolicy failed = ErrorPolicy.goOn("A picture of drone " + drone + " failed");
+    private final ErrorPolicy resting =
+        ErrorPolicy.goOn("The video of drone " + drone + " rests until the next streamon");
 
     @Override
     public Outcome doWork() {
@@ -168,7 +168,7 @@ public final class VideoStream implements AutoCloseable {
     }
 
     @Override
-    public Verdict onError(Throwable failure) {
+    public ErrorPolicy onError(Throwable failure) {
       last = Wish.NOTHING;
       if (!Exceptions.isFatal(failure)) {
         return failed;

@@ -13,7 +13,8 @@ import tellosimulator.words.Phrase;
  * @param heading where its x axis points [rad], counter-clockwise seen from above, 0 along the
  *     room's x
  */
-public record Obstacle(String name, Shape shape, Vec3 foot, double heading, Cover cover)
+public record Obstacle(
+    String name, Shape shape, Vec3 foot, double heading, ObstacleAppearance cover)
     implements Collidable {
 
   @Override

@@ -15,7 +15,7 @@ import tellosimulator.network.PortTakenException;
 import tellosimulator.sim.Control;
 import tellosimulator.sim.SimConfig;
 import tellosimulator.sim.SimConfig.Outlets;
-import tellosimulator.time.Metronome;
+import tellosimulator.time.Ticker;
 import tellosimulator.video.SoftwareCameras;
 import tellosimulator.video.VideoStreams;
 import tellosimulator.video.camera.DroneOptics;
@@ -36,7 +36,7 @@ final class LatencyBenchmark {
 
   private final BlockingQueue<Begun> begun = new LinkedBlockingQueue<>();
   private final Random random = new Random(1);
-  private final Metronome clock = new Metronome();
+  private final Ticker clock = new Ticker();
   private int pictures;
 
   private LatencyBenchmark() {}

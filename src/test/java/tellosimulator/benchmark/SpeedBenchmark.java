@@ -21,8 +21,8 @@ import tellosimulator.sim.Control;
 import tellosimulator.sim.SimConfig;
 import tellosimulator.sim.Simulation;
 import tellosimulator.world.Arena;
-import tellosimulator.world.Cover;
 import tellosimulator.world.Obstacle;
+import tellosimulator.world.ObstacleAppearance;
 import tellosimulator.world.Room;
 import tellosimulator.world.Shape;
 
@@ -123,7 +123,7 @@ final class SpeedBenchmark {
               place ->
                   starts.stream().noneMatch(start -> start.position().distanceTo(place) < CLEAR))
           .limit(count)
-          .map(place -> new Obstacle("box", BOX, place, place.x(), Cover.DEFAULT))
+          .map(place -> new Obstacle("box", BOX, place, place.x(), ObstacleAppearance.DEFAULT))
           .toList();
     }
 

@@ -29,7 +29,7 @@ class InvocationTest {
             new PrintStream(err, true, StandardCharsets.UTF_8),
             () -> Translation.ENGLISH,
             new ProgramInput(InputStream.nullInputStream(), task -> {}));
-    Choices choices = Choices.ofSimulator();
+    OptionList choices = OptionList.ofSimulator();
     choices.flag("--on", "On.");
     return new Invocation(choices.commandLine(() -> new String[0]), SubcommandName.words(), output)
         .run(words.toArray(String[]::new), reading);

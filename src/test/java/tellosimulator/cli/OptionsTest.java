@@ -17,7 +17,7 @@ import tellosimulator.math.Vec3;
 import tellosimulator.network.AddressPlan;
 import tellosimulator.network.DroneNetwork;
 import tellosimulator.network.Reach;
-import tellosimulator.profile.Behaviour;
+import tellosimulator.profile.Behavior;
 import tellosimulator.profile.Profile;
 import tellosimulator.scenario.Gallery;
 import tellosimulator.sim.DroneSetup;
@@ -53,7 +53,7 @@ class OptionsTest {
 
     SimConfig config = options.scenario().config();
     assertThat(config.drones().get(0).product())
-        .isEqualTo(new Product(Profile.TT, Behaviour.MEASURED));
+        .isEqualTo(new Product(Profile.TT, Behavior.MEASURED));
     assertThat(config.arena().room()).isEqualTo(new Room(6, 7.005, 2.5));
     assertThat(config.starts()).hasSize(1);
     assertThat(config.starts().get(0).position()).isEqualTo(new Vec3(1, -0.5, 0));
@@ -91,7 +91,7 @@ class OptionsTest {
 
   @ParameterizedTest
   @CsvSource({"report, REPORT", "measured, MEASURED"})
-  void behavioursAreChosenByName(String word, Behaviour behaviour) {
+  void behavioursAreChosenByName(String word, Behavior behaviour) {
     assertThat(
             options("--behaviour " + word)
                 .scenario()
@@ -243,7 +243,7 @@ class OptionsTest {
     assertThat(config.starts()).isEqualTo(scenario.starts());
     assertThat(config.drones())
         .extracting(DroneSetup::product)
-        .containsOnly(new Product(Profile.TT, Behaviour.MEASURED));
+        .containsOnly(new Product(Profile.TT, Behavior.MEASURED));
     assertThat(config.drones())
         .extracting(DroneSetup::outlets)
         .containsExactly(new Outlets(9001, 1), new Outlets(9001, 2), new Outlets(9001, 3));

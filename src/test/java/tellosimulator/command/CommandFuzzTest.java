@@ -8,7 +8,7 @@ import java.util.Optional;
 import java.util.Random;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import tellosimulator.profile.Behaviour;
+import tellosimulator.profile.Behavior;
 import tellosimulator.profile.Profile;
 import tellosimulator.time.SimTime;
 import tellosimulator.words.Phrase;
@@ -25,7 +25,7 @@ class CommandFuzzTest {
           TT,    MEASURED, 3, 400000
           """)
   void whateverArrivesHasExactlyOneConsequence(
-      Profile profile, Behaviour behaviour, long seed, int texts) {
+      Profile profile, Behavior behaviour, long seed, int texts) {
     CountingTarget target = new CountingTarget();
     Counts counts = new Counts();
     OperatorSession session = new OperatorSession(OperatorRule.FIRST, 8890, 11_111, link -> {});

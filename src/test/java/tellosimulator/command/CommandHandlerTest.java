@@ -9,8 +9,8 @@ import static org.mockito.Mockito.verify;
 import static tellosimulator.command.HandlerFixture.OPERATOR;
 import static tellosimulator.command.HandlerFixture.peer;
 import static tellosimulator.command.HandlerFixture.wire;
-import static tellosimulator.profile.Behaviour.MEASURED;
-import static tellosimulator.profile.Behaviour.REPORT;
+import static tellosimulator.profile.Behavior.MEASURED;
+import static tellosimulator.profile.Behavior.REPORT;
 import static tellosimulator.profile.Profile.EDU;
 import static tellosimulator.profile.Profile.TELLO;
 import static tellosimulator.profile.Profile.TT;
@@ -20,7 +20,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
-import tellosimulator.profile.Behaviour;
+import tellosimulator.profile.Behavior;
 import tellosimulator.profile.Profile;
 import tellosimulator.words.Phrase;
 
@@ -92,7 +92,7 @@ class CommandHandlerTest {
   /** Two simulators whose ports point at each other would answer each other without end. */
   @Test
   void anEchoOfAnotherDroneIsNotEchoed() {
-    HandlerFixture drone = HandlerFixture.flying(Profile.EDU, Behaviour.REPORT);
+    HandlerFixture drone = HandlerFixture.flying(Profile.EDU, Behavior.REPORT);
 
     drone.handle("unknown command: mid:-2;x:-200;");
 
@@ -122,7 +122,7 @@ class CommandHandlerTest {
           xyzzy 1 2|there is no such command
           """)
   void anUnknownCommandIsExplained(String text, String reason) {
-    HandlerFixture drone = HandlerFixture.flying(Profile.EDU, Behaviour.REPORT);
+    HandlerFixture drone = HandlerFixture.flying(Profile.EDU, Behavior.REPORT);
 
     drone.handle(text);
 
@@ -394,7 +394,7 @@ class CommandHandlerTest {
           TT,    MEASURED, foo bar,        foo bar
           """)
   void onlyTheMeasuredWhiteTelloEchoesTheFirstWord(
-      Profile profile, Behaviour behaviour, String text, String echo) {
+      Profile profile, Behavior behaviour, String text, String echo) {
     HandlerFixture drone = HandlerFixture.flying(profile, behaviour);
 
     drone.handle(text);

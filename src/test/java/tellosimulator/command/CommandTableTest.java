@@ -1,7 +1,7 @@
 package tellosimulator.command;
 
 import static org.assertj.core.api.Assertions.assertThat;
-import static tellosimulator.profile.Behaviour.REPORT;
+import static tellosimulator.profile.Behavior.REPORT;
 import static tellosimulator.profile.Profile.TT;
 
 import java.util.Arrays;
@@ -14,7 +14,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.MethodSource;
-import tellosimulator.profile.Behaviour;
+import tellosimulator.profile.Behavior;
 import tellosimulator.profile.Profile;
 
 /** Each row of the table of commands: what is accepted and becomes what, and what is refused. */
@@ -156,11 +156,11 @@ class CommandTableTest {
 
   /** Report: while a command runs all are refused but these; measured: also reads and `land`. */
   @ParameterizedTest
-  @EnumSource(Behaviour.class)
-  void whileAnotherCommandRunsOnlyTheseAreCarriedOut(Behaviour behaviour) {
+  @EnumSource(Behavior.class)
+  void whileAnotherCommandRunsOnlyTheseAreCarriedOut(Behavior behaviour) {
     Set<CommandSyntax> expected =
         EnumSet.of(CommandSyntax.RC, CommandSyntax.STOP, CommandSyntax.EMERGENCY);
-    if (behaviour == Behaviour.MEASURED) {
+    if (behaviour == Behavior.MEASURED) {
       expected.add(CommandSyntax.COMMAND);
       expected.add(CommandSyntax.LAND);
       Stream.of(CommandSyntax.values())

@@ -12,7 +12,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import org.mockito.invocation.Invocation;
-import tellosimulator.profile.Behaviour;
+import tellosimulator.profile.Behavior;
 import tellosimulator.profile.Profile;
 import tellosimulator.time.SimTime;
 import tellosimulator.words.Phrase;
@@ -36,7 +36,7 @@ final class HandlerFixture {
   final CommandHandler handler;
   SimTime now = SimTime.ZERO;
 
-  private HandlerFixture(Profile profile, Behaviour behaviour) {
+  private HandlerFixture(Profile profile, Behavior behaviour) {
     handler =
         CommandHandler.of(profile, behaviour)
             .target(target)
@@ -47,19 +47,19 @@ final class HandlerFixture {
   }
 
   /** A drone that just got its power: it waits for {@code command}. */
-  static HandlerFixture fresh(Profile profile, Behaviour behaviour) {
+  static HandlerFixture fresh(Profile profile, Behavior behaviour) {
     return new HandlerFixture(profile, behaviour);
   }
 
   /** In SDK mode, on the ground. */
-  static HandlerFixture grounded(Profile profile, Behaviour behaviour) {
+  static HandlerFixture grounded(Profile profile, Behavior behaviour) {
     HandlerFixture fixture = new HandlerFixture(profile, behaviour);
     fixture.session.open(OPERATOR, SimTime.ZERO, true);
     return fixture;
   }
 
   /** In SDK mode, flying. */
-  static HandlerFixture flying(Profile profile, Behaviour behaviour) {
+  static HandlerFixture flying(Profile profile, Behavior behaviour) {
     HandlerFixture fixture = grounded(profile, behaviour);
     when(fixture.target.flying()).thenReturn(true);
     return fixture;

@@ -3,7 +3,7 @@ package tellosimulator.command;
 import static org.assertj.core.api.Assertions.assertThat;
 import static tellosimulator.command.HandlerFixture.OPERATOR;
 import static tellosimulator.command.HandlerFixture.peer;
-import static tellosimulator.profile.Behaviour.REPORT;
+import static tellosimulator.profile.Behavior.REPORT;
 import static tellosimulator.profile.Profile.EDU;
 import static tellosimulator.profile.Profile.TELLO;
 import static tellosimulator.profile.Profile.TT;

@@ -65,13 +65,13 @@ class FatalExitTest {
           }
 
           @Override
-          public Verdict onError(Throwable failure) {
-            return Verdict.retry("Work failed");
+          public ErrorPolicy onError(Throwable failure) {
+            return ErrorPolicy.retry("Work failed");
           }
         };
     Thread.UncaughtExceptionHandler before = Thread.getDefaultUncaughtExceptionHandler();
     Thread.setDefaultUncaughtExceptionHandler(ending);
-    try (CapturedLog log = CapturedLog.of(Verdict.class);
+    try (CapturedLog log = CapturedLog.of(ErrorPolicy.class);
         Worker worker = Worker.start("fails always", failing)) {
       assertThat(log.next()).startsWith("Work failed; please report this: ");
       assertThat(ended.await(20, TimeUnit.SECONDS)).isTrue();

@@ -23,7 +23,7 @@ class WorkerTest {
 
   private static final int ENDLESSLY = Integer.MAX_VALUE;
 
-  private final CapturedLog log = CapturedLog.of(Verdict.class);
+  private final CapturedLog log = CapturedLog.of(ErrorPolicy.class);
 
   @AfterEach
   void close() {
@@ -36,11 +36,11 @@ class WorkerTest {
     final AtomicInteger calls = new AtomicInteger();
     final AtomicInteger closed = new AtomicInteger();
     final CountDownLatch succeeded = new CountDownLatch(1);
-    private final Verdict verdict;
+    private final ErrorPolicy verdict;
     private final Throwable failure;
     private final int failures;
 
-    Failing(Verdict verdict, Throwable failure, int failures) {
+    Failing(ErrorPolicy verdict, Throwable failure, int failures) {
       this.verdict = verdict;
       this.failure = failure;
       this.failures = failures;
@@ -64,7 +64,7 @@ class WorkerTest {
     }
 
     @Override
-    public Verdict onError(Throwable thrown) {
+    public ErrorPolicy onError(Throwable thrown) {
       assertThat(thrown).isSameAs(failure);
       return verdict;
     }
@@ -88,7 +88,8 @@ class WorkerTest {
   @ParameterizedTest
   @MethodSource("failures")
   void goesOnAfterWhateverItsWorkThrows(Throwable failure) throws InterruptedException {
-    for (Verdict verdict : List.of(Verdict.goOn("Work failed"), Verdict.retry("Work failed"))) {
+    for (ErrorPolicy verdict :
+        List.of(ErrorPolicy.goOn("Work failed"), ErrorPolicy.retry("Work failed"))) {
       Failing agent = new Failing(verdict, failure, 2);
       try (Worker worker = Worker.start("fails twice", agent)) {
         assertThat(agent.succeeded.await(20, TimeUnit.SECONDS)).isTrue();
@@ -104,7 +105,7 @@ class WorkerTest {
   @ParameterizedTest
   @MethodSource("failures")
   void whoFailsTooOftenEndsAndLeavesTheFailureUncaught(Throwable failure) throws Exception {
-    Failing agent = new Failing(Verdict.retry("Work failed"), failure, ENDLESSLY);
+    Failing agent = new Failing(ErrorPolicy.retry("Work failed"), failure, ENDLESSLY);
     try (Uncaught uncaught = new Uncaught();
         Worker worker = Worker.start("fails always", agent)) {
       assertThat(uncaught.await()).isSameAs(failure);
@@ -122,7 +123,7 @@ class WorkerTest {
 
   @Test
   void whoMayFailAsOftenAsItLikesGoesOn() throws InterruptedException {
-    Failing agent = new Failing(Verdict.goOn("Work failed"), new OutOfMemoryError(), 110);
+    Failing agent = new Failing(ErrorPolicy.goOn("Work failed"), new OutOfMemoryError(), 110);
     try (Worker worker = Worker.start("fails often", agent)) {
       assertThat(agent.succeeded.await(20, TimeUnit.SECONDS)).isTrue();
       assertThat(worker.hasEnded()).isFalse();
@@ -133,7 +134,7 @@ class WorkerTest {
   void whatTheProgramDoesNotNeedEndsAlone() throws InterruptedException {
     CountDownLatch over = new CountDownLatch(1);
     Failing agent =
-        new Failing(Verdict.finish("Work failed"), new OutOfMemoryError(), ENDLESSLY) {
+        new Failing(ErrorPolicy.finish("Work failed"), new OutOfMemoryError(), ENDLESSLY) {
           @Override
           public void onClose() {
             over.countDown();
@@ -152,9 +153,9 @@ class WorkerTest {
   void anErrorWhileErrorsAreHandledDoesNotEndItInSilence() throws Exception {
     Error failure = new OutOfMemoryError("broken on purpose");
     Failing agent =
-        new Failing(Verdict.goOn("Work failed"), failure, ENDLESSLY) {
+        new Failing(ErrorPolicy.goOn("Work failed"), failure, ENDLESSLY) {
           @Override
-          public Verdict onError(Throwable thrown) {
+          public ErrorPolicy onError(Throwable thrown) {
             throw new OutOfMemoryError("broken once more");
           }
 
@@ -188,8 +189,8 @@ class WorkerTest {
           }
 
           @Override
-          public Verdict onError(Throwable failure) {
-            return Verdict.goOn("Work failed");
+          public ErrorPolicy onError(Throwable failure) {
+            return ErrorPolicy.goOn("Work failed");
           }
         };
     try (Worker worker = Worker.start("idle", agent)) {
@@ -204,7 +205,7 @@ class WorkerTest {
 
   @Test
   void closingWaitsUntilItHasEnded() {
-    Failing agent = new Failing(Verdict.goOn("Work failed"), new Exception(), 0);
+    Failing agent = new Failing(ErrorPolicy.goOn("Work failed"), new Exception(), 0);
     Worker worker = Worker.start("closed", agent);
 
     worker.close();
@@ -228,8 +229,8 @@ class WorkerTest {
           }
 
           @Override
-          public Verdict onError(Throwable failure) {
-            return Verdict.goOn("Work failed");
+          public ErrorPolicy onError(Throwable failure) {
+            return ErrorPolicy.goOn("Work failed");
           }
         };
     Worker worker = Worker.start("blocked", agent);
@@ -256,8 +257,8 @@ class WorkerTest {
           }
 
           @Override
-          public Verdict onError(Throwable failure) {
-            return Verdict.goOn("Work failed");
+          public ErrorPolicy onError(Throwable failure) {
+            return ErrorPolicy.goOn("Work failed");
           }
 
           @Override
@@ -276,7 +277,7 @@ class WorkerTest {
     BlockingQueue<Thread> threads = new LinkedBlockingQueue<>();
     Worker worker =
         Worker.once(
-            "task", Verdict.finish("A task failed"), () -> threads.add(Thread.currentThread()));
+            "task", ErrorPolicy.finish("A task failed"), () -> threads.add(Thread.currentThread()));
     Thread thread = threads.take();
     worker.close();
 

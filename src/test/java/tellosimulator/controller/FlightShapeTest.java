@@ -12,7 +12,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import tellosimulator.math.Vec3;
 import tellosimulator.model.Motion;
-import tellosimulator.profile.Behaviour;
+import tellosimulator.profile.Behavior;
 import tellosimulator.profile.Profile;
 import tellosimulator.testing.SteppedDrone;
 import tellosimulator.time.SimTime;
@@ -20,7 +20,7 @@ import tellosimulator.time.SimTime;
 /** What a flight looks like on the way. */
 class FlightShapeTest {
 
-  private final SteppedDrone drone = SteppedDrone.of(Profile.EDU, Behaviour.REPORT);
+  private final SteppedDrone drone = SteppedDrone.of(Profile.EDU, Behavior.REPORT);
 
   @BeforeEach
   void takeOff() {

@@ -8,7 +8,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import tellosimulator.math.Vec3;
-import tellosimulator.profile.Behaviour;
+import tellosimulator.profile.Behavior;
 import tellosimulator.profile.Profile;
 import tellosimulator.testing.SteppedDrone;
 
@@ -17,7 +17,7 @@ class FlightTimesTest {
 
   private static final Percentage BAND = Percentage.withPercentage(25);
 
-  private final SteppedDrone drone = SteppedDrone.of(Profile.EDU, Behaviour.REPORT);
+  private final SteppedDrone drone = SteppedDrone.of(Profile.EDU, Behavior.REPORT);
 
   /**
    * The target of {@code curve}: the circle through (0, 0), (25, -25) and (25, -75) has the centre
@@ -70,7 +70,7 @@ class FlightTimesTest {
 
   @Test
   void takeoffRises80CmAndCreepsUpAsMeasured() {
-    SteppedDrone measured = SteppedDrone.of(Profile.EDU, Behaviour.MEASURED);
+    SteppedDrone measured = SteppedDrone.of(Profile.EDU, Behavior.MEASURED);
     measured.ask("command");
     double sent = measured.seconds();
     measured.send("takeoff");

@@ -7,7 +7,7 @@ import org.junit.jupiter.api.Test;
 import tellosimulator.controller.FlightEvent.Fell;
 import tellosimulator.controller.FlightEvent.TookOff;
 import tellosimulator.model.FlightPhase;
-import tellosimulator.profile.Behaviour;
+import tellosimulator.profile.Behavior;
 import tellosimulator.profile.Profile;
 import tellosimulator.sim.Control;
 import tellosimulator.sim.SimConfig;
@@ -18,7 +18,7 @@ import tellosimulator.world.Room;
 /** Stops, restarts and power switches at awkward moments. */
 class InterruptedFlightTest {
 
-  private final SteppedDrone drone = SteppedDrone.of(Profile.EDU, Behaviour.REPORT);
+  private final SteppedDrone drone = SteppedDrone.of(Profile.EDU, Behavior.REPORT);
 
   @Test
   void stopBeforeLiftOffIsRefusedAndTheTakeoffGoesOn() {
@@ -87,7 +87,7 @@ class InterruptedFlightTest {
 
   @Test
   void switchingOffDuringARestartKeepsTheDroneOff() {
-    SteppedDrone tt = SteppedDrone.of(Profile.TT, Behaviour.REPORT);
+    SteppedDrone tt = SteppedDrone.of(Profile.TT, Behavior.REPORT);
     tt.ask("command");
     tt.send("reboot");
     tt.advance(1);
@@ -100,7 +100,7 @@ class InterruptedFlightTest {
 
   @Test
   void aSecondRestartDoesNotPostponeTheFirst() {
-    SteppedDrone measured = SteppedDrone.of(Profile.EDU, Behaviour.MEASURED);
+    SteppedDrone measured = SteppedDrone.of(Profile.EDU, Behavior.MEASURED);
     measured.ask("command");
     for (int i = 0; i < 3; i++) {
       measured.send("ap school secret");
@@ -112,7 +112,7 @@ class InterruptedFlightTest {
 
   @Test
   void aLandingIsNotCutOffByASecondOne() {
-    SteppedDrone measured = SteppedDrone.of(Profile.EDU, Behaviour.MEASURED);
+    SteppedDrone measured = SteppedDrone.of(Profile.EDU, Behavior.MEASURED);
     flying(measured);
     measured.send("land");
     measured.advance(1);

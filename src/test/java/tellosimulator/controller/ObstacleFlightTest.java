@@ -9,15 +9,15 @@ import tellosimulator.fault.LinkPreset;
 import tellosimulator.math.Vec3;
 import tellosimulator.model.DroneSpec;
 import tellosimulator.model.FlightPhase;
-import tellosimulator.profile.Behaviour;
+import tellosimulator.profile.Behavior;
 import tellosimulator.profile.Profile;
 import tellosimulator.sim.Control;
 import tellosimulator.sim.SimConfig;
 import tellosimulator.sim.SimEvent;
 import tellosimulator.testing.SteppedDrone;
 import tellosimulator.world.Arena;
-import tellosimulator.world.Cover;
 import tellosimulator.world.Obstacle;
+import tellosimulator.world.ObstacleAppearance;
 import tellosimulator.world.Room;
 import tellosimulator.world.Shape;
 
@@ -27,17 +27,20 @@ class ObstacleFlightTest {
   private static final Room ROOM = new Room(6, 12, 4);
 
   private static final Obstacle WALL =
-      new Obstacle("screen", new Shape.Box(0.02, 2, 2), new Vec3(1.5, 0, 0), 0, Cover.DEFAULT);
+      new Obstacle(
+          "screen", new Shape.Box(0.02, 2, 2), new Vec3(1.5, 0, 0), 0, ObstacleAppearance.DEFAULT);
 
   private static final Obstacle TABLE =
-      new Obstacle("table", new Shape.Box(1, 1, 0.5), new Vec3(1, 0, 0), 0, Cover.DEFAULT);
+      new Obstacle(
+          "table", new Shape.Box(1, 1, 0.5), new Vec3(1, 0, 0), 0, ObstacleAppearance.DEFAULT);
 
   private static final Obstacle GATE =
-      new Obstacle("gate", new Shape.Ring(0.5, 0.05, 1), new Vec3(1, 0, 0), 0, Cover.DEFAULT);
+      new Obstacle(
+          "gate", new Shape.Ring(0.5, 0.05, 1), new Vec3(1, 0, 0), 0, ObstacleAppearance.DEFAULT);
 
   @Test
   void aMoveIntoAnObstacleIsHeldAndAnswersErrorAndTheLogNamesIt() {
-    SteppedDrone drone = flying(Behaviour.REPORT, WALL);
+    SteppedDrone drone = flying(Behavior.REPORT, WALL);
 
     assertThat(drone.ask("forward 300")).isEqualTo("error");
 
@@ -51,7 +54,7 @@ class ObstacleFlightTest {
 
   @Test
   void aTouchIsToldOnceAndNotAtEachStep() {
-    SteppedDrone drone = flying(Behaviour.REPORT, WALL);
+    SteppedDrone drone = flying(Behavior.REPORT, WALL);
     drone.send("rc 0 60 0 0");
     drone.advance(8);
 
@@ -61,7 +64,7 @@ class ObstacleFlightTest {
 
   @Test
   void inACornerEachTouchIsToldOnce() {
-    SteppedDrone drone = flying(Behaviour.REPORT, WALL.movedTo(new Vec3(1.5, 2, 0), 0));
+    SteppedDrone drone = flying(Behavior.REPORT, WALL.movedTo(new Vec3(1.5, 2, 0), 0));
     drone.send("rc -60 60 0 0");
     drone.advance(10);
 
@@ -76,7 +79,7 @@ class ObstacleFlightTest {
   void aHardHitIsACrash() {
     SteppedDrone drone =
         flying(
-            Behaviour.MEASURED,
+            Behavior.MEASURED,
             WALL.movedTo(new Vec3(5, 0, 0), 0),
             WALL.movedTo(new Vec3(5, 0, 2), 0));
     drone.send("rc 0 100 0 0");
@@ -93,7 +96,7 @@ class ObstacleFlightTest {
 
   @Test
   void aDroneFliesThroughAGate() {
-    SteppedDrone drone = flying(Behaviour.REPORT, GATE);
+    SteppedDrone drone = flying(Behavior.REPORT, GATE);
 
     assertThat(drone.ask("up 70")).isEqualTo("ok");
     assertThat(drone.ask("forward 200")).isEqualTo("ok");
@@ -103,7 +106,7 @@ class ObstacleFlightTest {
 
   @Test
   void theDistanceSensorSeesWhatIsBelowAndHeightDoesNot() {
-    SteppedDrone drone = flying(Behaviour.REPORT, TABLE);
+    SteppedDrone drone = flying(Behavior.REPORT, TABLE);
     drone.ask("up 70");
     assertThat(drone.ask("battery?")).isEqualTo("100\r\n");
 
@@ -116,7 +119,7 @@ class ObstacleFlightTest {
 
   @Test
   void aDroneLandsOnATableAndTakesOffFromIt() {
-    SteppedDrone drone = flying(Behaviour.REPORT, TABLE);
+    SteppedDrone drone = flying(Behavior.REPORT, TABLE);
     drone.ask("up 70");
     drone.ask("forward 100");
 
@@ -129,7 +132,7 @@ class ObstacleFlightTest {
 
   @Test
   void heightCountsFromThePlaceOfTheLastTakeoff() {
-    SteppedDrone drone = flying(Behaviour.REPORT, TABLE);
+    SteppedDrone drone = flying(Behavior.REPORT, TABLE);
     drone.ask("up 70");
     drone.ask("forward 100");
     drone.ask("land");
@@ -151,7 +154,7 @@ class ObstacleFlightTest {
 
   @Test
   void aDroneWhoseTableIsTakenAwayFalls() {
-    SteppedDrone drone = flying(Behaviour.REPORT, TABLE);
+    SteppedDrone drone = flying(Behavior.REPORT, TABLE);
     drone.ask("up 70");
     drone.ask("forward 100");
     drone.ask("land");
@@ -165,7 +168,7 @@ class ObstacleFlightTest {
 
   @Test
   void aDroneInWhichSomethingIsPutIsPushedOut() {
-    SteppedDrone drone = flying(Behaviour.REPORT);
+    SteppedDrone drone = flying(Behavior.REPORT);
     drone.ask("land");
 
     drone.control(new Control.Furnish(List.of(TABLE.movedTo(new Vec3(0.45, 0, 0), 0)), List.of()));
@@ -179,7 +182,7 @@ class ObstacleFlightTest {
 
   @Test
   void aDroneIsNotPutBackIntoAnObstacle() {
-    SteppedDrone drone = flying(Behaviour.REPORT, TABLE);
+    SteppedDrone drone = flying(Behavior.REPORT, TABLE);
     drone.ask("land");
     drone.control(new Control.SetStart(1, new Vec3(0.55, 0, 0)));
     drone.advance(1);
@@ -196,7 +199,7 @@ class ObstacleFlightTest {
     assertThat(drone.ask("takeoff")).isEqualTo("ok");
   }
 
-  private static SteppedDrone flying(Behaviour behaviour, Obstacle... obstacles) {
+  private static SteppedDrone flying(Behavior behaviour, Obstacle... obstacles) {
     SteppedDrone drone =
         SteppedDrone.of(
             SimConfig.DEFAULT

@@ -11,7 +11,7 @@ import tellosimulator.fault.LinkPreset;
 import tellosimulator.math.Vec3;
 import tellosimulator.model.DroneSpec;
 import tellosimulator.model.FlightPhase;
-import tellosimulator.profile.Behaviour;
+import tellosimulator.profile.Behavior;
 import tellosimulator.profile.Profile;
 import tellosimulator.sim.Control;
 import tellosimulator.sim.SimConfig;
@@ -25,7 +25,7 @@ class ObstructedFlightTest {
 
   @Test
   void aMoveIntoAWallIsHeldForASecondAndAnswersError() {
-    SteppedDrone drone = flying(Behaviour.REPORT, Room.DEFAULT);
+    SteppedDrone drone = flying(Behavior.REPORT, Room.DEFAULT);
 
     String reply = drone.ask("forward 300");
 
@@ -39,7 +39,7 @@ class ObstructedFlightTest {
 
   @Test
   void aClimbStopsAtTheCeiling() {
-    SteppedDrone drone = flying(Behaviour.REPORT, Room.DEFAULT);
+    SteppedDrone drone = flying(Behavior.REPORT, Room.DEFAULT);
 
     assertThat(drone.ask("up 400")).isEqualTo("error");
 
@@ -50,7 +50,7 @@ class ObstructedFlightTest {
   /** {@code rc} 100 is 1.5 m/s here, and a move on top of it adds up to 1 m/s. */
   @Test
   void aHardHitIsACrashUntilReset() {
-    SteppedDrone drone = flying(Behaviour.MEASURED, new Room(30, 30, 10));
+    SteppedDrone drone = flying(Behavior.MEASURED, new Room(30, 30, 10));
     drone.send("rc 0 100 0 0");
     drone.advance(4);
 
@@ -71,7 +71,7 @@ class ObstructedFlightTest {
   /** {@code rc} 100 is 1.0 m/s in behaviour report, and a crash is faster than 1.35 m/s. */
   @Test
   void atFullStickOfTheReportItIsATouch() {
-    SteppedDrone drone = flying(Behaviour.REPORT, new Room(30, 5, 3));
+    SteppedDrone drone = flying(Behavior.REPORT, new Room(30, 5, 3));
     drone.send("rc 0 100 0 0");
     drone.advance(8);
 
@@ -82,7 +82,7 @@ class ObstructedFlightTest {
   /** {@code rc} 100 is 1.5 m/s in behaviour measured; after 2.4 m it is faster than 1.35 m/s. */
   @Test
   void atFullStickOfTheMeasurementsItIsACrash() {
-    SteppedDrone drone = flying(Behaviour.MEASURED, Room.DEFAULT);
+    SteppedDrone drone = flying(Behavior.MEASURED, Room.DEFAULT);
     drone.send("rc 0 100 0 0");
     drone.advance(8);
 
@@ -93,7 +93,7 @@ class ObstructedFlightTest {
   @ParameterizedTest
   @ValueSource(strings = {"forward 300", "forward 500", "go 500 0 0 100", "up 500"})
   void aMoveAtTheUsualSpeedIntoAWallIsATouch(String move) {
-    SteppedDrone drone = flying(Behaviour.REPORT, Room.DEFAULT);
+    SteppedDrone drone = flying(Behavior.REPORT, Room.DEFAULT);
 
     assertThat(drone.ask(move)).isEqualTo("error");
     assertThat(drone.state().phase()).isEqualTo(FlightPhase.FLYING);
@@ -110,7 +110,7 @@ class ObstructedFlightTest {
     SteppedDrone robust =
         flying(
             config
-                .withProduct(Profile.EDU, Behaviour.MEASURED)
+                .withProduct(Profile.EDU, Behavior.MEASURED)
                 .withLink(LinkPreset.IDEAL)
                 .withCrashSpeed(20));
     robust.send("rc 0 100 0 0");
@@ -123,7 +123,7 @@ class ObstructedFlightTest {
 
   @Test
   void aDeepFallIsACrashAndItsHeightAndSpeedAreTold() {
-    SteppedDrone drone = flying(Behaviour.REPORT, new Room(5, 5, 5));
+    SteppedDrone drone = flying(Behavior.REPORT, new Room(5, 5, 5));
     drone.ask("up 350");
     int replies = drone.replies().size();
     double height = drone.state().motion().position().z();
@@ -147,7 +147,7 @@ class ObstructedFlightTest {
 
   @Test
   void emergencyDropsTheDroneWithoutHarm() {
-    SteppedDrone drone = flying(Behaviour.REPORT, Room.DEFAULT);
+    SteppedDrone drone = flying(Behavior.REPORT, Room.DEFAULT);
     drone.ask("up 50");
 
     drone.send("emergency");
@@ -162,7 +162,7 @@ class ObstructedFlightTest {
 
   @Test
   void aContactIsToldAtItsBeginningAndAtItsEnd() {
-    SteppedDrone drone = flying(Behaviour.REPORT, Room.DEFAULT);
+    SteppedDrone drone = flying(Behavior.REPORT, Room.DEFAULT);
     drone.ask("forward 300");
     for (int i = 0; i < 4; i++) {
       drone.advance(10);
@@ -183,7 +183,7 @@ class ObstructedFlightTest {
 
   @Test
   void withTheFlightItsContactsEnd() {
-    SteppedDrone drone = flying(Behaviour.REPORT, Room.DEFAULT);
+    SteppedDrone drone = flying(Behavior.REPORT, Room.DEFAULT);
     drone.ask("forward 300");
 
     drone.ask("land");
@@ -198,7 +198,7 @@ class ObstructedFlightTest {
 
   @Test
   void takeoffIsRefusedWhileTheDroneStillFalls() {
-    SteppedDrone drone = flying(Behaviour.REPORT, Room.DEFAULT);
+    SteppedDrone drone = flying(Behavior.REPORT, Room.DEFAULT);
     drone.ask("up 200");
 
     drone.send("emergency");
@@ -209,7 +209,7 @@ class ObstructedFlightTest {
 
   @Test
   void aSoftTouchLetsTheDroneSlideAlongTheWall() {
-    SteppedDrone drone = flying(Behaviour.REPORT, Room.DEFAULT);
+    SteppedDrone drone = flying(Behavior.REPORT, Room.DEFAULT);
     drone.send("rc 40 60 0 0");
 
     drone.advance(6);
@@ -223,7 +223,7 @@ class ObstructedFlightTest {
 
   @Test
   void aSmallerRoomNeverLeavesADroneOutside() {
-    SteppedDrone drone = flying(Behaviour.REPORT, Room.DEFAULT);
+    SteppedDrone drone = flying(Behavior.REPORT, Room.DEFAULT);
     drone.ask("forward 200");
     Room small = new Room(2, 2, 2);
 
@@ -233,7 +233,7 @@ class ObstructedFlightTest {
     assertThat(drone.ask("up 50")).isEqualTo("ok");
   }
 
-  private static SteppedDrone flying(Behaviour behaviour, Room room) {
+  private static SteppedDrone flying(Behavior behaviour, Room room) {
     return flying(
         SimConfig.DEFAULT
             .withProduct(Profile.EDU, behaviour)

@@ -8,17 +8,17 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import tellosimulator.math.Vec3;
-import tellosimulator.profile.Behaviour;
+import tellosimulator.profile.Behavior;
 import tellosimulator.profile.Profile;
 import tellosimulator.sim.Control;
 import tellosimulator.sim.SimConfig;
 import tellosimulator.sim.SimEvent;
 import tellosimulator.testing.SteppedDrone;
 import tellosimulator.world.Arena;
-import tellosimulator.world.Cover;
 import tellosimulator.world.Decor;
 import tellosimulator.world.MissionPad;
 import tellosimulator.world.Obstacle;
+import tellosimulator.world.ObstacleAppearance;
 import tellosimulator.world.Room;
 import tellosimulator.world.Shape;
 import tellosimulator.world.Surface;
@@ -89,7 +89,11 @@ class PadMissionsTest {
   void aPadUnderATableIsNotSeen() {
     Obstacle table =
         new Obstacle(
-            "table", new Shape.Box(0.5, 0.5, 0.02), new Vec3(0.42, 0, 0.2), 0, Cover.DEFAULT);
+            "table",
+            new Shape.Box(0.5, 0.5, 0.02),
+            new Vec3(0.42, 0, 0.2),
+            0,
+            ObstacleAppearance.DEFAULT);
     SteppedDrone drone =
         flying(
             arena(MissionPad.onFloor(3, new Vec3(0.42, 0, 0), 0)).withObstacles(List.of(table)),
@@ -287,7 +291,7 @@ class PadMissionsTest {
 
   private static SteppedDrone flying(Arena arena, Profile profile) {
     SteppedDrone drone =
-        SteppedDrone.of(SimConfig.DEFAULT.withProduct(profile, Behaviour.REPORT).withArena(arena));
+        SteppedDrone.of(SimConfig.DEFAULT.withProduct(profile, Behavior.REPORT).withArena(arena));
     assertThat(drone.ask("command")).isEqualTo("ok");
     assertThat(drone.ask("takeoff")).isEqualTo("ok");
     return drone;

@@ -5,7 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.Locale;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import tellosimulator.profile.Behaviour;
+import tellosimulator.profile.Behavior;
 import tellosimulator.profile.Profile;
 import tellosimulator.testing.SteppedDrone;
 
@@ -18,7 +18,7 @@ class ReadRepliesTest {
     Locale before = Locale.getDefault();
     Locale.setDefault(Locale.forLanguageTag(language));
     try {
-      SteppedDrone drone = SteppedDrone.of(Profile.EDU, Behaviour.REPORT);
+      SteppedDrone drone = SteppedDrone.of(Profile.EDU, Behavior.REPORT);
       drone.ask("command");
 
       assertThat(drone.ask("speed?")).isEqualTo("100.0\r\n");

@@ -8,7 +8,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import tellosimulator.fault.LinkPreset;
 import tellosimulator.math.Vec3;
-import tellosimulator.profile.Behaviour;
+import tellosimulator.profile.Behavior;
 import tellosimulator.profile.Profile;
 import tellosimulator.sim.SimConfig;
 import tellosimulator.sim.Swarm;
@@ -32,7 +32,7 @@ class SteeredFlightTest {
           MEASURED, rc 0 100 0 0    , up 50
           MEASURED, rc 100 100 0 100, up 50
           """)
-  void aMoveUnderTheSticksStillEndsWithOk(Behaviour behaviour, String rc, String move) {
+  void aMoveUnderTheSticksStillEndsWithOk(Behavior behaviour, String rc, String move) {
     SteppedDrone drone = flying(behaviour);
     drone.send(rc);
     drone.advance(3);
@@ -42,7 +42,7 @@ class SteeredFlightTest {
 
   @ParameterizedTest
   @CsvSource({"REPORT, 1.0", "MEASURED, 1.5"})
-  void stopNeverMakesTheDroneFaster(Behaviour behaviour, double cruise) {
+  void stopNeverMakesTheDroneFaster(Behavior behaviour, double cruise) {
     SteppedDrone drone = flying(behaviour);
     drone.send("rc 0 100 0 0");
     drone.advance(5);
@@ -61,7 +61,7 @@ class SteeredFlightTest {
 
   @Test
   void theEndOfATurnDoesNotDisturbTheSteeredFlight() {
-    SteppedDrone drone = flying(Behaviour.REPORT);
+    SteppedDrone drone = flying(Behavior.REPORT);
     drone.send("rc 0 100 0 0");
     drone.advance(5);
     drone.ask("cw 20");
@@ -78,7 +78,7 @@ class SteeredFlightTest {
   /** The dead time is 0.35 s, the time constant 0.6 s: 0.2 s after lift-off nothing moves yet. */
   @Test
   void valuesSetOnTheGroundActFromLiftOffOnAsIfSetThen() {
-    SteppedDrone drone = drone(Behaviour.REPORT);
+    SteppedDrone drone = drone(Behavior.REPORT);
     drone.ask("command");
     drone.send("rc 0 100 0 0");
     drone.advance(5);
@@ -95,7 +95,7 @@ class SteeredFlightTest {
 
   @Test
   void takeoffWithSticksDownStillTakesOffAndThenSinks() {
-    SteppedDrone drone = drone(Behaviour.REPORT);
+    SteppedDrone drone = drone(Behavior.REPORT);
     drone.ask("command");
     drone.send("rc 0 0 -100 0");
 
@@ -107,7 +107,7 @@ class SteeredFlightTest {
 
   @Test
   void forcedStopComesInTimeThoughSticksMoveTheDroneOn() {
-    SteppedDrone drone = flying(Behaviour.REPORT);
+    SteppedDrone drone = flying(Behavior.REPORT);
     double sent = drone.seconds();
     drone.send("stop");
     drone.send("rc 0 100 0 0");
@@ -125,7 +125,7 @@ class SteeredFlightTest {
     return drone.replies().get(drone.replies().size() - 1).text();
   }
 
-  private static SteppedDrone flying(Behaviour behaviour) {
+  private static SteppedDrone flying(Behavior behaviour) {
     SteppedDrone drone = drone(behaviour);
     drone.ask("command");
     drone.ask("takeoff");
@@ -133,7 +133,7 @@ class SteeredFlightTest {
     return drone;
   }
 
-  private static SteppedDrone drone(Behaviour behaviour) {
+  private static SteppedDrone drone(Behavior behaviour) {
     return SteppedDrone.of(
         SimConfig.DEFAULT
             .withProduct(Profile.EDU, behaviour)

@@ -10,7 +10,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import tellosimulator.model.Motion;
-import tellosimulator.profile.Behaviour;
+import tellosimulator.profile.Behavior;
 import tellosimulator.profile.Profile;
 import tellosimulator.testing.SteppedDrone;
 import tellosimulator.time.SimTime;
@@ -52,7 +52,7 @@ class StickResponseTest {
 
   /** What a value is in each step after the sticks were moved. */
   private static List<Double> response(String rc, ToDoubleFunction<Motion> value) {
-    SteppedDrone drone = SteppedDrone.of(Profile.EDU, Behaviour.MEASURED);
+    SteppedDrone drone = SteppedDrone.of(Profile.EDU, Behavior.MEASURED);
     drone.ask("command");
     drone.ask("takeoff");
     drone.advance(1);

@@ -5,7 +5,7 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 import tellosimulator.fidelity.FlightLog.Line;
-import tellosimulator.profile.Behaviour;
+import tellosimulator.profile.Behavior;
 import tellosimulator.profile.Profile;
 import tellosimulator.sim.SimConfig;
 import tellosimulator.testing.SteppedDrone;
@@ -39,7 +39,7 @@ final class SimulatedFlights {
   private static Optional<FlightLog> flown(List<String> commands, long seed) {
     SteppedDrone drone =
         SteppedDrone.of(
-            SimConfig.DEFAULT.withProduct(Profile.TELLO, Behaviour.MEASURED).withSeed(seed));
+            SimConfig.DEFAULT.withProduct(Profile.TELLO, Behavior.MEASURED).withSeed(seed));
     List<Line> lines = new ArrayList<>();
     for (String command : commands) {
       int before = drone.replies().size();

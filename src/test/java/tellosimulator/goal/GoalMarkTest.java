@@ -15,25 +15,35 @@ import tellosimulator.goal.Goal.Direction;
 import tellosimulator.math.Vec3;
 import tellosimulator.words.Phrase;
 import tellosimulator.world.Arena;
-import tellosimulator.world.Cover;
 import tellosimulator.world.MissionPad;
 import tellosimulator.world.Obstacle;
+import tellosimulator.world.ObstacleAppearance;
 import tellosimulator.world.Shape;
 
 class GoalMarkTest {
 
   private static final OptionalInt ANY = OptionalInt.empty();
-  private static final Goal FIRST = new Goal.Reach(ANY, new Spot(new Vec3(1, 0, 0.6), 0.4));
-  private static final Goal SECOND = new Goal.Hover(ANY, new Spot(new Vec3(0, 1, 0.8), 0.3), 2);
-  private static final Goal THIRD = new Goal.Land(ANY, new Spot(new Vec3(1.5, 1, 0), 0.12));
+  private static final Goal FIRST = new Goal.Reach(ANY, new GoalRegion(new Vec3(1, 0, 0.6), 0.4));
+  private static final Goal SECOND =
+      new Goal.Hover(ANY, new GoalRegion(new Vec3(0, 1, 0.8), 0.3), 2);
+  private static final Goal THIRD = new Goal.Land(ANY, new GoalRegion(new Vec3(1.5, 1, 0), 0.12));
 
   private static final Obstacle TABLE =
-      new Obstacle("table", new Shape.Box(0.5, 0.5, 0.6), new Vec3(1.5, 1, 0), 0, Cover.DEFAULT);
+      new Obstacle(
+          "table",
+          new Shape.Box(0.5, 0.5, 0.6),
+          new Vec3(1.5, 1, 0),
+          0,
+          ObstacleAppearance.DEFAULT);
 
   /** Its way leads to the left: its x axis along the room's y. */
   private static final Obstacle GATE =
       new Obstacle(
-          "ring", new Shape.Ring(0.5, 0.05, 1), new Vec3(2, 0, 0), Math.PI / 2, Cover.DEFAULT);
+          "ring",
+          new Shape.Ring(0.5, 0.05, 1),
+          new Vec3(2, 0, 0),
+          Math.PI / 2,
+          ObstacleAppearance.DEFAULT);
 
   @Test
   void inOrderOneIsActiveAfterThoseThatAreDoneAndBeforeThoseThatFollow() {
@@ -108,7 +118,7 @@ class GoalMarkTest {
 
   @Test
   void theNextOneOfADroneIsItsOwnOrThatOfAny() {
-    Spot spot = new Spot(new Vec3(1, 0, 1), 0.3);
+    GoalRegion spot = new GoalRegion(new Vec3(1, 0, 1), 0.3);
     List<Goal> goals =
         List.of(
             new Goal.Reach(OptionalInt.of(2), spot),

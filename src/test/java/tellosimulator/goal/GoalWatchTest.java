@@ -17,9 +17,9 @@ import tellosimulator.sim.SimEvent;
 import tellosimulator.sim.Swarm;
 import tellosimulator.testing.SimulatedDrones;
 import tellosimulator.world.Arena;
-import tellosimulator.world.Cover;
 import tellosimulator.world.MissionPad;
 import tellosimulator.world.Obstacle;
+import tellosimulator.world.ObstacleAppearance;
 import tellosimulator.world.Shape;
 import tellosimulator.world.Surface;
 
@@ -27,13 +27,17 @@ class GoalWatchTest {
 
   private static final OptionalInt ANY = OptionalInt.empty();
 
-  private static final Goal FRONT = new Goal.Reach(ANY, new Spot(new Vec3(1, 0, 0.3), 0.1));
-  private static final Goal HOME = new Goal.Land(ANY, new Spot(Vec3.ZERO, 0.1));
+  private static final Goal FRONT = new Goal.Reach(ANY, new GoalRegion(new Vec3(1, 0, 0.3), 0.1));
+  private static final Goal HOME = new Goal.Land(ANY, new GoalRegion(Vec3.ZERO, 0.1));
 
   /** Half a metre before the drone, its opening from 40 to 160 cm, which the drone goes through. */
   private static final Obstacle GATE =
       new Obstacle(
-          "first", new Shape.Frame(1, 1.2, 0.05, 1), new Vec3(0.5, 0, 0), 0, Cover.DEFAULT);
+          "first",
+          new Shape.Frame(1, 1.2, 0.05, 1),
+          new Vec3(0.5, 0, 0),
+          0,
+          ObstacleAppearance.DEFAULT);
 
   private final List<SimEvent> news = new ArrayList<>();
 
@@ -83,7 +87,7 @@ class GoalWatchTest {
 
   @Test
   void inOrderALaterGoalDoesNotCountBeforeAnEarlierOne() {
-    Goal up = new Goal.Reach(ANY, new Spot(new Vec3(0, 0, 1), 0.1));
+    Goal up = new Goal.Reach(ANY, new GoalRegion(new Vec3(0, 0, 1), 0.1));
     Challenge challenge = new Challenge(List.of(up, FRONT), true, OptionalDouble.empty(), false);
     Fixture fixture = fixture(Arena.DEFAULT, challenge);
 
@@ -144,7 +148,7 @@ class GoalWatchTest {
 
   @Test
   void hoveringMustLast() {
-    Goal hover = new Goal.Hover(ANY, new Spot(new Vec3(1, 0, 0.3), 0.2), 5);
+    Goal hover = new Goal.Hover(ANY, new GoalRegion(new Vec3(1, 0, 0.3), 0.2), 5);
     Fixture fixture = fixture(Arena.DEFAULT, any(List.of(hover)));
     fixture.drones.fly("command", "takeoff", "forward 100");
     fixture.drones.advance(1);
@@ -159,7 +163,7 @@ class GoalWatchTest {
   @Test
   void aGoalOfOneDroneIsNotReachedByAnother() {
     Vec3 left = new Vec3(0, 0.3, 0);
-    Goal second = new Goal.Land(OptionalInt.of(2), new Spot(left, 0.5));
+    Goal second = new Goal.Land(OptionalInt.of(2), new GoalRegion(left, 0.5));
     SimConfig two =
         SimConfig.DEFAULT.withDrones(
             SimConfig.alike(Swarm.row(2, Vec3.ZERO, SimConfig.DEFAULT.arena().room())));
@@ -186,7 +190,7 @@ class GoalWatchTest {
 
   @Test
   void aTouchFailsOnlyWhereNothingMayBeTouched() {
-    Goal wall = new Goal.Reach(ANY, new Spot(new Vec3(2.4, 0, 0.3), 0.1));
+    Goal wall = new Goal.Reach(ANY, new GoalRegion(new Vec3(2.4, 0, 0.3), 0.1));
     Fixture free = fixture(Arena.DEFAULT, any(List.of(wall, HOME)));
     free.drones.fly("command", "takeoff", "speed 20", "forward 260");
     assertThat(free.watch.progress().status()).isEqualTo(Status.RUNNING);

@@ -12,10 +12,10 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import tellosimulator.goal.Challenge;
 import tellosimulator.goal.Goal;
+import tellosimulator.goal.GoalRegion;
 import tellosimulator.goal.GoalWatch;
 import tellosimulator.goal.Progress;
 import tellosimulator.goal.Progress.Status;
-import tellosimulator.goal.Spot;
 import tellosimulator.math.Vec3;
 import tellosimulator.sim.SimConfig;
 import tellosimulator.testing.SimulatedDrones;
@@ -24,7 +24,7 @@ import tellosimulator.testing.SimulatedDrones;
 class EndingTest {
 
   private static final Goal FRONT =
-      new Goal.Land(OptionalInt.empty(), new Spot(new Vec3(1, 0, 0), 0.1));
+      new Goal.Land(OptionalInt.empty(), new GoalRegion(new Vec3(1, 0, 0), 0.1));
 
   private final GoalWatch goals =
       new GoalWatch(

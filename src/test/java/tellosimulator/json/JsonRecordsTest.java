@@ -16,10 +16,10 @@ import tellosimulator.sim.SimConfig;
 import tellosimulator.sim.SimConfig.Outlets;
 import tellosimulator.sim.SimConfig.Product;
 import tellosimulator.time.TimeFactor;
-import tellosimulator.world.Cover;
 import tellosimulator.world.Decor;
 import tellosimulator.world.MissionPad;
 import tellosimulator.world.Obstacle;
+import tellosimulator.world.ObstacleAppearance;
 import tellosimulator.world.Room;
 import tellosimulator.world.Shape;
 import tellosimulator.world.Wind;
@@ -32,7 +32,10 @@ class JsonRecordsTest {
           new Shape.Ring(0.4, 0.05, 1.1),
           new Vec3(1.0 / 3, -0.0, 1e-9),
           Math.PI / 7,
-          new Cover(0xff8800, Cover.Pattern.CHECKS, Map.of(Cover.Side.TOP, "a.png")));
+          new ObstacleAppearance(
+              0xff8800,
+              ObstacleAppearance.Pattern.CHECKS,
+              Map.of(ObstacleAppearance.Side.TOP, "a.png")));
 
   static List<Control> controls() {
     return List.of(

@@ -18,7 +18,7 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import tellosimulator.model.FlightPhase;
-import tellosimulator.profile.Behaviour;
+import tellosimulator.profile.Behavior;
 import tellosimulator.profile.Profile;
 import tellosimulator.sim.Control;
 import tellosimulator.sim.SimConfig;
@@ -135,7 +135,7 @@ class OnlineSimulationTest {
 
   @Test
   void aDroneThatIsOffCanBecomeAnotherProduct() throws IOException {
-    Product white = new Product(Profile.TELLO, Behaviour.MEASURED);
+    Product white = new Product(Profile.TELLO, Behavior.MEASURED);
 
     simulation.carryOut(new Control.Configure(1, white, new Outlets(1234, 5678)));
     simulation.carryOut(new Control.Power(1, true));
@@ -150,7 +150,7 @@ class OnlineSimulationTest {
   @Test
   void aDroneThatIsOnStaysWhatItIs() throws IOException {
     simulation.carryOut(new Control.Power(1, true));
-    Product white = new Product(Profile.TELLO, Behaviour.REPORT);
+    Product white = new Product(Profile.TELLO, Behavior.REPORT);
 
     simulation.carryOut(new Control.Configure(1, white, Outlets.DEFAULT));
 

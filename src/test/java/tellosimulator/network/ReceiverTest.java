@@ -25,8 +25,8 @@ import org.junit.jupiter.params.provider.MethodSource;
 import org.mockito.stubbing.Stubber;
 import tellosimulator.command.Peer;
 import tellosimulator.command.WireText;
+import tellosimulator.concurrent.ErrorPolicy;
 import tellosimulator.concurrent.Uncaught;
-import tellosimulator.concurrent.Verdict;
 import tellosimulator.sim.SimConfig;
 import tellosimulator.sim.SimEvent;
 import tellosimulator.sim.SimListener;
@@ -120,7 +120,7 @@ class ReceiverTest {
   @ParameterizedTest
   @MethodSource("errors")
   void receivesAfterAnError(Throwable error) throws Exception {
-    try (CapturedLog log = CapturedLog.of(Verdict.class)) {
+    try (CapturedLog log = CapturedLog.of(ErrorPolicy.class)) {
       receiver.add(port, connection(port, failing(error, 3)));
       for (int i = 0; i < 3; i++) {
         send("lost");
@@ -159,7 +159,7 @@ class ReceiverTest {
   void memoryThatStaysFullEndsTheProgram() throws Exception {
     OutOfMemoryError error = new OutOfMemoryError("broken on purpose");
     try (Uncaught uncaught = new Uncaught();
-        CapturedLog log = CapturedLog.of(Verdict.class)) {
+        CapturedLog log = CapturedLog.of(ErrorPolicy.class)) {
       receiver.add(port, connection(port, failing(error, Integer.MAX_VALUE)));
       for (int i = 0; i < 200; i++) {
         send("lost");

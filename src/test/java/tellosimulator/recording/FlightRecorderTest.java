@@ -25,8 +25,8 @@ import org.junit.jupiter.api.io.TempDir;
 import tellosimulator.command.Peer;
 import tellosimulator.goal.Challenge;
 import tellosimulator.goal.Goal;
+import tellosimulator.goal.GoalRegion;
 import tellosimulator.goal.GoalWatch;
-import tellosimulator.goal.Spot;
 import tellosimulator.math.Vec3;
 import tellosimulator.network.WireTap.Kind;
 import tellosimulator.scenario.Description;
@@ -232,8 +232,8 @@ class FlightRecorderTest {
     Challenge challenge =
         new Challenge(
             List.of(
-                new Goal.Reach(OptionalInt.empty(), new Spot(new Vec3(0, 0, 0.2), 0.1)),
-                new Goal.Reach(OptionalInt.empty(), new Spot(new Vec3(0, 0, 2.5), 0.1))),
+                new Goal.Reach(OptionalInt.empty(), new GoalRegion(new Vec3(0, 0, 0.2), 0.1)),
+                new Goal.Reach(OptionalInt.empty(), new GoalRegion(new Vec3(0, 0, 2.5), 0.1))),
             true,
             OptionalDouble.empty(),
             false);

@@ -10,7 +10,7 @@ import java.util.Random;
 import tellosimulator.command.Peer;
 import tellosimulator.goal.Challenge;
 import tellosimulator.math.Vec3;
-import tellosimulator.profile.Behaviour;
+import tellosimulator.profile.Behavior;
 import tellosimulator.profile.Profile;
 import tellosimulator.recording.RecordedInput;
 import tellosimulator.recording.RecordingFolder;
@@ -68,7 +68,7 @@ public final class LongFlight {
   private static final SimConfig CONFIG =
       SimConfig.DEFAULT
           .withRoom(HALL, Swarm.row(1, Vec3.ZERO, HALL))
-          .withProduct(Profile.EDU, Behaviour.MEASURED)
+          .withProduct(Profile.EDU, Behavior.MEASURED)
           .withSeed(5);
 
   private final Random random = new Random(1);

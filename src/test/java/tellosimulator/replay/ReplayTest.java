@@ -26,9 +26,9 @@ import org.junit.jupiter.params.provider.ValueSource;
 import tellosimulator.fault.LinkPreset;
 import tellosimulator.goal.Challenge;
 import tellosimulator.goal.Goal;
-import tellosimulator.goal.Spot;
+import tellosimulator.goal.GoalRegion;
 import tellosimulator.math.Vec3;
-import tellosimulator.profile.Behaviour;
+import tellosimulator.profile.Behavior;
 import tellosimulator.profile.Profile;
 import tellosimulator.recording.RecordingFolder;
 import tellosimulator.scenario.Description;
@@ -37,8 +37,8 @@ import tellosimulator.sim.SimConfig;
 import tellosimulator.sim.Swarm;
 import tellosimulator.time.TimeFactor;
 import tellosimulator.words.Phrase;
-import tellosimulator.world.Cover;
 import tellosimulator.world.Obstacle;
+import tellosimulator.world.ObstacleAppearance;
 import tellosimulator.world.Room;
 import tellosimulator.world.Shape;
 
@@ -49,9 +49,10 @@ class ReplayTest {
 
   @TempDir private Path parent;
 
-  private static Scenario scenario(int drones, TimeFactor factor, Behaviour behaviour) {
+  private static Scenario scenario(int drones, TimeFactor factor, Behavior behaviour) {
     Obstacle pole =
-        new Obstacle("pole", new Shape.Cylinder(0.1, 2), new Vec3(1.5, 0, 0), 0, Cover.DEFAULT);
+        new Obstacle(
+            "pole", new Shape.Cylinder(0.1, 2), new Vec3(1.5, 0, 0), 0, ObstacleAppearance.DEFAULT);
     SimConfig config =
         SimConfig.DEFAULT
             .withRoom(HALL, Swarm.row(drones, Vec3.ZERO, HALL))
@@ -61,7 +62,8 @@ class ReplayTest {
             .withSeed(3);
     Challenge challenge =
         new Challenge(
-            List.of(new Goal.Reach(OptionalInt.empty(), new Spot(new Vec3(0.5, 0, 0.8), 0.3))),
+            List.of(
+                new Goal.Reach(OptionalInt.empty(), new GoalRegion(new Vec3(0.5, 0, 0.8), 0.3))),
             true,
             OptionalDouble.empty(),
             false);
@@ -308,7 +310,7 @@ class ReplayTest {
 
   private List<Path> flown(String program) throws IOException {
     return RecordedProgram.run(
-        scenario(1, TimeFactor.MAX, Behaviour.REPORT), program, parent.resolve("flown"));
+        scenario(1, TimeFactor.MAX, Behavior.REPORT), program, parent.resolve("flown"));
   }
 
   private Repetition repeated(Path flight) throws Exception {
@@ -351,7 +353,7 @@ class ReplayTest {
             scenario(
                 name.equals("SWARM") ? 2 : 1,
                 pace,
-                Behaviour.valueOf(behaviour.toUpperCase(Locale.ROOT))),
+                Behavior.valueOf(behaviour.toUpperCase(Locale.ROOT))),
             program,
             parent.resolve("flown"));
 

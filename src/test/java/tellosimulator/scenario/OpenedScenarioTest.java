@@ -6,7 +6,7 @@ import java.nio.file.Path;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import tellosimulator.math.Vec3;
-import tellosimulator.profile.Behaviour;
+import tellosimulator.profile.Behavior;
 import tellosimulator.profile.Profile;
 import tellosimulator.sim.SimConfig;
 import tellosimulator.time.TimeFactor;
@@ -27,7 +27,7 @@ class OpenedScenarioTest {
             .withConfig(
                 config
                     .withTimeFactor(TimeFactor.MAX)
-                    .withProduct(Profile.TT, Behaviour.MEASURED)
+                    .withProduct(Profile.TT, Behavior.MEASURED)
                     .withDecor(config.arena().decor().withGrid(0.2)));
     OpenedScenario opened = OpenedScenario.of(SLALOM, Path.of("slalom.yaml")).with(applied);
 

@@ -15,9 +15,9 @@ import tellosimulator.sim.SimConfig;
 import tellosimulator.sim.SimConfig.Outlets;
 import tellosimulator.sim.SimConfig.Product;
 import tellosimulator.world.Arena;
-import tellosimulator.world.Cover;
 import tellosimulator.world.MissionPad;
 import tellosimulator.world.Obstacle;
+import tellosimulator.world.ObstacleAppearance;
 import tellosimulator.world.Room;
 import tellosimulator.world.Shape;
 import tellosimulator.world.Wind;
@@ -129,10 +129,11 @@ record RandomEdit(String what, Scenario changed, int linesGone, int linesNew) {
               new Shape.Cylinder(0.1, 2),
               new Shape.Ring(0.4, 0.05, 1.2),
               new Shape.Frame(1, 0.8, 0.05, 1.5));
-      Cover cover =
+      ObstacleAppearance cover =
           random.nextBoolean()
-              ? Cover.DEFAULT
-              : new Cover(0x123456, Cover.Pattern.CHECKS, java.util.Map.of());
+              ? ObstacleAppearance.DEFAULT
+              : new ObstacleAppearance(
+                  0x123456, ObstacleAppearance.Pattern.CHECKS, java.util.Map.of());
       List<Obstacle> more = new ArrayList<>(arena().obstacles());
       more.add(
           new Obstacle(

@@ -15,12 +15,12 @@ import tellosimulator.fault.LinkPreset;
 import tellosimulator.goal.Challenge;
 import tellosimulator.goal.Goal;
 import tellosimulator.goal.Goal.Direction;
-import tellosimulator.goal.Spot;
+import tellosimulator.goal.GoalRegion;
 import tellosimulator.math.Attitude;
 import tellosimulator.math.Pose;
 import tellosimulator.math.Vec3;
 import tellosimulator.model.DroneSpec;
-import tellosimulator.profile.Behaviour;
+import tellosimulator.profile.Behavior;
 import tellosimulator.profile.Profile;
 import tellosimulator.scenario.Scenario.Station;
 import tellosimulator.sim.DroneSetup;
@@ -29,11 +29,11 @@ import tellosimulator.sim.SimConfig.Outlets;
 import tellosimulator.sim.SimConfig.Product;
 import tellosimulator.time.TimeFactor;
 import tellosimulator.world.Arena;
-import tellosimulator.world.Cover;
-import tellosimulator.world.Cover.Pattern;
 import tellosimulator.world.Decor;
 import tellosimulator.world.MissionPad;
 import tellosimulator.world.Obstacle;
+import tellosimulator.world.ObstacleAppearance;
+import tellosimulator.world.ObstacleAppearance.Pattern;
 import tellosimulator.world.Room;
 import tellosimulator.world.Shape;
 import tellosimulator.world.Surface;
@@ -124,14 +124,15 @@ final class RandomScenario {
           case 2 -> new Shape.Ring(cm(40, 100) / 2, thickness, cm(101, 200));
           default -> new Shape.Frame(cm(40, 100), cm(40, 100), thickness, cm(101, 200));
         };
-    Cover cover = new Cover(random.nextInt(1 << 24), pick(List.of(Pattern.values())), Map.of());
+    ObstacleAppearance cover =
+        new ObstacleAppearance(random.nextInt(1 << 24), pick(List.of(Pattern.values())), Map.of());
     return new Obstacle(name, shape, place().withZ(cm(0, 100)), angle(), cover);
   }
 
   private DroneSetup drone(Vec3 start) {
     return new DroneSetup(
         new Pose(start, Attitude.ofHeading(angle())),
-        new Product(pick(List.of(Profile.values())), pick(List.of(Behaviour.values()))),
+        new Product(pick(List.of(Profile.values())), pick(List.of(Behavior.values()))),
         new Outlets(1 + random.nextInt(65535), 1 + random.nextInt(65535)),
         number(0, 100),
         random.nextBoolean() ? OptionalInt.empty() : OptionalInt.of(random.nextInt(1 << 24)));
@@ -180,11 +181,11 @@ final class RandomScenario {
         goals.add(new Goal.LandOn(drone(drones), pad.id()));
       }
     }
-    goals.add(new Goal.Reach(drone(drones), new Spot(place().withZ(cm(0, 400)), cm(1, 100))));
+    goals.add(new Goal.Reach(drone(drones), new GoalRegion(place().withZ(cm(0, 400)), cm(1, 100))));
     goals.add(
         new Goal.Hover(
-            drone(drones), new Spot(place().withZ(cm(0, 400)), cm(1, 100)), number(1, 100)));
-    goals.add(new Goal.Land(drone(drones), new Spot(place(), cm(1, 100))));
+            drone(drones), new GoalRegion(place().withZ(cm(0, 400)), cm(1, 100)), number(1, 100)));
+    goals.add(new Goal.Land(drone(drones), new GoalRegion(place(), cm(1, 100))));
     return new Challenge(
         random.nextBoolean() ? goals : List.of(),
         random.nextBoolean(),

@@ -18,9 +18,9 @@ import tellosimulator.math.Vec3;
 import tellosimulator.scenario.ScenarioDocument.Kept;
 import tellosimulator.sim.SimConfig;
 import tellosimulator.world.Arena;
-import tellosimulator.world.Cover;
 import tellosimulator.world.MissionPad;
 import tellosimulator.world.Obstacle;
+import tellosimulator.world.ObstacleAppearance;
 import tellosimulator.world.Room;
 import tellosimulator.world.Shape;
 import tellosimulator.world.Wind;
@@ -103,7 +103,12 @@ class ScenarioDocumentTest {
   @Test
   void aNewObstacleIsWrittenLikeItsNeighbors() throws Exception {
     Obstacle box =
-        new Obstacle("box-1", new Shape.Box(0.5, 0.5, 0.5), new Vec3(1, 1, 0), 0, Cover.DEFAULT);
+        new Obstacle(
+            "box-1",
+            new Shape.Box(0.5, 0.5, 0.5),
+            new Vec3(1, 1, 0),
+            0,
+            ObstacleAppearance.DEFAULT);
 
     assertThat(
             changed(

@@ -32,11 +32,11 @@ import tellosimulator.files.IrregularFileException;
 import tellosimulator.goal.Challenge;
 import tellosimulator.goal.Goal;
 import tellosimulator.goal.Goal.Direction;
-import tellosimulator.goal.Spot;
+import tellosimulator.goal.GoalRegion;
 import tellosimulator.math.Attitude;
 import tellosimulator.math.Pose;
 import tellosimulator.math.Vec3;
-import tellosimulator.profile.Behaviour;
+import tellosimulator.profile.Behavior;
 import tellosimulator.profile.Profile;
 import tellosimulator.sim.DroneSetup;
 import tellosimulator.sim.SimConfig;
@@ -45,12 +45,12 @@ import tellosimulator.sim.SimConfig.Product;
 import tellosimulator.testing.ForPeople;
 import tellosimulator.time.TimeFactor;
 import tellosimulator.world.Arena;
-import tellosimulator.world.Cover;
-import tellosimulator.world.Cover.Pattern;
-import tellosimulator.world.Cover.Side;
 import tellosimulator.world.Decor;
 import tellosimulator.world.MissionPad;
 import tellosimulator.world.Obstacle;
+import tellosimulator.world.ObstacleAppearance;
+import tellosimulator.world.ObstacleAppearance.Pattern;
+import tellosimulator.world.ObstacleAppearance.Side;
 import tellosimulator.world.Poster;
 import tellosimulator.world.Room;
 import tellosimulator.world.Shape;
@@ -146,10 +146,11 @@ class ScenarioFileTest {
             new Challenge(
                 List.of(
                     new Goal.Pass(OptionalInt.of(2), "ring", Direction.ALONG),
-                    new Goal.Reach(OptionalInt.empty(), new Spot(new Vec3(0, 0, 1.5), 0.25)),
-                    new Goal.Hover(OptionalInt.empty(), new Spot(new Vec3(0.1, 0, 1.5), 0.3), 5),
+                    new Goal.Reach(OptionalInt.empty(), new GoalRegion(new Vec3(0, 0, 1.5), 0.25)),
+                    new Goal.Hover(
+                        OptionalInt.empty(), new GoalRegion(new Vec3(0.1, 0, 1.5), 0.3), 5),
                     new Goal.LandOn(OptionalInt.empty(), 3),
-                    new Goal.Land(OptionalInt.of(1), new Spot(new Vec3(-2, 0, 0), 0.3))),
+                    new Goal.Land(OptionalInt.of(1), new GoalRegion(new Vec3(-2, 0, 0), 0.3))),
                 true,
                 OptionalDouble.of(90),
                 true));
@@ -166,25 +167,33 @@ class ScenarioFileTest {
                 new Shape.Box(0.8, 1.2, 0.05),
                 new Vec3(1, 0.5, 0.7),
                 StrictMath.toRadians(30),
-                new Cover(
+                new ObstacleAppearance(
                     0x8a5a36, Pattern.STRIPES, Map.of(Side.TOP, picture, Side.LEFT, picture))),
             new Obstacle(
                 "cylinder 1",
                 new Shape.Cylinder(0.1, 2.5),
                 new Vec3(-1, 0, 0),
                 0,
-                new Cover(0x102030, Pattern.PLAIN, Map.of())),
+                new ObstacleAppearance(0x102030, Pattern.PLAIN, Map.of())),
             // it goes towards +y, so its front, on the right hand, looks along +x
             new Obstacle(
-                "wall 1", new Shape.Box(0.08, 2, 1.5), new Vec3(0, -2, 0), 0, Cover.DEFAULT),
+                "wall 1",
+                new Shape.Box(0.08, 2, 1.5),
+                new Vec3(0, -2, 0),
+                0,
+                ObstacleAppearance.DEFAULT),
             new Obstacle(
-                "ring", new Shape.Ring(0.4, 0.05, 1.2), new Vec3(2, 0, 0), 0, Cover.DEFAULT),
+                "ring",
+                new Shape.Ring(0.4, 0.05, 1.2),
+                new Vec3(2, 0, 0),
+                0,
+                ObstacleAppearance.DEFAULT),
             new Obstacle(
                 "gate 1",
                 new Shape.Frame(0.9, 0.7, 0.04, 1),
                 new Vec3(2, 2, 0),
                 StrictMath.toRadians(90),
-                Cover.DEFAULT));
+                ObstacleAppearance.DEFAULT));
   }
 
   @Test
@@ -195,7 +204,7 @@ class ScenarioFileTest {
         .containsExactly(
             new DroneSetup(
                 new Pose(new Vec3(-2, 0, 0), Attitude.ofHeading(StrictMath.toRadians(90))),
-                new Product(Profile.TT, Behaviour.MEASURED),
+                new Product(Profile.TT, Behavior.MEASURED),
                 new Outlets(9001, 9002),
                 55.5,
                 OptionalInt.of(0xc0392b)),

@@ -8,13 +8,13 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import org.junit.jupiter.api.Test;
-import tellosimulator.profile.Behaviour;
+import tellosimulator.profile.Behavior;
 import tellosimulator.profile.Profile;
 import tellosimulator.testing.SteppedDrone;
 import tellosimulator.testing.SteppedDrone.Sent;
 
 /**
- * Behaviour measured has the link of a real drone: TelloPy 0.7.0, docs/sensor_time.md, measured in
+ * Behavior measured has the link of a real drone: TelloPy 0.7.0, docs/sensor_time.md, measured in
  * September 2026 with one drone.
  */
 class LabLinkTest {
@@ -25,7 +25,7 @@ class LabLinkTest {
   private static final int QUERIES = 10_000;
 
   private final SteppedDrone drone =
-      SteppedDrone.of(SimConfig.DEFAULT.withProduct(Profile.EDU, Behaviour.MEASURED));
+      SteppedDrone.of(SimConfig.DEFAULT.withProduct(Profile.EDU, Behavior.MEASURED));
 
   @Test
   void queriesTakeAsLongAsMeasured() {

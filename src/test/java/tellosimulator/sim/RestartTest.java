@@ -9,7 +9,7 @@ import org.junit.jupiter.api.Test;
 import tellosimulator.command.Peer;
 import tellosimulator.math.Vec3;
 import tellosimulator.model.FlightPhase;
-import tellosimulator.profile.Behaviour;
+import tellosimulator.profile.Behavior;
 import tellosimulator.profile.Profile;
 import tellosimulator.testing.SteppedDrone;
 import tellosimulator.time.SimTime;
@@ -19,7 +19,7 @@ class RestartTest {
 
   private static final Peer OPERATOR = new Peer(SteppedDrone.CLIENT, SteppedDrone.DRONE);
   private static final SimConfig CONFIG =
-      SimConfig.DEFAULT.withProduct(Profile.EDU, Behaviour.MEASURED).withSeed(5);
+      SimConfig.DEFAULT.withProduct(Profile.EDU, Behavior.MEASURED).withSeed(5);
 
   private final List<String> sent = new ArrayList<>();
   private final List<SimEvent> events = new ArrayList<>();

@@ -3,13 +3,13 @@ package tellosimulator.sim;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import org.junit.jupiter.api.Test;
-import tellosimulator.profile.Behaviour;
+import tellosimulator.profile.Behavior;
 import tellosimulator.profile.Profile;
 import tellosimulator.testing.SteppedDrone;
 
 class SeverityTest {
 
-  private final SteppedDrone drone = SteppedDrone.of(Profile.EDU, Behaviour.REPORT);
+  private final SteppedDrone drone = SteppedDrone.of(Profile.EDU, Behavior.REPORT);
 
   @Test
   void whatTheDroneIgnoresOrRefusesIsAWarning() {

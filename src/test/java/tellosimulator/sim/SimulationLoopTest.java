@@ -15,9 +15,9 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import tellosimulator.command.Peer;
+import tellosimulator.concurrent.ErrorPolicy;
 import tellosimulator.concurrent.Exceptions;
 import tellosimulator.concurrent.Uncaught;
-import tellosimulator.concurrent.Verdict;
 import tellosimulator.testing.CapturedLog;
 import tellosimulator.time.SimTime;
 import tellosimulator.time.TimeFactor;
@@ -97,7 +97,7 @@ class SimulationLoopTest {
     simulation.control(new Control.Power(1, true));
 
     try (CapturedLog commands = CapturedLog.of(Simulation.class);
-        CapturedLog steps = CapturedLog.of(Verdict.class);
+        CapturedLog steps = CapturedLog.of(ErrorPolicy.class);
         SimulationLoop loop = new SimulationLoop(simulation)) {
       assertThat(loop).isNotNull();
       assertThat(ask(simulation, "command")).isEqualTo("ok");
@@ -191,7 +191,7 @@ class SimulationLoopTest {
     simulation.control(new Control.Power(1, true));
 
     try (CapturedLog commands = CapturedLog.of(Simulation.class);
-        CapturedLog steps = CapturedLog.of(Verdict.class);
+        CapturedLog steps = CapturedLog.of(ErrorPolicy.class);
         SimulationLoop loop = new SimulationLoop(simulation)) {
       assertThat(loop).isNotNull();
       assertThat(ask(simulation, "command")).isEqualTo("ok");
@@ -226,7 +226,7 @@ class SimulationLoopTest {
         new Simulation(
             SimConfig.DEFAULT, drone -> (peer, text) -> {}, report -> {}, List.of(listener));
     try (Uncaught uncaught = new Uncaught();
-        CapturedLog log = CapturedLog.of(Verdict.class);
+        CapturedLog log = CapturedLog.of(ErrorPolicy.class);
         SimulationLoop loop = new SimulationLoop(simulation)) {
       loop.carryOut(new Control.Power(1, true));
       failing.set(failure);

@@ -15,7 +15,7 @@ import tellosimulator.fault.LinkPreset;
 import tellosimulator.math.Attitude;
 import tellosimulator.math.Pose;
 import tellosimulator.math.Vec3;
-import tellosimulator.profile.Behaviour;
+import tellosimulator.profile.Behavior;
 import tellosimulator.profile.Profile;
 import tellosimulator.time.Demand;
 import tellosimulator.time.SimTime;
@@ -78,7 +78,7 @@ class TakingTest {
     simulation =
         simulation(
             config(Vec3.ZERO)
-                .withProduct(Profile.EDU, Behaviour.MEASURED)
+                .withProduct(Profile.EDU, Behavior.MEASURED)
                 .withLink(LinkPreset.IDEAL));
     ask(1, "command");
     ask(1, "wifi name password");

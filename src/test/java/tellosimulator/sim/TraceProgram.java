@@ -18,7 +18,7 @@ import tellosimulator.math.Vec3;
 import tellosimulator.model.Motion;
 import tellosimulator.network.Ports;
 import tellosimulator.network.StateConnection;
-import tellosimulator.profile.Behaviour;
+import tellosimulator.profile.Behavior;
 import tellosimulator.profile.Profile;
 import tellosimulator.testing.InMemoryPort;
 import tellosimulator.time.TimeFactor;
@@ -70,7 +70,7 @@ public final class TraceProgram implements SimListener {
     simulation =
         new Simulation(
             SimConfig.DEFAULT
-                .withProduct(Profile.EDU, Behaviour.MEASURED)
+                .withProduct(Profile.EDU, Behavior.MEASURED)
                 .withLink(LinkPreset.IDEAL)
                 .withFaults(FAULTS.stream().map(Fault::of).toList())
                 .withRoom(room, Swarm.row(DRONES, Vec3.ZERO, room))

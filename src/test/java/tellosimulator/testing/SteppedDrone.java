@@ -14,7 +14,7 @@ import tellosimulator.model.DroneState;
 import tellosimulator.network.CommandResponseSender;
 import tellosimulator.network.Ports;
 import tellosimulator.network.StateConnection;
-import tellosimulator.profile.Behaviour;
+import tellosimulator.profile.Behavior;
 import tellosimulator.profile.Profile;
 import tellosimulator.sim.Control;
 import tellosimulator.sim.SimConfig;
@@ -75,7 +75,7 @@ public final class SteppedDrone {
   }
 
   /** In the middle of the default room, on an ideal link. */
-  public static SteppedDrone of(Profile profile, Behaviour behaviour) {
+  public static SteppedDrone of(Profile profile, Behavior behaviour) {
     return of(SimConfig.DEFAULT.withProduct(profile, behaviour).withLink(LinkPreset.IDEAL));
   }
 

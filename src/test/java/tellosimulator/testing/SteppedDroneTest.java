@@ -4,13 +4,13 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import org.junit.jupiter.api.Test;
-import tellosimulator.profile.Behaviour;
+import tellosimulator.profile.Behavior;
 import tellosimulator.profile.Profile;
 import tellosimulator.sim.SimConfig;
 
 class SteppedDroneTest {
 
-  private final SteppedDrone drone = SteppedDrone.of(Profile.EDU, Behaviour.REPORT);
+  private final SteppedDrone drone = SteppedDrone.of(Profile.EDU, Behavior.REPORT);
 
   @Test
   void repliesThatNeedNoTimeAreThereAtOnce() {

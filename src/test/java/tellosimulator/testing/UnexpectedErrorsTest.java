@@ -5,13 +5,13 @@ import static org.assertj.core.api.Assertions.assertThatCode;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import org.junit.jupiter.api.Test;
-import tellosimulator.concurrent.Verdict;
+import tellosimulator.concurrent.ErrorPolicy;
 
 /** JUnit gives the parameter only if it has registered the extension by itself. */
 class UnexpectedErrorsTest {
 
   private final Exception broken = new IllegalStateException("broken on purpose");
-  private static final Verdict FAILED = Verdict.goOn("A test");
+  private static final ErrorPolicy FAILED = ErrorPolicy.goOn("A test");
 
   @Test
   void aTestThatLogsAnErrorToReportFails(UnexpectedErrors errors) {
@@ -26,7 +26,7 @@ class UnexpectedErrorsTest {
 
   @Test
   void aTestThatLooksForItPasses(UnexpectedErrors errors) throws InterruptedException {
-    try (CapturedLog log = CapturedLog.of(Verdict.class)) {
+    try (CapturedLog log = CapturedLog.of(ErrorPolicy.class)) {
       FAILED.tell(broken);
       assertThat(log.next()).startsWith("A test; please report this: ");
     }
@@ -36,7 +36,7 @@ class UnexpectedErrorsTest {
 
   @Test
   void aTestThatOnlyHidesItFails() {
-    CapturedLog log = CapturedLog.of(Verdict.class);
+    CapturedLog log = CapturedLog.of(ErrorPolicy.class);
     FAILED.tell(broken);
 
     assertThatThrownBy(log::close)

@@ -15,7 +15,7 @@ import tellosimulator.math.Vec3;
 import tellosimulator.network.AddressPlan;
 import tellosimulator.network.OnlineSimulation;
 import tellosimulator.network.PortTakenException;
-import tellosimulator.profile.Behaviour;
+import tellosimulator.profile.Behavior;
 import tellosimulator.profile.Profile;
 import tellosimulator.sim.Control;
 import tellosimulator.sim.DroneSetup;
@@ -57,7 +57,7 @@ final class FilmedDrones implements AutoCloseable {
   FilmedDrones(Profile profile, int... videoPorts) throws IOException {
     List<Outlets> outlets =
         IntStream.of(videoPorts).mapToObj(port -> new Outlets(9, port)).toList();
-    Product product = new Product(profile, Behaviour.REPORT);
+    Product product = new Product(profile, Behavior.REPORT);
     List<Pose> starts = Swarm.row(videoPorts.length, Vec3.ZERO, Room.DEFAULT);
     SimConfig config =
         SimConfig.DEFAULT.withDrones(

@@ -5,11 +5,11 @@ import java.util.Map;
 import java.util.stream.IntStream;
 import tellosimulator.math.Vec3;
 import tellosimulator.world.Arena;
-import tellosimulator.world.Cover;
-import tellosimulator.world.Cover.Pattern;
-import tellosimulator.world.Cover.Side;
 import tellosimulator.world.MissionPad;
 import tellosimulator.world.Obstacle;
+import tellosimulator.world.ObstacleAppearance;
+import tellosimulator.world.ObstacleAppearance.Pattern;
+import tellosimulator.world.ObstacleAppearance.Side;
 import tellosimulator.world.Shape;
 
 /** A room with one of everything that can stand in it, and all mission pads. */
@@ -41,7 +41,7 @@ final class FurnishedRoom {
                   thing(
                       new Shape.Box(0.3, 0.3, 0.3),
                       new Vec3(0.4, -0.5, 0),
-                      new Cover(0x888888, Pattern.PLAIN, MARKERS)),
+                      new ObstacleAppearance(0x888888, Pattern.PLAIN, MARKERS)),
                   thing(
                       new Shape.Ring(0.35, 0.06, 1.2),
                       new Vec3(1.5, 0, 0),
@@ -55,12 +55,12 @@ final class FurnishedRoom {
 
   private FurnishedRoom() {}
 
-  static Cover painted(int rgb, Pattern pattern) {
-    return new Cover(rgb, pattern, Map.of());
+  static ObstacleAppearance painted(int rgb, Pattern pattern) {
+    return new ObstacleAppearance(rgb, pattern, Map.of());
   }
 
   /** Turned a little. */
-  private static Obstacle thing(Shape shape, Vec3 foot, Cover cover) {
+  private static Obstacle thing(Shape shape, Vec3 foot, ObstacleAppearance cover) {
     return new Obstacle("thing", shape, foot, 0.3, cover);
   }
 

@@ -13,10 +13,10 @@ import tellosimulator.video.camera.CameraIntrinsics;
 import tellosimulator.video.camera.DroneOptics;
 import tellosimulator.video.camera.PinholeCamera;
 import tellosimulator.world.Arena;
-import tellosimulator.world.Cover;
-import tellosimulator.world.Cover.Pattern;
 import tellosimulator.world.Decor;
 import tellosimulator.world.Obstacle;
+import tellosimulator.world.ObstacleAppearance;
+import tellosimulator.world.ObstacleAppearance.Pattern;
 import tellosimulator.world.Shape;
 import tellosimulator.world.Walls;
 
@@ -27,9 +27,9 @@ class ObstaclesInPictureTest {
 
   private static final Pose DRONE = new Pose(new Vec3(-1, 0, 1), Attitude.LEVEL);
 
-  private static final Cover RED = FurnishedRoom.painted(0xff0000, Pattern.PLAIN);
+  private static final ObstacleAppearance RED = FurnishedRoom.painted(0xff0000, Pattern.PLAIN);
 
-  private static final Cover GREEN = FurnishedRoom.painted(0x00ff00, Pattern.PLAIN);
+  private static final ObstacleAppearance GREEN = FurnishedRoom.painted(0x00ff00, Pattern.PLAIN);
 
   @Test
   void aRedBoxAheadIsRedWhereItIsAndNowhereElse() {
@@ -134,7 +134,7 @@ class ObstaclesInPictureTest {
     assertThat(rgb(hidden, other.position())).isEqualTo(rgb(alone, other.position()));
   }
 
-  private static Obstacle at(Shape shape, Vec3 foot, Cover cover) {
+  private static Obstacle at(Shape shape, Vec3 foot, ObstacleAppearance cover) {
     return new Obstacle("thing", shape, foot, 0, cover);
   }
 

@@ -21,7 +21,7 @@ import org.junit.jupiter.api.Test;
 import tellosimulator.command.Link;
 import tellosimulator.command.Peer;
 import tellosimulator.network.DatagramPort;
-import tellosimulator.time.Metronome;
+import tellosimulator.time.Ticker;
 import tellosimulator.video.VideoConnection.Route;
 
 class VideoConnectionTest {
@@ -31,7 +31,7 @@ class VideoConnectionTest {
 
   private static final List<byte[]> TEN = Collections.nCopies(10, new byte[] {0, 0, 0, 1, 1});
 
-  private final Metronome metronome = new Metronome();
+  private final Ticker metronome = new Ticker();
   private final VideoConnection connection =
       new VideoConnection(metronome, () -> {}, new VideoFaults(1), port -> port);
   private VideoReceiver receiver;

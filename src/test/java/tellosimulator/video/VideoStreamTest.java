@@ -15,7 +15,7 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import tellosimulator.command.Peer;
-import tellosimulator.concurrent.Verdict;
+import tellosimulator.concurrent.ErrorPolicy;
 import tellosimulator.fault.Fault;
 import tellosimulator.math.Attitude;
 import tellosimulator.math.Pose;
@@ -51,7 +51,7 @@ class VideoStreamTest {
   private final AtomicReference<CameraView> view = new AtomicReference<>(view(0));
   private final AtomicInteger films = new AtomicInteger();
   private final Semaphore looks = new Semaphore(0);
-  private final CapturedLog log = CapturedLog.of(Verdict.class);
+  private final CapturedLog log = CapturedLog.of(ErrorPolicy.class);
   private final VideoStream stream =
       new VideoStream(1, this::look, () -> new Film(1, source(), H264Encoder::new));
 

@@ -1,7 +1,7 @@
 package tellosimulator.wire;
 
 import java.util.List;
-import tellosimulator.profile.Behaviour;
+import tellosimulator.profile.Behavior;
 import tellosimulator.profile.Profile;
 
 /**
@@ -21,7 +21,7 @@ record WireRow(
     String place,
     String fact,
     Profile profile,
-    Behaviour behaviour,
+    Behavior behaviour,
     List<String> before,
     String input,
     List<ExpectedReply> replies,

@@ -9,7 +9,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.stream.Stream;
-import tellosimulator.profile.Behaviour;
+import tellosimulator.profile.Behavior;
 import tellosimulator.profile.Profile;
 
 /** Reads the tables of rows: one row a line, cells between bars. */
@@ -80,7 +80,7 @@ final class WireTable {
                 .toList();
     List<WireRow> rows = new ArrayList<>();
     for (Profile profile : chosen(place, cells.get(1), Profile.values())) {
-      for (Behaviour behaviour : chosen(place, cells.get(2), Behaviour.values())) {
+      for (Behavior behaviour : chosen(place, cells.get(2), Behavior.values())) {
         rows.add(
             new WireRow(
                 place,

@@ -10,7 +10,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.TestFactory;
 import org.junit.jupiter.api.function.Executable;
 import tellosimulator.command.CommandSyntax;
-import tellosimulator.profile.Behaviour;
+import tellosimulator.profile.Behavior;
 import tellosimulator.profile.Profile;
 
 /** Every fact about the text interface, row by row. */
@@ -26,7 +26,7 @@ class WireTest {
   @Test
   void everyProfileAndBehaviourHasRows() {
     for (Profile profile : Profile.values()) {
-      for (Behaviour behaviour : Behaviour.values()) {
+      for (Behavior behaviour : Behavior.values()) {
         assertThat(rows)
             .as("rows of %s, %s", profile.option(), behaviour.option())
             .anyMatch(row -> row.profile() == profile && row.behaviour() == behaviour);

@@ -41,6 +41,6 @@ class FootprintTest {
   private static boolean inside(Shape shape, Vec3 foot, double turnedDeg) {
     double heading = StrictMath.toRadians(turnedDeg);
     return Footprint.inside(
-        new Obstacle("thing", shape, foot, heading, Cover.DEFAULT), Room.DEFAULT);
+        new Obstacle("thing", shape, foot, heading, ObstacleAppearance.DEFAULT), Room.DEFAULT);
   }
 }

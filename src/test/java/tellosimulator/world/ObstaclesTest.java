@@ -294,6 +294,6 @@ class ObstaclesTest {
   }
 
   private static Obstacle thing(Shape shape, Vec3 foot, double heading) {
-    return new Obstacle("thing", shape, foot, heading, Cover.DEFAULT);
+    return new Obstacle("thing", shape, foot, heading, ObstacleAppearance.DEFAULT);
   }
 }

@@ -14,8 +14,8 @@ import tellosimulator.scenery.mesh.Rgb;
 import tellosimulator.scenery.mesh.Shading;
 import tellosimulator.scenery.mesh.Texture;
 import tellosimulator.scenery.texture.Falloff;
-import tellosimulator.world.Cover.Side;
 import tellosimulator.world.Obstacle;
+import tellosimulator.world.ObstacleAppearance.Side;
 import tellosimulator.world.Shape;
 
 /**

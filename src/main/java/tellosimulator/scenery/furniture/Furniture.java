@@ -7,8 +7,8 @@ import java.util.Map;
 import tellosimulator.scenery.mesh.Instance;
 import tellosimulator.scenery.mesh.Part;
 import tellosimulator.scenery.texture.ImageCache;
-import tellosimulator.world.Cover;
 import tellosimulator.world.Obstacle;
+import tellosimulator.world.ObstacleAppearance;
 import tellosimulator.world.Shape;
 
 /**
@@ -18,7 +18,7 @@ import tellosimulator.world.Shape;
 public final class Furniture {
 
   /** All that decides what an obstacle looks like. */
-  private record Look(Shape shape, Cover cover) {}
+  private record Look(Shape shape, ObstacleAppearance cover) {}
 
   private final ImageCache images = new ImageCache();
   private FurnitureBuilder builder = new FurnitureBuilder(images, PatternTexture.forCount(0));

@@ -16,10 +16,10 @@ import tellosimulator.scenery.mesh.Rgb;
 import tellosimulator.scenery.mesh.Shading;
 import tellosimulator.scenery.mesh.Texture;
 import tellosimulator.scenery.texture.ImageCache;
-import tellosimulator.world.Cover;
-import tellosimulator.world.Cover.Pattern;
-import tellosimulator.world.Cover.Side;
 import tellosimulator.world.Obstacle;
+import tellosimulator.world.ObstacleAppearance;
+import tellosimulator.world.ObstacleAppearance.Pattern;
+import tellosimulator.world.ObstacleAppearance.Side;
 import tellosimulator.world.Shape;
 
 /**
@@ -41,7 +41,7 @@ final class FurnitureBuilder {
    */
   private record Paint(Pattern pattern, int rgb, Finishing finishing) {
 
-    static Paint of(Shape shape, Cover cover) {
+    static Paint of(Shape shape, ObstacleAppearance cover) {
       return new Paint(
           cover.pattern(),
           cover.rgb(),
@@ -93,7 +93,7 @@ final class FurnitureBuilder {
   }
 
   /** The parts of an obstacle. */
-  List<Part> parts(Shape shape, Cover cover) {
+  List<Part> parts(Shape shape, ObstacleAppearance cover) {
     if (shape instanceof Shape.Box box) {
       return box(box, cover);
     }
@@ -107,7 +107,7 @@ final class FurnitureBuilder {
     return frame((Shape.Frame) shape, paint(shape, cover), segments);
   }
 
-  private TextureMapping paint(Shape shape, Cover cover) {
+  private TextureMapping paint(Shape shape, ObstacleAppearance cover) {
     return paints.computeIfAbsent(
         Paint.of(shape, cover),
         paint ->
@@ -115,7 +115,7 @@ final class FurnitureBuilder {
                 patterns.of(paint.pattern, Rgb.of(paint.rgb), paint.finishing), paint.period()));
   }
 
-  private List<Part> box(Shape.Box shape, Cover cover) {
+  private List<Part> box(Shape.Box shape, ObstacleAppearance cover) {
     Box box = new Box(Vec3.ZERO, new Vec3(shape.depth(), shape.width(), shape.height()));
     TexturedMeshBuilder painted = new TexturedMeshBuilder(paint(shape, cover));
     painted.box(box, cover.pictures().keySet());
@@ -131,7 +131,7 @@ final class FurnitureBuilder {
     return parts;
   }
 
-  private List<Part> cylinder(Shape.Cylinder shape, Cover cover) {
+  private List<Part> cylinder(Shape.Cylinder shape, ObstacleAppearance cover) {
     double radius = shape.radius();
     double height = shape.height();
     double around = TURN * radius;
@@ -194,7 +194,8 @@ final class FurnitureBuilder {
     mesh.box(new Box(foot, size), Set.of());
   }
 
-  private TexturedMeshBuilder image(Cover cover, Side side, double width, double height) {
+  private TexturedMeshBuilder image(
+      ObstacleAppearance cover, Side side, double width, double height) {
     Texture image = images.get(cover.pictures().get(side)).texture();
     return new TexturedMeshBuilder(TextureMapping.stretched(image, width, height));
   }

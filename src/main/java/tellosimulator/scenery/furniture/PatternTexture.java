@@ -7,7 +7,7 @@ import tellosimulator.scenery.texture.ProceduralTexture;
 import tellosimulator.scenery.texture.ToneTable;
 import tellosimulator.scenery.texture.ValueNoise;
 import tellosimulator.scenery.texture.ValueNoise.Lattice;
-import tellosimulator.world.Cover.Pattern;
+import tellosimulator.world.ObstacleAppearance.Pattern;
 
 /**
  * The procedural textures of painted obstacles. Each tiles a square of {@link #TILE}, and its paint

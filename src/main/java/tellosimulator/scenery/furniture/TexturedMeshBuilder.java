@@ -9,7 +9,7 @@ import tellosimulator.scenery.mesh.MeshBuilder.Quad;
 import tellosimulator.scenery.mesh.MeshBuilder.Vertex;
 import tellosimulator.scenery.mesh.Part;
 import tellosimulator.scenery.mesh.Shading;
-import tellosimulator.world.Cover.Side;
+import tellosimulator.world.ObstacleAppearance.Side;
 
 /**
  * Builds the surfaces of an obstacle that share a texture. Texture coordinates are given in metres,

@@ -62,7 +62,7 @@ final class GoalTags {
 
   private static Billboard billboard(Look look) {
     boolean active = look.state == GoalState.ACTIVE;
-    return Billboard.standing(texture(look), NumberTag.SIZE * (active ? 1 : SMALLER));
+    return Billboard.standing(texture(look), DroneTag.SIZE * (active ? 1 : SMALLER));
   }
 
   private static Texture texture(Look look) {
@@ -74,7 +74,7 @@ final class GoalTags {
               if (look.state == GoalState.DONE) {
                 mask.stroke(TICK, 7);
               } else {
-                NumberTag.write(mask, look.number);
+                DroneTag.write(mask, look.number);
               }
             })
         .cutOut(square(new AlphaMask(TEXELS), 31));

@@ -26,7 +26,7 @@ public final class Overlay {
 
   private final List<Trail> trails = new ArrayList<>();
   private final List<PlumbLine> plumbLines = new ArrayList<>();
-  private final List<NumberTag> tags = new ArrayList<>();
+  private final List<DroneTag> tags = new ArrayList<>();
   private final Map<Integer, Rgb> colors = new HashMap<>();
   private final GoalMarkers goalMarkers = new GoalMarkers();
   private final GoalTags goalTags = new GoalTags();
@@ -47,7 +47,7 @@ public final class Overlay {
       trails.add(new Trail(drone));
       plumbLines.add(new PlumbLine(livery));
       if (first.drones().size() > 1) {
-        tags.add(new NumberTag(drone.state().drone(), livery));
+        tags.add(new DroneTag(drone.state().drone(), livery));
       }
     }
   }

@@ -5,7 +5,7 @@ import java.nio.file.Path;
 import java.util.function.Predicate;
 import javafx.beans.property.ReadOnlyObjectProperty;
 import javafx.beans.property.ReadOnlyObjectWrapper;
-import tellosimulator.concurrent.Verdict;
+import tellosimulator.concurrent.ErrorPolicy;
 import tellosimulator.concurrent.Worker;
 import tellosimulator.recording.RecordedFlight;
 import tellosimulator.recording.RecordingFolder;
@@ -23,7 +23,7 @@ import tellosimulator.words.Translation;
  */
 final class LastFlightReport implements ReportOffer {
 
-  private static final Verdict FAILED = Verdict.finish("The report of a flight failed");
+  private static final ErrorPolicy FAILED = ErrorPolicy.finish("The report of a flight failed");
 
   private final RecordingFolder recordings;
   private final LogQueue logQueue;

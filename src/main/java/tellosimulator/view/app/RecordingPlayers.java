@@ -7,7 +7,7 @@ import java.util.function.Consumer;
 import java.util.function.Function;
 import javafx.application.Platform;
 import javafx.stage.Stage;
-import tellosimulator.concurrent.Verdict;
+import tellosimulator.concurrent.ErrorPolicy;
 import tellosimulator.concurrent.Worker;
 import tellosimulator.recording.UnreadableRecordingException;
 import tellosimulator.view.replay.ReplayFlight;
@@ -21,7 +21,7 @@ import tellosimulator.view.text.Language;
  */
 final class RecordingPlayers {
 
-  private static final Verdict FAILED = Verdict.finish("A recording could not be read");
+  private static final ErrorPolicy FAILED = ErrorPolicy.finish("A recording could not be read");
 
   private final Appearance appearance;
   private final Consumer<Function<Language, String>> complain;

@@ -2,7 +2,7 @@ package tellosimulator.view.app;
 
 import java.io.IOException;
 import java.nio.file.Path;
-import tellosimulator.scenario.Mistake;
+import tellosimulator.scenario.Diagnostic;
 import tellosimulator.scenario.ScenarioDocument;
 import tellosimulator.scenario.ScenarioException;
 import tellosimulator.scenario.ScenarioFile;
@@ -38,7 +38,7 @@ final class ScenarioWriter {
     return true;
   }
 
-  private void warn(Mistake mistake) {
+  private void warn(Diagnostic mistake) {
     logQueue.say(LogLevel.WARN, language -> mistake.in(language.translation()));
   }
 

@@ -14,8 +14,8 @@ import javafx.stage.Stage;
 import tellosimulator.network.AddressPlan;
 import tellosimulator.network.PortTakenException;
 import tellosimulator.recording.RecordingFolder;
+import tellosimulator.scenario.Diagnostic;
 import tellosimulator.scenario.Gallery;
-import tellosimulator.scenario.Mistake;
 import tellosimulator.scenario.OpenedScenario;
 import tellosimulator.scenario.Scenario;
 import tellosimulator.scenario.ScenarioDocument;
@@ -390,7 +390,7 @@ public final class SimulatorApp implements AutoCloseable, ScenarioActions {
         .orElseGet(() -> opened.scenario().description().name().in(language.locale()));
   }
 
-  private static Function<Language, String> saying(Mistake mistake) {
+  private static Function<Language, String> saying(Diagnostic mistake) {
     return language -> mistake.in(language.translation());
   }
 

@@ -5,7 +5,7 @@ import java.util.List;
 import java.util.function.UnaryOperator;
 import javafx.beans.value.ObservableValue;
 import tellosimulator.command.Link;
-import tellosimulator.profile.Behaviour;
+import tellosimulator.profile.Behavior;
 import tellosimulator.profile.Profile;
 import tellosimulator.sim.Control;
 import tellosimulator.sim.SimConfig.Outlets;
@@ -27,7 +27,7 @@ final class ProductPanel extends Card {
   private final SimulatorActions actions;
   private final Messages messages;
   private final SegmentedButton<Profile> profile;
-  private final SegmentedButton<Behaviour> behaviour;
+  private final SegmentedButton<Behavior> behaviour;
 
   ProductPanel(ViewContext context) {
     super("product", context.language().messages(ProductPanel.class).text("heading.product"));
@@ -42,7 +42,7 @@ final class ProductPanel extends Card {
     behaviour =
         new SegmentedButton<>(
             "behaviour",
-            Arrays.stream(Behaviour.values()).map(this::option).toList(),
+            Arrays.stream(Behavior.values()).map(this::option).toList(),
             chosen -> configure(old -> new Product(old.profile(), chosen)));
     layoutCard(profile, behaviour);
     setupBindings();
@@ -80,7 +80,7 @@ final class ProductPanel extends Card {
     return option(value, "profile.", value.option());
   }
 
-  private SegmentedButton.Option<Behaviour> option(Behaviour value) {
+  private SegmentedButton.Option<Behavior> option(Behavior value) {
     return option(value, "behaviour.", value.option());
   }
 

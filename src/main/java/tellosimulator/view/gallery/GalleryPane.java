@@ -32,11 +32,11 @@ public final class GalleryPane extends VBox {
    * @param known opens a scenario of the program by its short name
    * @param file opens a file
    */
-  public record Choice(Consumer<String> known, Consumer<Path> file) {}
+  public record OptionValue(Consumer<String> known, Consumer<Path> file) {}
 
   private final List<ScenarioCard> cards = new ArrayList<>();
 
-  public GalleryPane(Language language, Offer offer, Choice choice) {
+  public GalleryPane(Language language, Offer offer, OptionValue choice) {
     setId("gallery");
     getStyleClass().add("gallery");
     getStylesheets().add(GalleryPane.class.getResource("gallery.css").toExternalForm());
@@ -64,7 +64,7 @@ public final class GalleryPane extends VBox {
   }
 
   private static ScenarioCard card(
-      Language language, String name, Scenario scenario, Choice choice) {
+      Language language, String name, Scenario scenario, OptionValue choice) {
     ScenarioCard card =
         new ScenarioCard(language, scenario.description(), () -> choice.known().accept(name));
     card.setId("scenario-" + name);

@@ -16,7 +16,7 @@ import javafx.scene.layout.HBox;
 import javafx.scene.layout.Priority;
 import org.kordamp.ikonli.feather.Feather;
 import org.kordamp.ikonli.javafx.FontIcon;
-import tellosimulator.concurrent.Verdict;
+import tellosimulator.concurrent.ErrorPolicy;
 import tellosimulator.concurrent.Worker;
 import tellosimulator.view.fx.Tooltips;
 import tellosimulator.view.text.Language;
@@ -28,7 +28,8 @@ import tellosimulator.view.text.Messages;
  */
 final class RecentList extends HBox {
 
-  private static final Verdict FAILED = Verdict.finish("The recent files could not be looked for");
+  private static final ErrorPolicy FAILED =
+      ErrorPolicy.finish("The recent files could not be looked for");
 
   private static final PseudoClass MISSING = PseudoClass.getPseudoClass("missing");
 

@@ -8,7 +8,7 @@ import javafx.beans.property.ReadOnlyObjectWrapper;
 import javafx.scene.image.Image;
 import javafx.scene.image.PixelFormat;
 import javafx.scene.image.WritableImage;
-import tellosimulator.concurrent.Verdict;
+import tellosimulator.concurrent.ErrorPolicy;
 import tellosimulator.concurrent.Worker;
 import tellosimulator.scenario.Gallery;
 
@@ -18,7 +18,7 @@ import tellosimulator.scenario.Gallery;
  */
 public final class RoomPictures {
 
-  private static final Verdict FAILED = Verdict.finish("The scenarios could not be drawn");
+  private static final ErrorPolicy FAILED = ErrorPolicy.finish("The scenarios could not be drawn");
 
   private final Map<String, ReadOnlyObjectWrapper<Image>> pictures = new LinkedHashMap<>();
   private boolean begun;

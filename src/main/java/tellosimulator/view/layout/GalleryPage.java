@@ -28,7 +28,7 @@ final class GalleryPage extends Page {
         new GalleryPane(
             context.language(),
             offer,
-            new GalleryPane.Choice(
+            new GalleryPane.OptionValue(
                 name -> close.accept(() -> actions.openKnown(name)),
                 file -> close.accept(() -> actions.open(file))));
     setMaxHeight(USE_PREF_SIZE);

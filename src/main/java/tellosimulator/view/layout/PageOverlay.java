@@ -78,7 +78,7 @@ public final class PageOverlay extends StackPane {
 
   /** Says what is wrong with a scenario. */
   public void show(List<Function<Language, String>> mistakes) {
-    show(new MistakesPage(context, mistakes));
+    show(new DiagnosticsPage(context, mistakes));
   }
 
   /** Asks something. */

@@ -13,9 +13,9 @@ import javafx.application.Platform;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 import tellosimulator.concurrent.Agent;
-import tellosimulator.concurrent.Verdict;
+import tellosimulator.concurrent.ErrorPolicy;
 import tellosimulator.concurrent.Worker;
-import tellosimulator.time.Metronome;
+import tellosimulator.time.Ticker;
 
 /**
  * The beat of the window: at each one the mirror takes over the newest snapshot, then those that
@@ -43,7 +43,7 @@ public final class Pulse {
   private final Runnable mirror;
   private final BooleanSupplier still;
   private final List<LongConsumer> listeners = new ArrayList<>();
-  private final Metronome metronome = new Metronome();
+  private final Ticker metronome = new Ticker();
   private final AtomicBoolean scheduled = new AtomicBoolean();
   private final AnimationTimer timer =
       new AnimationTimer() {
@@ -165,7 +165,7 @@ public final class Pulse {
   /** The slow beats; rests while the toolkit beats. */
   private final class IdleBeats implements Agent {
 
-    private final Verdict failed = Verdict.goOn("A beat of the idle window failed");
+    private final ErrorPolicy failed = ErrorPolicy.goOn("A beat of the idle window failed");
 
     @Override
     public Outcome doWork() {
@@ -185,7 +185,7 @@ public final class Pulse {
     }
 
     @Override
-    public Verdict onError(Throwable failure) {
+    public ErrorPolicy onError(Throwable failure) {
       return failed;
     }
   }

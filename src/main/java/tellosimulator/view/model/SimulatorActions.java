@@ -13,7 +13,7 @@ import java.util.function.Consumer;
 import java.util.function.ObjIntConsumer;
 import javafx.application.Platform;
 import tellosimulator.concurrent.Agent;
-import tellosimulator.concurrent.Verdict;
+import tellosimulator.concurrent.ErrorPolicy;
 import tellosimulator.concurrent.Worker;
 import tellosimulator.network.OnlineSimulation;
 import tellosimulator.network.PortTakenException;
@@ -65,7 +65,7 @@ public final class SimulatorActions implements AutoCloseable {
   /** Carries out one task after the other; what fails is told, and the next one is tried. */
   private final class Tasks implements Agent {
 
-    private final Verdict failed = Verdict.goOn("What was done in the window failed");
+    private final ErrorPolicy failed = ErrorPolicy.goOn("What was done in the window failed");
 
     @Override
     public Outcome doWork() throws InterruptedException {
@@ -74,7 +74,7 @@ public final class SimulatorActions implements AutoCloseable {
     }
 
     @Override
-    public Verdict onError(Throwable failure) {
+    public ErrorPolicy onError(Throwable failure) {
       return failed;
     }
   }

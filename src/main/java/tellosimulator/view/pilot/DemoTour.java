@@ -5,7 +5,7 @@ import tellosimulator.math.Pose;
 import tellosimulator.math.Vec3;
 import tellosimulator.model.DroneSpec;
 import tellosimulator.model.DroneState;
-import tellosimulator.profile.Behaviour;
+import tellosimulator.profile.Behavior;
 import tellosimulator.world.Room;
 
 /**
@@ -57,14 +57,14 @@ final class DemoTour {
   private static final int ENOUGH_FOR_FLIP = 58;
 
   private final Room room;
-  private final Behaviour behaviour;
+  private final Behavior behaviour;
   private final Pose pose;
   private final int batteryPercent;
 
   /**
    * @param drone which stands on the floor
    */
-  DemoTour(Room room, Behaviour behaviour, DroneState drone) {
+  DemoTour(Room room, Behavior behaviour, DroneState drone) {
     this.room = room;
     this.behaviour = behaviour;
     this.pose = drone.motion().pose();

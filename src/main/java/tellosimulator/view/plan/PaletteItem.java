@@ -3,8 +3,8 @@ package tellosimulator.view.plan;
 import java.util.Locale;
 import java.util.Map;
 import java.util.function.Function;
-import tellosimulator.world.Cover;
-import tellosimulator.world.Cover.Pattern;
+import tellosimulator.world.ObstacleAppearance;
+import tellosimulator.world.ObstacleAppearance.Pattern;
 import tellosimulator.world.Room;
 import tellosimulator.world.Shape;
 
@@ -18,11 +18,11 @@ enum PaletteItem {
 
   private static final double GATE_MIDDLE = 1;
 
-  private final Cover cover;
+  private final ObstacleAppearance cover;
   private final Function<Room, Shape> shape;
 
   PaletteItem(int rgb, Pattern pattern, Function<Room, Shape> shape) {
-    this.cover = new Cover(rgb, pattern, Map.of());
+    this.cover = new ObstacleAppearance(rgb, pattern, Map.of());
     this.shape = shape;
   }
 
@@ -30,7 +30,7 @@ enum PaletteItem {
     return shape.apply(room);
   }
 
-  Cover cover() {
+  ObstacleAppearance cover() {
     return cover;
   }
 

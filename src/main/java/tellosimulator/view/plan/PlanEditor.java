@@ -18,9 +18,9 @@ import tellosimulator.view.model.SimulatorActions;
 import tellosimulator.view.plan.PlanItem.ObstacleItem;
 import tellosimulator.view.plan.PlanItem.Pad;
 import tellosimulator.view.plan.PlanItem.Start;
-import tellosimulator.world.Cover;
 import tellosimulator.world.MissionPad;
 import tellosimulator.world.Obstacle;
+import tellosimulator.world.ObstacleAppearance;
 import tellosimulator.world.Room;
 
 /**
@@ -188,7 +188,8 @@ final class PlanEditor {
   void paint(int rgb) {
     if (selected().orElse(null) instanceof ObstacleItem body) {
       Obstacle now = plan().obstacle(body);
-      Cover cover = new Cover(rgb, now.cover().pattern(), now.cover().pictures());
+      ObstacleAppearance cover =
+          new ObstacleAppearance(rgb, now.cover().pattern(), now.cover().pictures());
       carryOut(
           plan()
               .with(body, new Obstacle(now.name(), now.shape(), now.foot(), now.heading(), cover)));

@@ -7,7 +7,7 @@ import java.util.Optional;
 import javafx.application.Platform;
 import javafx.stage.DirectoryChooser;
 import javafx.stage.Window;
-import tellosimulator.concurrent.Verdict;
+import tellosimulator.concurrent.ErrorPolicy;
 import tellosimulator.concurrent.Worker;
 import tellosimulator.recording.UnreadableRecordingException;
 import tellosimulator.view.text.Language;
@@ -19,7 +19,7 @@ import tellosimulator.view.text.Messages;
  */
 final class Ghosts {
 
-  private static final Verdict FAILED = Verdict.finish("A recording could not be read");
+  private static final ErrorPolicy FAILED = ErrorPolicy.finish("A recording could not be read");
 
   /** Reads the recording in a folder. For any thread. */
   @FunctionalInterface

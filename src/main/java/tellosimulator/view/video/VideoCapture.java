@@ -17,7 +17,7 @@ import javafx.beans.property.ReadOnlyIntegerProperty;
 import javafx.beans.property.ReadOnlyIntegerWrapper;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
-import tellosimulator.concurrent.Verdict;
+import tellosimulator.concurrent.ErrorPolicy;
 import tellosimulator.concurrent.Worker;
 import tellosimulator.files.IoReason;
 import tellosimulator.video.FilmedPicture;
@@ -34,7 +34,7 @@ import tellosimulator.words.Phrase;
 public final class VideoCapture implements AutoCloseable {
 
   private static final Logger LOG = LoggerFactory.getLogger(VideoCapture.class);
-  private static final Verdict UNSAVED = Verdict.finish("A picture could not be saved");
+  private static final ErrorPolicy UNSAVED = ErrorPolicy.finish("A picture could not be saved");
   private static final double NANOS_PER_SECOND = 1e9;
 
   private final Source source;

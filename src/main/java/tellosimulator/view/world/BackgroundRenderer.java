@@ -3,10 +3,10 @@ package tellosimulator.view.world;
 import java.util.Optional;
 import java.util.concurrent.atomic.AtomicReference;
 import tellosimulator.concurrent.Agent;
-import tellosimulator.concurrent.Verdict;
+import tellosimulator.concurrent.ErrorPolicy;
 import tellosimulator.concurrent.Worker;
 import tellosimulator.scenery.Scene;
-import tellosimulator.time.Metronome;
+import tellosimulator.time.Ticker;
 import tellosimulator.video.camera.CameraIntrinsics;
 import tellosimulator.video.camera.ColorSpace;
 import tellosimulator.video.camera.FrameBuffer;
@@ -54,7 +54,7 @@ final class BackgroundRenderer implements AutoCloseable {
   private record Job(Scene scene, PinholeCamera camera) {}
 
   private final SoftwareCamera camera = new SoftwareCamera(new RenderCache(ColorSpace.RGB));
-  private final Metronome metronome = new Metronome();
+  private final Ticker metronome = new Ticker();
   private final AtomicReference<Optional<Job>> next = new AtomicReference<>(Optional.empty());
   private final AtomicReference<Optional<Rendered>> rendered =
       new AtomicReference<>(Optional.empty());
@@ -98,7 +98,7 @@ final class BackgroundRenderer implements AutoCloseable {
 
   private final class Rendering implements Agent {
 
-    private final Verdict failed = Verdict.goOn("The room could not be drawn");
+    private final ErrorPolicy failed = ErrorPolicy.goOn("The room could not be drawn");
 
     @Override
     public Outcome doWork() {
@@ -113,7 +113,7 @@ final class BackgroundRenderer implements AutoCloseable {
     }
 
     @Override
-    public Verdict onError(Throwable failure) {
+    public ErrorPolicy onError(Throwable failure) {
       frameBuffer = NOTHING; // the memory that it takes may be what is missing
       argb = NO_PIXELS;
       last = Optional.empty();

@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import tellosimulator.goal.Goal;
-import tellosimulator.goal.Spot;
+import tellosimulator.goal.GoalRegion;
 import tellosimulator.math.Attitude;
 import tellosimulator.math.Pose;
 import tellosimulator.math.Vec3;
@@ -47,7 +47,7 @@ final class SceneExtent {
   }
 
   /** Gates and mission pads are there already. */
-  private static Optional<Spot> spot(Goal goal) {
+  private static Optional<GoalRegion> spot(Goal goal) {
     if (goal instanceof Goal.Reach reach) {
       return Optional.of(reach.spot());
     }
@@ -57,7 +57,7 @@ final class SceneExtent {
     return goal instanceof Goal.Land land ? Optional.of(land.spot()) : Optional.empty();
   }
 
-  private static void addBall(List<Vec3> places, Spot spot) {
+  private static void addBall(List<Vec3> places, GoalRegion spot) {
     Vec3 middle = spot.place();
     for (double side : new double[] {-spot.radius(), spot.radius()}) {
       places.add(middle.plus(new Vec3(side, 0, 0)));

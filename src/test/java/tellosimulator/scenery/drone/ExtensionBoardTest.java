@@ -5,7 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.Arrays;
 import java.util.List;
 import org.junit.jupiter.api.Test;
-import tellosimulator.profile.Behaviour;
+import tellosimulator.profile.Behavior;
 import tellosimulator.profile.Profile;
 import tellosimulator.scenery.Scene;
 import tellosimulator.scenery.SceneBuilder;
@@ -99,6 +99,6 @@ class ExtensionBoardTest {
   }
 
   private static SimulatedDrones drones(Profile profile) {
-    return new SimulatedDrones(SimConfig.DEFAULT.withProduct(profile, Behaviour.REPORT), List.of());
+    return new SimulatedDrones(SimConfig.DEFAULT.withProduct(profile, Behavior.REPORT), List.of());
   }
 }

@@ -20,8 +20,8 @@ import tellosimulator.scenery.mesh.Part;
 import tellosimulator.scenery.mesh.Rgb;
 import tellosimulator.scenery.mesh.Shading;
 import tellosimulator.scenery.mesh.Texture;
-import tellosimulator.world.Cover;
 import tellosimulator.world.Obstacle;
+import tellosimulator.world.ObstacleAppearance;
 import tellosimulator.world.Room;
 import tellosimulator.world.Shape;
 
@@ -46,7 +46,7 @@ class ContactShadowsTest {
 
   @Test
   void itTurnsWithTheObstacle() {
-    Obstacle turned = new Obstacle("box", BOX, Vec3.ZERO, Math.PI / 2, Cover.DEFAULT);
+    Obstacle turned = new Obstacle("box", BOX, Vec3.ZERO, Math.PI / 2, ObstacleAppearance.DEFAULT);
 
     RayTracer eye = eye(turned);
 
@@ -73,7 +73,8 @@ class ContactShadowsTest {
 
   @Test
   void noneReachesOutOfTheRoom() {
-    Obstacle corner = new Obstacle("box", BOX, new Vec3(2.9, 1.9, 0), 0.4, Cover.DEFAULT);
+    Obstacle corner =
+        new Obstacle("box", BOX, new Vec3(2.9, 1.9, 0), 0.4, ObstacleAppearance.DEFAULT);
 
     for (Instance instance : shadows.instances(ROOM, List.of(corner))) {
       Mesh mesh = instance.part().mesh();
@@ -105,7 +106,7 @@ class ContactShadowsTest {
   }
 
   private static Obstacle obstacle(Shape shape, Vec3 foot) {
-    return new Obstacle("thing", shape, foot, 0, Cover.DEFAULT);
+    return new Obstacle("thing", shape, foot, 0, ObstacleAppearance.DEFAULT);
   }
 
   /** On a white floor. */

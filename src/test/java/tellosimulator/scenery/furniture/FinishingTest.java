@@ -9,7 +9,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.EnumSource;
 import tellosimulator.scenery.mesh.Rgb;
 import tellosimulator.scenery.mesh.Texture;
-import tellosimulator.world.Cover.Pattern;
+import tellosimulator.world.ObstacleAppearance.Pattern;
 import tellosimulator.world.Shape;
 
 class FinishingTest {

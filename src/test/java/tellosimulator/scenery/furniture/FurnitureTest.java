@@ -16,10 +16,10 @@ import tellosimulator.scenery.mesh.Part;
 import tellosimulator.scenery.mesh.Rgb;
 import tellosimulator.scenery.mesh.Shading;
 import tellosimulator.scenery.mesh.Texture;
-import tellosimulator.world.Cover;
-import tellosimulator.world.Cover.Pattern;
-import tellosimulator.world.Cover.Side;
 import tellosimulator.world.Obstacle;
+import tellosimulator.world.ObstacleAppearance;
+import tellosimulator.world.ObstacleAppearance.Pattern;
+import tellosimulator.world.ObstacleAppearance.Side;
 import tellosimulator.world.Shape;
 
 class FurnitureTest {
@@ -55,13 +55,13 @@ class FurnitureTest {
 
   @Test
   void aGateThatStandsOnTheFloorHasNoPosts() {
-    assertThat(parts(new Shape.Ring(0.5, 0.1, 0.6), Cover.DEFAULT)).hasSize(1);
-    assertThat(parts(new Shape.Frame(0.6, 0.8, 0.1, 0.4), Cover.DEFAULT)).hasSize(1);
+    assertThat(parts(new Shape.Ring(0.5, 0.1, 0.6), ObstacleAppearance.DEFAULT)).hasSize(1);
+    assertThat(parts(new Shape.Frame(0.6, 0.8, 0.1, 0.4), ObstacleAppearance.DEFAULT)).hasSize(1);
   }
 
   @Test
   void theOpeningOfARingIsFree() {
-    Mesh ring = parts(new Shape.Ring(0.5, 0.1, 2), Cover.DEFAULT).get(1).mesh();
+    Mesh ring = parts(new Shape.Ring(0.5, 0.1, 2), ObstacleAppearance.DEFAULT).get(1).mesh();
 
     for (int i = 0; i < ring.positions(); i++) {
       Vec3 out = ring.position(i).minus(new Vec3(0, 0, 2));
@@ -97,8 +97,8 @@ class FurnitureTest {
 
   @Test
   void sidesWithPicturesAreAsBrightAsTheirFilesAndTheOthersArePainted() {
-    Cover cover =
-        new Cover(
+    ObstacleAppearance cover =
+        new ObstacleAppearance(
             0x0000ff,
             Pattern.PLAIN,
             Map.of(Side.FRONT, "examples/marker.png", Side.TOP, "no/such.png"));
@@ -119,7 +119,8 @@ class FurnitureTest {
 
   @Test
   void aPictureGoesAroundACylinderAndIsUprightFromTheFront() {
-    Cover cover = new Cover(0, Pattern.PLAIN, Map.of(Side.FRONT, "examples/marker.png"));
+    ObstacleAppearance cover =
+        new ObstacleAppearance(0, Pattern.PLAIN, Map.of(Side.FRONT, "examples/marker.png"));
     Mesh around = parts(new Shape.Cylinder(0.3, 1), cover).get(1).mesh();
     float[] texCoords = around.texCoordArray();
 
@@ -152,7 +153,7 @@ class FurnitureTest {
 
   @Test
   void nothingIsMadeAgainForTheSameOrAMovedObstacle() {
-    Obstacle here = new Obstacle("one", BOX, new Vec3(1, 0, 0), 0, Cover.DEFAULT);
+    Obstacle here = new Obstacle("one", BOX, new Vec3(1, 0, 0), 0, ObstacleAppearance.DEFAULT);
     List<Obstacle> obstacles = List.of(here);
 
     List<Instance> first = furniture.instances(obstacles);
@@ -167,7 +168,7 @@ class FurnitureTest {
   void manyPatternsHaveSmallPicturesAsNobodyKeepsAThousandLargeOnes() {
     List<Obstacle> many =
         IntStream.range(0, 1000)
-            .mapToObj(i -> new Cover(17 * i, Pattern.BRICKS, Map.of()))
+            .mapToObj(i -> new ObstacleAppearance(17 * i, Pattern.BRICKS, Map.of()))
             .map(cover -> new Obstacle("thing", BOX, Vec3.ZERO, 0, cover))
             .toList();
 
@@ -179,11 +180,11 @@ class FurnitureTest {
     assertThat(furniture.instances(many).get(0).part().material().texture().width()).isEqualTo(64);
   }
 
-  private static Cover paint(Pattern pattern) {
-    return new Cover(0x2040e0, pattern, Map.of());
+  private static ObstacleAppearance paint(Pattern pattern) {
+    return new ObstacleAppearance(0x2040e0, pattern, Map.of());
   }
 
-  private List<Part> parts(Shape shape, Cover cover) {
+  private List<Part> parts(Shape shape, ObstacleAppearance cover) {
     return furniture.instances(List.of(new Obstacle("thing", shape, Vec3.ZERO, 0, cover))).stream()
         .map(Instance::part)
         .filter(part -> part.material().shading() != Shading.TRANSLUCENT)
@@ -192,8 +193,9 @@ class FurnitureTest {
 
   @Test
   void whatStandsHasShadeAtItsFeetUnlessItShowsAPicture() {
-    Cover marked = new Cover(0, Pattern.PLAIN, Map.of(Side.FRONT, "examples/marker.png"));
-    Obstacle standing = new Obstacle("one", BOX, Vec3.ZERO, 0, Cover.DEFAULT);
+    ObstacleAppearance marked =
+        new ObstacleAppearance(0, Pattern.PLAIN, Map.of(Side.FRONT, "examples/marker.png"));
+    Obstacle standing = new Obstacle("one", BOX, Vec3.ZERO, 0, ObstacleAppearance.DEFAULT);
     Obstacle hanging = standing.movedTo(new Vec3(0, 0, 1), 0);
 
     assertThat(shade(standing)).isTrue();
@@ -209,7 +211,7 @@ class FurnitureTest {
   /** The volume within all meshes of a thing [m³], less where they are seen from inside. */
   private double volume(Shape shape) {
     double volume = 0;
-    for (Part part : parts(shape, Cover.DEFAULT)) {
+    for (Part part : parts(shape, ObstacleAppearance.DEFAULT)) {
       Mesh mesh = part.mesh();
       int[] corners = mesh.faceArray();
       for (int i = 0; i < corners.length; i += 9) {

@@ -8,9 +8,9 @@ import java.util.Map;
 import org.junit.jupiter.api.Test;
 import tellosimulator.math.Vec3;
 import tellosimulator.scenery.furniture.Furniture;
-import tellosimulator.world.Cover;
-import tellosimulator.world.Cover.Pattern;
 import tellosimulator.world.Obstacle;
+import tellosimulator.world.ObstacleAppearance;
+import tellosimulator.world.ObstacleAppearance.Pattern;
 import tellosimulator.world.Shape;
 
 class MeshBatchTest {
@@ -19,8 +19,8 @@ class MeshBatchTest {
 
   @Test
   void whatHasTheSameMaterialBecomesOnePart() {
-    Cover red = new Cover(0xff0000, Pattern.PLAIN, Map.of());
-    Cover green = new Cover(0x00ff00, Pattern.PLAIN, Map.of());
+    ObstacleAppearance red = new ObstacleAppearance(0xff0000, Pattern.PLAIN, Map.of());
+    ObstacleAppearance green = new ObstacleAppearance(0x00ff00, Pattern.PLAIN, Map.of());
 
     List<Part> joined =
         MeshBatch.of(
@@ -38,8 +38,8 @@ class MeshBatchTest {
   @Test
   void everythingStaysWhereItIs() {
     Obstacle turned =
-        new Obstacle("a", BOX, new Vec3(1, 2, 0.3), Math.toRadians(90), Cover.DEFAULT);
-    Obstacle other = new Obstacle("b", BOX, new Vec3(-1, 0, 0), 0.4, Cover.DEFAULT);
+        new Obstacle("a", BOX, new Vec3(1, 2, 0.3), Math.toRadians(90), ObstacleAppearance.DEFAULT);
+    Obstacle other = new Obstacle("b", BOX, new Vec3(-1, 0, 0), 0.4, ObstacleAppearance.DEFAULT);
     List<Instance> apart = new Furniture().instances(List.of(other, turned));
 
     Mesh own = apart.get(1).part().mesh();

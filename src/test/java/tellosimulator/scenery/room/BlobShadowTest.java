@@ -9,8 +9,8 @@ import tellosimulator.math.Vec3;
 import tellosimulator.scenery.mesh.Instance;
 import tellosimulator.scenery.room.BlobShadow.Shadow;
 import tellosimulator.world.Arena;
-import tellosimulator.world.Cover;
 import tellosimulator.world.Obstacle;
+import tellosimulator.world.ObstacleAppearance;
 import tellosimulator.world.Shape;
 
 class BlobShadowTest {
@@ -18,7 +18,9 @@ class BlobShadowTest {
   /** A table of 1 by 1 by 0.7 m in the middle of the room. */
   private static final Arena TABLE =
       Arena.DEFAULT.withObstacles(
-          List.of(new Obstacle("table", new Shape.Box(1, 1, 0.7), Vec3.ZERO, 0, Cover.DEFAULT)));
+          List.of(
+              new Obstacle(
+                  "table", new Shape.Box(1, 1, 0.7), Vec3.ZERO, 0, ObstacleAppearance.DEFAULT)));
 
   private final BlobShadow shadows = new BlobShadow();
 

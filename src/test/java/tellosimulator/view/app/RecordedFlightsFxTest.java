@@ -24,7 +24,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.extension.RegisterExtension;
 import org.testfx.util.WaitForAsyncUtils;
-import tellosimulator.concurrent.Verdict;
+import tellosimulator.concurrent.ErrorPolicy;
 import tellosimulator.recording.RecordingFiles;
 import tellosimulator.testing.CapturedLog;
 
@@ -85,7 +85,7 @@ class RecordedFlightsFxTest {
                 && window.log().contains("No browser could be opened"));
 
     window.breakBrowser();
-    try (CapturedLog log = CapturedLog.of(Verdict.class)) {
+    try (CapturedLog log = CapturedLog.of(ErrorPolicy.class)) {
       window.robot().clickOn(report);
       await(() -> window.log().contains("failed because of a fault of the simulator"));
       await(() -> !report.isDisabled());

@@ -26,7 +26,7 @@ import org.testfx.api.FxRobot;
 import tellosimulator.math.Attitude;
 import tellosimulator.math.Pose;
 import tellosimulator.math.Vec3;
-import tellosimulator.profile.Behaviour;
+import tellosimulator.profile.Behavior;
 import tellosimulator.profile.Profile;
 import tellosimulator.sim.Control;
 import tellosimulator.sim.SimConfig;
@@ -172,7 +172,7 @@ class WindowVideoFxTest {
   @Test
   void aRecordingEndsWhenItsPicturesHaveAnotherSize() throws IOException {
     window.carryOut(
-        new Control.Configure(1, new Product(Profile.TT, Behaviour.REPORT), new Outlets(9, 9)));
+        new Control.Configure(1, new Product(Profile.TT, Behavior.REPORT), new Outlets(9, 9)));
     window.switchOn();
     robot.type(KeyCode.F12);
     awaitSomePictures();

@@ -9,7 +9,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import tellosimulator.model.FlightPhase;
-import tellosimulator.profile.Behaviour;
+import tellosimulator.profile.Behavior;
 import tellosimulator.profile.Profile;
 import tellosimulator.view.text.Language;
 import tellosimulator.view.text.Messages;
@@ -38,7 +38,7 @@ class MessagesOfControlsTest {
 
   @ParameterizedTest
   @EnumSource
-  void everyBehaviourHasAName(Behaviour behaviour) {
+  void everyBehaviourHasAName(Behavior behaviour) {
     assertThat(german.now("behaviour." + behaviour.option())).isNotBlank();
     assertThat(german.now("behaviour." + behaviour.option() + ".hint")).isNotBlank();
   }

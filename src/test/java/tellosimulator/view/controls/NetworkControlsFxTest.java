@@ -21,7 +21,7 @@ import org.testfx.framework.junit5.ApplicationExtension;
 import org.testfx.framework.junit5.Start;
 import tellosimulator.model.FlightPhase;
 import tellosimulator.network.Reach;
-import tellosimulator.profile.Behaviour;
+import tellosimulator.profile.Behavior;
 import tellosimulator.profile.Profile;
 import tellosimulator.sim.Control;
 import tellosimulator.sim.SimConfig.Product;
@@ -261,7 +261,7 @@ class NetworkControlsFxTest {
     window.settle();
     robot.clickOn("#behaviour-measured");
 
-    assertThat(window.drone(1).product()).isEqualTo(new Product(Profile.TELLO, Behaviour.MEASURED));
+    assertThat(window.drone(1).product()).isEqualTo(new Product(Profile.TELLO, Behavior.MEASURED));
     assertThat(window.drone(1).link().statePort()).isEqualTo(18890);
 
     robot.clickOn("#behaviour-measured"); // one of them is always pressed

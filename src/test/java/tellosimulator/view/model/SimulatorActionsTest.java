@@ -17,7 +17,7 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
-import tellosimulator.concurrent.Verdict;
+import tellosimulator.concurrent.ErrorPolicy;
 import tellosimulator.network.AddressPlan;
 import tellosimulator.network.OnlineSimulation;
 import tellosimulator.sim.Control;
@@ -99,7 +99,7 @@ class SimulatorActionsTest {
     goOn.countDown();
     List<String> done = new ArrayList<>();
     int noSuchDrone = 9;
-    try (CapturedLog log = CapturedLog.of(Verdict.class)) {
+    try (CapturedLog log = CapturedLog.of(ErrorPolicy.class)) {
       actions.switchPower(noSuchDrone, true, refusal -> done.add("on"));
       settle();
 

@@ -17,7 +17,7 @@ import tellosimulator.math.Attitude;
 import tellosimulator.math.Pose;
 import tellosimulator.math.Vec3;
 import tellosimulator.model.FlightPhase;
-import tellosimulator.profile.Behaviour;
+import tellosimulator.profile.Behavior;
 import tellosimulator.profile.Profile;
 import tellosimulator.sim.Control;
 import tellosimulator.sim.DroneSetup;
@@ -65,7 +65,7 @@ class DemoFlightTest {
           20,  TT,    MEASURED, max
           """)
   void fliesATourThroughTheRealPort(
-      double edge, Profile profile, Behaviour behaviour, String factor) {
+      double edge, Profile profile, Behavior behaviour, String factor) {
     double corner = edge / 2 - 0.1;
     Pose start = new Pose(new Vec3(-corner, corner, 0), Attitude.LEVEL);
     restart(
@@ -99,7 +99,7 @@ class DemoFlightTest {
 
   @ParameterizedTest
   @CsvSource({"EDU, REPORT", "EDU, MEASURED", "TELLO, REPORT", "TELLO, MEASURED"})
-  void landsWhenItIsStoppedInAMove(Profile profile, Behaviour behaviour) {
+  void landsWhenItIsStoppedInAMove(Profile profile, Behavior behaviour) {
     restart(FAST.withProduct(profile, behaviour));
     switchOnAndStart();
     window.beatUntil(() -> demo.commandProperty().get().startsWith("curve"));

@@ -13,7 +13,7 @@ import tellosimulator.math.Pose;
 import tellosimulator.math.Vec3;
 import tellosimulator.model.DroneSpec;
 import tellosimulator.model.FlightPhase;
-import tellosimulator.profile.Behaviour;
+import tellosimulator.profile.Behavior;
 import tellosimulator.profile.Profile;
 import tellosimulator.sim.Control;
 import tellosimulator.sim.SimConfig;
@@ -66,7 +66,7 @@ class DemoTourTest {
             xShare * (depth / 2 - DroneSpec.COLLIDER.radius()),
             yShare * (width / 2 - DroneSpec.COLLIDER.radius()),
             0);
-    for (Behaviour behaviour : Behaviour.values()) {
+    for (Behavior behaviour : Behavior.values()) {
       for (int seed = 1; seed <= 5; seed++) {
         start(
             SimConfig.DEFAULT
@@ -81,7 +81,7 @@ class DemoTourTest {
   @ParameterizedTest
   @CsvSource({"EDU", "TELLO", "TT"})
   void fliesEachProduct(Profile profile) {
-    start(SimConfig.DEFAULT.withProduct(profile, Behaviour.REPORT));
+    start(SimConfig.DEFAULT.withProduct(profile, Behavior.REPORT));
 
     flyAndWatch(tour());
   }

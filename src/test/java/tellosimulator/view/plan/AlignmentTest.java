@@ -12,8 +12,8 @@ import tellosimulator.math.Vec3;
 import tellosimulator.view.plan.PlanItem.ObstacleItem;
 import tellosimulator.view.plan.PlanItem.Start;
 import tellosimulator.world.Arena;
-import tellosimulator.world.Cover;
 import tellosimulator.world.Obstacle;
+import tellosimulator.world.ObstacleAppearance;
 import tellosimulator.world.Shape;
 
 class AlignmentTest {
@@ -28,7 +28,8 @@ class AlignmentTest {
   private static final ObstacleItem SMALL = new ObstacleItem(1);
 
   private static Obstacle box(String name, double depth, double width, Vec3 foot) {
-    return new Obstacle(name, new Shape.Box(depth, width, 0.5), foot, 0, Cover.DEFAULT);
+    return new Obstacle(
+        name, new Shape.Box(depth, width, 0.5), foot, 0, ObstacleAppearance.DEFAULT);
   }
 
   /** The large one's edges are at x 0.8 and 1.2, and at y 0.7 and 1.3. */

@@ -14,9 +14,9 @@ import tellosimulator.view.plan.PlanItem.ObstacleItem;
 import tellosimulator.view.plan.PlanItem.Pad;
 import tellosimulator.view.plan.PlanItem.Start;
 import tellosimulator.world.Arena;
-import tellosimulator.world.Cover;
 import tellosimulator.world.MissionPad;
 import tellosimulator.world.Obstacle;
+import tellosimulator.world.ObstacleAppearance;
 import tellosimulator.world.Shape;
 import tellosimulator.world.Surface;
 import tellosimulator.world.Wind;
@@ -24,7 +24,8 @@ import tellosimulator.world.Wind;
 class FloorPlanTest {
 
   private static final Obstacle BOX =
-      new Obstacle("box 1", new Shape.Box(0.4, 1, 0.5), new Vec3(1, 0, 0), 0, Cover.DEFAULT);
+      new Obstacle(
+          "box 1", new Shape.Box(0.4, 1, 0.5), new Vec3(1, 0, 0), 0, ObstacleAppearance.DEFAULT);
 
   private final FloorPlan plan =
       new FloorPlan(

@@ -16,9 +16,9 @@ import tellosimulator.view.plan.PlanItem.ObstacleItem;
 import tellosimulator.view.plan.PlanItem.Pad;
 import tellosimulator.view.plan.PlanItem.Start;
 import tellosimulator.world.Arena;
-import tellosimulator.world.Cover;
 import tellosimulator.world.MissionPad;
 import tellosimulator.world.Obstacle;
+import tellosimulator.world.ObstacleAppearance;
 import tellosimulator.world.Shape;
 import tellosimulator.world.Surface;
 
@@ -34,7 +34,7 @@ class ItemPropertyTest {
           .with(new MissionPad(2, Surface.FRONT_WALL, 0.3, 1.2, 0));
 
   private static Obstacle obstacle(String name, Shape shape) {
-    return new Obstacle(name, shape, new Vec3(-1, 1, 0), 0.5, Cover.DEFAULT);
+    return new Obstacle(name, shape, new Vec3(-1, 1, 0), 0.5, ObstacleAppearance.DEFAULT);
   }
 
   private static Stream<PlanItem> items() {

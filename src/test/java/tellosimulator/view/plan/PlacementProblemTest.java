@@ -14,9 +14,9 @@ import tellosimulator.view.plan.PlanItem.ObstacleItem;
 import tellosimulator.view.plan.PlanItem.Pad;
 import tellosimulator.view.plan.PlanItem.Start;
 import tellosimulator.world.Arena;
-import tellosimulator.world.Cover;
 import tellosimulator.world.MissionPad;
 import tellosimulator.world.Obstacle;
+import tellosimulator.world.ObstacleAppearance;
 import tellosimulator.world.Shape;
 
 class PlacementProblemTest {
@@ -31,7 +31,7 @@ class PlacementProblemTest {
               new Pose(Vec3.ZERO, Attitude.LEVEL), new Pose(new Vec3(0, 1, 0), Attitude.LEVEL)));
 
   private static Obstacle item(Shape shape, Vec3 foot) {
-    return new Obstacle("item", shape, foot, 0, Cover.DEFAULT);
+    return new Obstacle("item", shape, foot, 0, ObstacleAppearance.DEFAULT);
   }
 
   /**

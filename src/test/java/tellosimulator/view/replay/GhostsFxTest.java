@@ -20,7 +20,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.testfx.api.FxToolkit;
 import org.testfx.util.WaitForAsyncUtils;
-import tellosimulator.concurrent.Verdict;
+import tellosimulator.concurrent.ErrorPolicy;
 import tellosimulator.recording.RecordedCommand;
 import tellosimulator.recording.RecordingFixture;
 import tellosimulator.recording.UnreadableRecordingException;
@@ -113,7 +113,7 @@ class GhostsFxTest {
   @Test
   void aFailureThatNobodyExpectedIsToldAndLeavesTheGhost() throws InterruptedException {
     run(() -> ghosts.show(named("before")));
-    try (CapturedLog log = CapturedLog.of(Verdict.class)) {
+    try (CapturedLog log = CapturedLog.of(ErrorPolicy.class)) {
       run(() -> ghosts.read(FAST));
       assertThat(news()).isEqualTo("The recording is being read.");
       finish(
@@ -130,7 +130,7 @@ class GhostsFxTest {
 
   @Test
   void aFailureThatComesTooLateSaysNothing() throws InterruptedException {
-    try (CapturedLog log = CapturedLog.of(Verdict.class)) {
+    try (CapturedLog log = CapturedLog.of(ErrorPolicy.class)) {
       run(() -> ghosts.read(SLOW));
       run(ghosts::remove);
       finish(

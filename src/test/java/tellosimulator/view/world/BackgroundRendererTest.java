@@ -8,7 +8,7 @@ import java.util.Optional;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
-import tellosimulator.concurrent.Verdict;
+import tellosimulator.concurrent.ErrorPolicy;
 import tellosimulator.math.Attitude;
 import tellosimulator.math.Pose;
 import tellosimulator.math.Vec3;
@@ -96,7 +96,7 @@ class BackgroundRendererTest {
             new Pose(Vec3.ZERO, Attitude.LEVEL),
             new CameraIntrinsics(41_706, 51_491, Math.PI / 3),
             0.02);
-    try (CapturedLog log = CapturedLog.of(Verdict.class)) {
+    try (CapturedLog log = CapturedLog.of(ErrorPolicy.class)) {
       assertThat(rendered(snapshot, huge)).isEmpty();
 
       assertThat(log.next()).startsWith("The room could not be drawn: memory is full");

@@ -21,11 +21,11 @@ import tellosimulator.math.Pose;
 import tellosimulator.math.Vec3;
 import tellosimulator.model.FlightPhase;
 import tellosimulator.view.testing.NeedsDisplay;
-import tellosimulator.view.world.SceneFixture.Spot;
-import tellosimulator.world.Cover;
-import tellosimulator.world.Cover.Pattern;
+import tellosimulator.view.world.SceneFixture.GoalRegion;
 import tellosimulator.world.MissionPad;
 import tellosimulator.world.Obstacle;
+import tellosimulator.world.ObstacleAppearance;
+import tellosimulator.world.ObstacleAppearance.Pattern;
 import tellosimulator.world.Room;
 import tellosimulator.world.Shape;
 import tellosimulator.world.Surface;
@@ -48,11 +48,11 @@ class FurnitureDisplayTest {
   void anObstacleComesMovesAndGoes() {
     lookAhead();
     furnish(box(new Vec3(0.5, 0.3, 0.5)));
-    Spot left = find(fixture.settledPicture(), FurnitureDisplayTest::isRed);
+    GoalRegion left = find(fixture.settledPicture(), FurnitureDisplayTest::isRed);
     furnish(box(new Vec3(0.5, -0.3, 0.5)));
-    Spot right = find(fixture.settledPicture(), FurnitureDisplayTest::isRed);
+    GoalRegion right = find(fixture.settledPicture(), FurnitureDisplayTest::isRed);
     furnish();
-    Spot gone = find(fixture.settledPicture(), FurnitureDisplayTest::isRed);
+    GoalRegion gone = find(fixture.settledPicture(), FurnitureDisplayTest::isRed);
 
     assertThat(left.count()).isGreaterThan(1000);
     assertThat(left.x()).isLessThan(WIDTH / 2.0);
@@ -79,7 +79,7 @@ class FurnitureDisplayTest {
     furnish(new Obstacle("gate", new Shape.Ring(0.3, 0.06, 0.8), new Vec3(0.4, 0, 0), 0, red()));
     Image ring = fixture.settledPicture();
 
-    Spot red = find(ring, FurnitureDisplayTest::isRed);
+    GoalRegion red = find(ring, FurnitureDisplayTest::isRed);
     int x = (int) red.x();
     assertThat(red.count()).isGreaterThan(1000);
     assertThat(red.x()).as("not all segments are red").isBetween(WIDTH * 0.44, WIDTH * 0.56);
@@ -104,9 +104,9 @@ class FurnitureDisplayTest {
     MissionPad hanging = new MissionPad(2, Surface.FRONT_WALL, 0, 1, 0);
     fixture.furnish(arena -> arena.withPads(List.of(hanging)));
     lookAhead();
-    Spot far = find(fixture.settledPicture(), FurnitureDisplayTest::isBlack);
+    GoalRegion far = find(fixture.settledPicture(), FurnitureDisplayTest::isBlack);
     fixture.furnish(arena -> arena.withRoom(new Room(5, 3.5, 3)));
-    Spot near = find(fixture.settledPicture(), FurnitureDisplayTest::isBlack);
+    GoalRegion near = find(fixture.settledPicture(), FurnitureDisplayTest::isBlack);
 
     // At first it is 2.5 + 0.6 m away, then 1.75 + 0.6 m: 1.7 times as large, and less blurred.
     assertThat(far.count()).isGreaterThan(100);
@@ -153,8 +153,8 @@ class FurnitureDisplayTest {
     return new Obstacle("box", BOX, foot, 0, red());
   }
 
-  private static Cover red() {
-    return new Cover(0xff0000, Pattern.PLAIN, Map.of());
+  private static ObstacleAppearance red() {
+    return new ObstacleAppearance(0xff0000, Pattern.PLAIN, Map.of());
   }
 
   private static boolean isRed(Color color) {

@@ -34,12 +34,12 @@ import tellosimulator.video.camera.FrameBuffer;
 import tellosimulator.video.camera.RenderCache;
 import tellosimulator.video.camera.SoftwareCamera;
 import tellosimulator.view.testing.NeedsDisplay;
-import tellosimulator.view.world.SceneFixture.Spot;
-import tellosimulator.world.Cover;
-import tellosimulator.world.Cover.Pattern;
+import tellosimulator.view.world.SceneFixture.GoalRegion;
 import tellosimulator.world.Decor;
 import tellosimulator.world.MissionPad;
 import tellosimulator.world.Obstacle;
+import tellosimulator.world.ObstacleAppearance;
+import tellosimulator.world.ObstacleAppearance.Pattern;
 import tellosimulator.world.Poster;
 import tellosimulator.world.Room;
 import tellosimulator.world.Shape;
@@ -113,7 +113,8 @@ class SameWorldDisplayTest {
   }
 
   private static Obstacle obstacle(Shape shape, Vec3 foot, int rgb) {
-    return new Obstacle("thing", shape, foot, 0.3, new Cover(rgb, Pattern.PLAIN, Map.of()));
+    return new Obstacle(
+        "thing", shape, foot, 0.3, new ObstacleAppearance(rgb, Pattern.PLAIN, Map.of()));
   }
 
   private static void assertSame(Image window, Image drawn, Predicate<Color> wanted) {
@@ -125,8 +126,8 @@ class SameWorldDisplayTest {
 
   /** But perhaps not as sharp. */
   private static void assertSamePlace(Image window, Image drawn, Predicate<Color> wanted) {
-    Spot expected = find(window, wanted);
-    Spot found = find(drawn, wanted);
+    GoalRegion expected = find(window, wanted);
+    GoalRegion found = find(drawn, wanted);
     assertThat(expected.count()).isGreaterThan(60);
     assertThat(found.x()).isCloseTo(expected.x(), within(1.0));
     assertThat(found.y()).isCloseTo(expected.y(), within(1.0));

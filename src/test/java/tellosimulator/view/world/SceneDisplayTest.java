@@ -21,7 +21,7 @@ import tellosimulator.math.Vec3;
 import tellosimulator.model.FlightPhase;
 import tellosimulator.scenery.overlay.ContactMark;
 import tellosimulator.view.testing.NeedsDisplay;
-import tellosimulator.view.world.SceneFixture.Spot;
+import tellosimulator.view.world.SceneFixture.GoalRegion;
 import tellosimulator.world.Walls;
 
 /** What one sees in the 3D scene. */
@@ -38,7 +38,7 @@ class SceneDisplayTest {
   @Test
   void theDroneIsInTheMiddleOfThePicture() {
     fly(new Vec3(0, 0, 1));
-    Spot dark = find(fixture.settledPicture(), SceneDisplayTest::isDark);
+    GoalRegion dark = find(fixture.settledPicture(), SceneDisplayTest::isDark);
 
     assertThat(dark.count()).isGreaterThan(200);
     assertThat(dark.x()).isBetween(WIDTH * 0.45, WIDTH * 0.55);
@@ -63,11 +63,11 @@ class SceneDisplayTest {
   void seenFromBehindItMovesToTheRightWhenItFliesToItsRight() {
     fly(new Vec3(0, 0, 1));
     fixture.look(RoomView.CHASE);
-    Spot before = find(fixture.settledPicture(), SceneDisplayTest::isDark);
+    GoalRegion before = find(fixture.settledPicture(), SceneDisplayTest::isDark);
 
     fly(new Vec3(0, -0.2, 1));
     fixture.pass(0.03);
-    Spot after = find(fixture.picture(), SceneDisplayTest::isDark);
+    GoalRegion after = find(fixture.picture(), SceneDisplayTest::isDark);
 
     assertThat(after.x()).isGreaterThan(before.x() + 20);
     assertThat(find(fixture.settledPicture(), SceneDisplayTest::isDark).x())
@@ -97,9 +97,9 @@ class SceneDisplayTest {
     fly(new Vec3(0, 0, 1));
     fixture.change(() -> fixture.scene().camera().zoomBy(4));
     fixture.look(RoomView.FRONT);
-    Spot front = find(fixture.settledPicture(), SceneDisplayTest::isLens);
+    GoalRegion front = find(fixture.settledPicture(), SceneDisplayTest::isLens);
     fixture.look(RoomView.CHASE);
-    Spot back = find(fixture.settledPicture(), SceneDisplayTest::isLens);
+    GoalRegion back = find(fixture.settledPicture(), SceneDisplayTest::isLens);
 
     assertThat(front.count()).isGreaterThan(20);
     assertThat(front.x()).isBetween(WIDTH * 0.4, WIDTH * 0.6);
@@ -112,9 +112,9 @@ class SceneDisplayTest {
       fly(new Vec3(0, 0.05 * i, 1 + 0.02 * (i % 2)));
       fixture.pass(0.2);
     }
-    Spot shown = find(fixture.settledPicture(), SceneDisplayTest::isBlue);
+    GoalRegion shown = find(fixture.settledPicture(), SceneDisplayTest::isBlue);
     fixture.change(() -> fixture.scene().trailVisibleProperty().set(false));
-    Spot hidden = find(fixture.settledPicture(), SceneDisplayTest::isBlue);
+    GoalRegion hidden = find(fixture.settledPicture(), SceneDisplayTest::isBlue);
 
     assertThat(shown.count()).isGreaterThan(hidden.count() + 100);
   }
@@ -124,9 +124,9 @@ class SceneDisplayTest {
     Vec3 nearTheBack = new Vec3(-2, 0, 1);
     fly(nearTheBack);
     fixture.look(RoomView.CHASE);
-    Spot near = find(fixture.settledPicture(), SceneDisplayTest::isDark);
+    GoalRegion near = find(fixture.settledPicture(), SceneDisplayTest::isDark);
     fly(new Vec3(0, 0, 1));
-    Spot inTheMiddle = find(fixture.settledPicture(), SceneDisplayTest::isDark);
+    GoalRegion inTheMiddle = find(fixture.settledPicture(), SceneDisplayTest::isDark);
 
     // the camera is 1.35 m behind the drone: outside, beyond the wall at x = -2.5 m
     assertThat(fixture.scene().camera().distance()).isGreaterThan(1);
@@ -162,8 +162,8 @@ class SceneDisplayTest {
     fixture.put(new Pose(new Vec3(0, 0, 1), rightDown), FlightPhase.FLYING);
     Image picture = fixture.settledPicture();
 
-    Spot left = skirting(picture, 40);
-    Spot right = skirting(picture, WIDTH - 40);
+    GoalRegion left = skirting(picture, 40);
+    GoalRegion right = skirting(picture, WIDTH - 40);
     assertThat(left.count()).isPositive();
     assertThat(right.count()).isPositive();
     assertThat(right.y())
@@ -219,7 +219,8 @@ class SceneDisplayTest {
     fixture.change(() -> fixture.scene().camera().look(RoomView.CHASE));
     Vec3 place = new Vec3(1, -0.4, 1.1);
     Image before = fixture.settledPicture();
-    fixture.ask(new Goal.Reach(OptionalInt.empty(), new tellosimulator.goal.Spot(place, 0.3)));
+    fixture.ask(
+        new Goal.Reach(OptionalInt.empty(), new tellosimulator.goal.GoalRegion(place, 0.3)));
     Image after = fixture.settledPicture();
 
     Point2D middle =
@@ -257,7 +258,7 @@ class SceneDisplayTest {
   }
 
   /** The skirting board in a column of the picture. */
-  private static Spot skirting(Image picture, int column) {
+  private static GoalRegion skirting(Image picture, int column) {
     int count = 0;
     double y = 0;
     for (int j = 0; j < HEIGHT; j++) {
@@ -267,7 +268,7 @@ class SceneDisplayTest {
         y += j;
       }
     }
-    return new Spot(count, column, y / count);
+    return new GoalRegion(count, column, y / count);
   }
 
   /** As only a drone is. */

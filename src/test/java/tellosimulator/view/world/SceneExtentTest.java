@@ -7,16 +7,16 @@ import java.util.Map;
 import java.util.OptionalInt;
 import org.junit.jupiter.api.Test;
 import tellosimulator.goal.Goal;
-import tellosimulator.goal.Spot;
+import tellosimulator.goal.GoalRegion;
 import tellosimulator.math.Attitude;
 import tellosimulator.math.Pose;
 import tellosimulator.math.Vec3;
 import tellosimulator.world.Arena;
-import tellosimulator.world.Cover;
-import tellosimulator.world.Cover.Pattern;
 import tellosimulator.world.Decor;
 import tellosimulator.world.MissionPad;
 import tellosimulator.world.Obstacle;
+import tellosimulator.world.ObstacleAppearance;
+import tellosimulator.world.ObstacleAppearance.Pattern;
 import tellosimulator.world.Room;
 import tellosimulator.world.Shape;
 import tellosimulator.world.Surface;
@@ -36,12 +36,12 @@ class SceneExtentTest {
 
   @Test
   void soAreObstaclesPadsStartsAndGoals() {
-    Cover cover = new Cover(0xff0000, Pattern.PLAIN, Map.of());
+    ObstacleAppearance cover = new ObstacleAppearance(0xff0000, Pattern.PLAIN, Map.of());
     Obstacle box = new Obstacle("box", new Shape.Box(0.4, 0.6, 2), new Vec3(1, 1, 0), 0, cover);
     MissionPad pad = new MissionPad(1, Surface.FRONT_WALL, 0, 1.5, 0);
     Arena arena = ROOM.withObstacles(List.of(box)).withPads(List.of(pad));
     Pose start = new Pose(new Vec3(-1, 0, 0), Attitude.LEVEL);
-    Goal reach = new Goal.Reach(OptionalInt.empty(), new Spot(new Vec3(0, 0, 2), 0.3));
+    Goal reach = new Goal.Reach(OptionalInt.empty(), new GoalRegion(new Vec3(0, 0, 2), 0.3));
 
     List<Vec3> places = SceneExtent.of(arena, List.of(start), List.of(reach));
 

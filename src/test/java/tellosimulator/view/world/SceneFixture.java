@@ -301,10 +301,10 @@ public final class SceneFixture implements BeforeEachCallback, AfterEachCallback
   }
 
   /** Pixels of a kind: how many, and their middle. */
-  record Spot(int count, double x, double y) {}
+  record GoalRegion(int count, double x, double y) {}
 
   /** The pixels that a colour is like. */
-  static Spot find(Image picture, Predicate<Color> wanted) {
+  static GoalRegion find(Image picture, Predicate<Color> wanted) {
     int count = 0;
     double x = 0;
     double y = 0;
@@ -317,6 +317,6 @@ public final class SceneFixture implements BeforeEachCallback, AfterEachCallback
         }
       }
     }
-    return new Spot(count, x / count, y / count);
+    return new GoalRegion(count, x / count, y / count);
   }
 }

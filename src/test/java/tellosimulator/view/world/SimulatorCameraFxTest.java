@@ -17,7 +17,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.EnumSource;
 import tellosimulator.goal.Goal;
-import tellosimulator.goal.Spot;
+import tellosimulator.goal.GoalRegion;
 import tellosimulator.math.Attitude;
 import tellosimulator.math.Pose;
 import tellosimulator.math.Vec3;
@@ -76,7 +76,7 @@ class SimulatorCameraFxTest {
   @Test
   void goalsAreInThePictureToo() {
     Vec3 high = new Vec3(-2, 0, 2.8);
-    Goal goal = new Goal.Reach(OptionalInt.empty(), new Spot(high, 0.1));
+    Goal goal = new Goal.Reach(OptionalInt.empty(), new GoalRegion(high, 0.1));
 
     fixture.change(() -> fixture.scene().setGoals(List.of(goal)));
     fixture.settle();

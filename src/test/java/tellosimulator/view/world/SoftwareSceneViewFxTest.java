@@ -24,12 +24,12 @@ import tellosimulator.math.Vec3;
 import tellosimulator.model.FlightPhase;
 import tellosimulator.scenery.overlay.ContactMark;
 import tellosimulator.sim.SimConfig;
-import tellosimulator.view.world.SceneFixture.Spot;
-import tellosimulator.world.Cover;
-import tellosimulator.world.Cover.Pattern;
+import tellosimulator.view.world.SceneFixture.GoalRegion;
 import tellosimulator.world.Decor;
 import tellosimulator.world.MissionPad;
 import tellosimulator.world.Obstacle;
+import tellosimulator.world.ObstacleAppearance;
+import tellosimulator.world.ObstacleAppearance.Pattern;
 import tellosimulator.world.Room;
 import tellosimulator.world.Shape;
 import tellosimulator.world.Walls;
@@ -60,7 +60,7 @@ class SoftwareSceneViewFxTest {
     assertThat(picture.getWidth()).isEqualTo(WIDTH);
     assertThat(picture.getHeight()).isEqualTo(HEIGHT);
     assertThat(brightness(picture, 20, 20, 5)).as("a wall").isGreaterThan(0.7);
-    Spot drone = find(picture, SoftwareSceneViewFxTest::isDark);
+    GoalRegion drone = find(picture, SoftwareSceneViewFxTest::isDark);
     assertThat(drone.count()).isGreaterThan(200);
     assertThat(drone.x()).isBetween(WIDTH * 0.45, WIDTH * 0.55);
     assertThat(drone.y()).isBetween(HEIGHT * 0.4, HEIGHT * 0.6);
@@ -82,7 +82,7 @@ class SoftwareSceneViewFxTest {
   void obstaclesAndPadsAreThere() {
     fly(new Vec3(0, 0, 1));
     fixture.change(() -> fixture.scene().viewCameraProperty().set(ViewCamera.DRONE));
-    Cover red = new Cover(0xff0000, Pattern.PLAIN, Map.of());
+    ObstacleAppearance red = new ObstacleAppearance(0xff0000, Pattern.PLAIN, Map.of());
     Shape shape = new Shape.Box(0.3, 0.3, 0.3);
     fixture.furnish(
         arena ->
@@ -91,10 +91,10 @@ class SoftwareSceneViewFxTest {
                 .withPads(List.of(MissionPad.onFloor(1, new Vec3(1.6, -0.6, 0), 0))));
     Image picture = fixture.softwarePicture();
 
-    Spot box = find(picture, SoftwareSceneViewFxTest::isRed);
+    GoalRegion box = find(picture, SoftwareSceneViewFxTest::isRed);
     assertThat(box.count()).isGreaterThan(1000);
     assertThat(box.x()).isBetween(WIDTH * 0.45, WIDTH * 0.55);
-    Spot pad = find(picture, SoftwareSceneViewFxTest::isDark);
+    GoalRegion pad = find(picture, SoftwareSceneViewFxTest::isDark);
     assertThat(pad.count()).isGreaterThan(60);
     assertThat(pad.x()).isGreaterThan(WIDTH * 0.6);
   }
@@ -104,9 +104,9 @@ class SoftwareSceneViewFxTest {
     fly(new Vec3(0, 0, 1));
     fixture.change(() -> fixture.scene().camera().zoomBy(4));
     fixture.look(RoomView.CHASE);
-    Spot behind = find(fixture.softwarePicture(), SoftwareSceneViewFxTest::isLens);
+    GoalRegion behind = find(fixture.softwarePicture(), SoftwareSceneViewFxTest::isLens);
     fixture.change(() -> fixture.scene().camera().turn(600, 0)); // half a turn
-    Spot ahead = find(fixture.softwarePicture(), SoftwareSceneViewFxTest::isLens);
+    GoalRegion ahead = find(fixture.softwarePicture(), SoftwareSceneViewFxTest::isLens);
 
     assertThat(ahead.count()).isGreaterThan(20);
     assertThat(ahead.x()).isBetween(WIDTH * 0.4, WIDTH * 0.6);
@@ -146,7 +146,7 @@ class SoftwareSceneViewFxTest {
     fixture.change(() -> fixture.scene().trailVisibleProperty().set(false));
     fixture.look(RoomView.TOP);
 
-    Spot disc = find(fixture.softwarePicture(), SoftwareSceneViewFxTest::isBlue);
+    GoalRegion disc = find(fixture.softwarePicture(), SoftwareSceneViewFxTest::isBlue);
     // 0.032 of the distance are 17 pixels of 360 at 38 degrees; 7/8 of that are blue: 165 pixels
     assertThat(disc.count()).isBetween(80, 200);
     assertThat(disc.x()).isBetween(WIDTH * 0.45, WIDTH * 0.55);
@@ -159,7 +159,8 @@ class SoftwareSceneViewFxTest {
     fixture.change(() -> fixture.scene().camera().look(RoomView.CHASE));
     Vec3 place = new Vec3(1, -0.4, 1.1);
     Image before = fixture.softwarePicture();
-    fixture.ask(new Goal.Reach(OptionalInt.empty(), new tellosimulator.goal.Spot(place, 0.3)));
+    fixture.ask(
+        new Goal.Reach(OptionalInt.empty(), new tellosimulator.goal.GoalRegion(place, 0.3)));
     Image after = fixture.softwarePicture();
 
     Point2D middle =

@@ -15,7 +15,7 @@ import tellosimulator.math.Vec3;
 import tellosimulator.model.DroneSpec;
 import tellosimulator.model.DroneState;
 import tellosimulator.model.FlightPhase;
-import tellosimulator.profile.Behaviour;
+import tellosimulator.profile.Behavior;
 import tellosimulator.profile.Profile;
 import tellosimulator.testing.SteppedDrone;
 import tellosimulator.time.Demand;
@@ -23,7 +23,7 @@ import tellosimulator.time.SimTime;
 import tellosimulator.world.Room;
 
 /** Drones that run into each other. */
-class EncountersTest {
+class DroneCollisionsTest {
 
   private static final double SIZE = 2 * DroneSpec.COLLIDER.radius();
 
@@ -32,7 +32,7 @@ class EncountersTest {
 
   @Test
   void twoThatMeetSoftlyStopEachOther() {
-    Simulation simulation = facing(Behaviour.REPORT, 3);
+    Simulation simulation = facing(Behavior.REPORT, 3);
     all(simulation, "command", "takeoff");
 
     all(simulation, "forward 200");
@@ -47,7 +47,7 @@ class EncountersTest {
 
   @Test
   void twoThatMeetHardCrashBoth() {
-    Simulation simulation = facing(Behaviour.MEASURED, 8);
+    Simulation simulation = facing(Behavior.MEASURED, 8);
     all(simulation, "command", "takeoff", "rc 0 100 0 0");
     advance(simulation, 6);
 
@@ -60,7 +60,7 @@ class EncountersTest {
   /** At 3 m/s each they come 3 cm nearer with each step, and are 4 cm high. */
   @Test
   void oneThatStandsIsNotMoved() {
-    Simulation simulation = facing(Behaviour.REPORT, 1);
+    Simulation simulation = facing(Behavior.REPORT, 1);
     simulation.control(new Control.Power(2, false));
     one(simulation, 1, "command", "takeoff", "down 20");
     Vec3 before = position(simulation, 2);
@@ -74,7 +74,7 @@ class EncountersTest {
   void oneThatFallsOnAnotherDoesNotPassIt() {
     Pose start = new Pose(Vec3.ZERO, Attitude.LEVEL);
     Pose beside = new Pose(new Vec3(0, 1, 0), Attitude.LEVEL);
-    Simulation simulation = simulation(Behaviour.REPORT, start, beside);
+    Simulation simulation = simulation(Behavior.REPORT, start, beside);
     all(simulation, "command", "takeoff");
     one(simulation, 2, "up 200", "right 100");
     one(simulation, 2, "emergency");
@@ -98,7 +98,7 @@ class EncountersTest {
   void theDistanceSensorSeesADroneBelow() {
     Pose start = new Pose(Vec3.ZERO, Attitude.LEVEL);
     Pose beside = new Pose(new Vec3(0, 1, 0), Attitude.LEVEL);
-    Simulation simulation = simulation(Behaviour.REPORT, start, beside);
+    Simulation simulation = simulation(Behavior.REPORT, start, beside);
     all(simulation, "command");
     one(simulation, 2, "takeoff", "up 70", "right 100", "tof?");
     String reply = replies.get(replies.size() - 1);
@@ -107,14 +107,14 @@ class EncountersTest {
     assertThat(Integer.parseInt(reply.replace("mm", "").strip())).isCloseTo(959, within(10));
   }
 
-  private Simulation facing(Behaviour behaviour, double apart) {
+  private Simulation facing(Behavior behaviour, double apart) {
     return simulation(
         behaviour,
         new Pose(new Vec3(-apart / 2, 0, 0), Attitude.LEVEL),
         new Pose(new Vec3(apart / 2, 0, 0), Attitude.ofHeading(Math.PI)));
   }
 
-  private Simulation simulation(Behaviour behaviour, Pose... starts) {
+  private Simulation simulation(Behavior behaviour, Pose... starts) {
     SimListener listener =
         new SimListener() {
           @Override

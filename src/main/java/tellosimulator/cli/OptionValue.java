@@ -8,7 +8,7 @@ import picocli.CommandLine.Model.OptionSpec;
  *
  * @param <T> what it means
  */
-final class Choice<T> {
+final class OptionValue<T> {
 
   private final OptionSpec option;
   private final T byDefault;
@@ -17,7 +17,7 @@ final class Choice<T> {
    * @param option whose values are read as {@code T}
    * @param byDefault what is chosen unless the option is given
    */
-  Choice(OptionSpec option, T byDefault) {
+  OptionValue(OptionSpec option, T byDefault) {
     this.option = option;
     this.byDefault = byDefault;
   }

@@ -17,7 +17,7 @@ import picocli.CommandLine.Model.PositionalParamSpec;
  * The options of a command line, in the order of the help. Made by calls, because finding them as
  * annotations would take a fifth of the time until the program is ready.
  */
-final class Choices {
+final class OptionList {
 
   private static final String[] FOOTER = {
     "",
@@ -34,17 +34,17 @@ final class Choices {
 
   private final CommandSpec spec;
 
-  private Choices(String name, String header, String... footer) {
+  private OptionList(String name, String header, String... footer) {
     spec = CommandSpec.create().name(name);
     spec.usageMessage().sortOptions(false).autoWidth(true).header(header).footer(footer);
   }
 
   /** Those of the simulator. */
-  static Choices ofSimulator() {
-    return new Choices(
+  static OptionList ofSimulator() {
+    return new OptionList(
         PROGRAM,
         "Simulates Tello drones: programs fly them over UDP as they fly real ones.",
-        Stream.concat(Stream.of(FOOTER), Stream.of(SubcommandName.values()).map(Choices::row))
+        Stream.concat(Stream.of(FOOTER), Stream.of(SubcommandName.values()).map(OptionList::row))
             .toArray(String[]::new));
   }
 
@@ -58,8 +58,8 @@ final class Choices {
    * @param does a sentence
    * @param exitCodes what they mean, in a sentence
    */
-  static Choices of(SubcommandName subcommand, String does, String exitCodes) {
-    return new Choices(PROGRAM + " " + subcommand.word(), does, "", exitCodes);
+  static OptionList of(SubcommandName subcommand, String does, String exitCodes) {
+    return new OptionList(PROGRAM + " " + subcommand.word(), does, "", exitCodes);
   }
 
   /** Reads the command line into the choices, and explains them. */
@@ -123,14 +123,14 @@ final class Choices {
   }
 
   /** The file that a subcommand writes. */
-  Choice<Optional<Path>> output(String description) {
+  OptionValue<Optional<Path>> output(String description) {
     return new Valued(valued(description, "FILE", "-o", "--output"))
         .readIfGiven(OptionTypes::fileOrFolder);
   }
 
   /** An option without a value. */
-  Choice<Boolean> flag(String name, String description) {
-    return new Choice<>(
+  OptionValue<Boolean> flag(String name, String description) {
+    return new OptionValue<>(
         added(OptionSpec.builder(name).description(description).type(boolean.class).arity("0")),
         false);
   }
@@ -172,14 +172,15 @@ final class Choices {
      *
      * @param byDefault what is read if the option is not given
      */
-    <T> Choice<T> read(ITypeConverter<T> converter, String byDefault) {
-      return new Choice<>(added(builder.converters(converter)), converted(converter, byDefault));
+    <T> OptionValue<T> read(ITypeConverter<T> converter, String byDefault) {
+      return new OptionValue<>(
+          added(builder.converters(converter)), converted(converter, byDefault));
     }
 
     /** The value is there if the option is given. */
-    <T> Choice<Optional<T>> readIfGiven(ITypeConverter<T> converter) {
+    <T> OptionValue<Optional<T>> readIfGiven(ITypeConverter<T> converter) {
       ITypeConverter<Optional<T>> present = word -> Optional.of(converter.convert(word));
-      return new Choice<>(added(builder.converters(present)), Optional.empty());
+      return new OptionValue<>(added(builder.converters(present)), Optional.empty());
     }
 
     /** The option must be given. */
@@ -189,9 +190,9 @@ final class Choices {
     }
 
     /** The option can be given several times. */
-    <T> Choice<List<T>> readEach(ITypeConverter<T> converter) {
+    <T> OptionValue<List<T>> readEach(ITypeConverter<T> converter) {
       builder.type(List.class).auxiliaryTypes(Object.class);
-      return new Choice<>(added(builder.converters(converter)), List.of());
+      return new OptionValue<>(added(builder.converters(converter)), List.of());
     }
 
     private static <T> T converted(ITypeConverter<T> converter, String word) {

@@ -11,7 +11,7 @@ import tellosimulator.words.Translation;
  * @param place where it is wrong
  * @param phrase what was expected and what was found
  */
-public record Mistake(String file, Place place, Phrase phrase) {
+public record Diagnostic(String file, Place place, Phrase phrase) {
 
   /**
    * A place in a file, as editors count.

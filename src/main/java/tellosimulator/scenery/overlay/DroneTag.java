@@ -12,7 +12,7 @@ import tellosimulator.scenery.texture.Canvas;
 import tellosimulator.scenery.texture.StrokeFont;
 
 /** A drone's number above it. Immutable; for any thread. */
-final class NumberTag {
+final class DroneTag {
 
   /** Height above the drone's feet [m]. Decided: clear of the propellers. */
   private static final double HEIGHT = 0.07;
@@ -27,7 +27,7 @@ final class NumberTag {
 
   private final Billboard billboard;
 
-  NumberTag(int number, Livery livery) {
+  DroneTag(int number, Livery livery) {
     billboard = Billboard.standing(texture(number, livery), SIZE);
   }
 

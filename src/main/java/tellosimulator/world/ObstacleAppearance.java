@@ -8,12 +8,13 @@ import java.util.Map;
  * @param rgb its colour, as one writes #rrggbb
  * @param pictures image files that cover whole sides; around a cylinder goes that of the front
  */
-public record Cover(int rgb, Pattern pattern, Map<Side, String> pictures) {
+public record ObstacleAppearance(int rgb, Pattern pattern, Map<Side, String> pictures) {
 
   /** Decided: an orange that neither walls nor floor have. */
-  public static final Cover DEFAULT = new Cover(0xd9772b, Pattern.PLAIN, Map.of());
+  public static final ObstacleAppearance DEFAULT =
+      new ObstacleAppearance(0xd9772b, Pattern.PLAIN, Map.of());
 
-  public Cover {
+  public ObstacleAppearance {
     pictures = Map.copyOf(pictures);
   }
 

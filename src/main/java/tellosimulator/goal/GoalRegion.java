@@ -9,12 +9,12 @@ import tellosimulator.world.Room;
  * @param place room frame [m]
  * @param radius metres
  */
-public record Spot(Vec3 place, double radius) {
+public record GoalRegion(Vec3 place, double radius) {
 
   /** Smallest radius [m]. Decided: the accuracy of a move in {@code report}. */
   public static final double SMALLEST = 0.01;
 
-  public Spot {
+  public GoalRegion {
     if (!(radius >= SMALLEST && radius <= Room.LONGEST)) {
       throw new IllegalArgumentException(
           "radius is " + radius + " m, but must be from " + SMALLEST + " to " + Room.LONGEST);

@@ -15,7 +15,7 @@ import tellosimulator.world.Obstacles;
 import tellosimulator.world.WindField;
 
 /** What is around each drone now: the room, what stands in it, and the others. For one thread. */
-final class Surroundings {
+final class CollisionWorld {
 
   private static final Collider COLLIDER = DroneSpec.COLLIDER;
 
@@ -30,7 +30,7 @@ final class Surroundings {
    * @param drones in the order of their numbers; may change
    * @param seed of everything random
    */
-  Surroundings(Arena arena, List<SimDrone> drones, long seed) {
+  CollisionWorld(Arena arena, List<SimDrone> drones, long seed) {
     this.drones = drones;
     this.seed = seed;
     change(arena);

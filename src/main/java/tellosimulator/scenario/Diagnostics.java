@@ -10,11 +10,11 @@ import org.snakeyaml.engine.v2.nodes.MappingNode;
 import org.snakeyaml.engine.v2.nodes.Node;
 import org.snakeyaml.engine.v2.nodes.ScalarNode;
 import org.snakeyaml.engine.v2.nodes.SequenceNode;
-import tellosimulator.scenario.Mistake.Place;
+import tellosimulator.scenario.Diagnostic.Place;
 import tellosimulator.words.Phrase;
 
 /** Collects what is wrong in a file. */
-final class Mistakes {
+final class Diagnostics {
 
   /** More than anybody reads at once. Decided. */
   private static final int MOST = 100;
@@ -23,10 +23,10 @@ final class Mistakes {
   private static final int LONGEST_SHOWN = 40;
 
   private final String file;
-  private final List<Mistake> found = new ArrayList<>();
+  private final List<Diagnostic> found = new ArrayList<>();
   private int count;
 
-  Mistakes(String file) {
+  Diagnostics(String file) {
     this.file = file;
   }
 
@@ -49,7 +49,7 @@ final class Mistakes {
   void add(Place place, Supplier<Phrase> phrase) {
     count++;
     if (found.size() < MOST) {
-      found.add(new Mistake(file, place, phrase.get()));
+      found.add(new Diagnostic(file, place, phrase.get()));
     }
   }
 
@@ -67,11 +67,12 @@ final class Mistakes {
     if (count == 0) {
       return;
     }
-    List<Mistake> sorted = new ArrayList<>(found);
-    sorted.sort(Comparator.comparing(Mistake::place));
+    List<Diagnostic> sorted = new ArrayList<>(found);
+    sorted.sort(Comparator.comparing(Diagnostic::place));
     if (count > sorted.size()) {
       Place last = sorted.get(sorted.size() - 1).place();
-      sorted.add(new Mistake(file, last, Phrase.of("and %d more mistakes", count - sorted.size())));
+      sorted.add(
+          new Diagnostic(file, last, Phrase.of("and %d more mistakes", count - sorted.size())));
     }
     throw new ScenarioException(sorted);
   }
@@ -102,7 +103,7 @@ final class Mistakes {
   }
 
   static Place place(Node node) {
-    return node.getStartMark().map(Mistakes::place).orElse(Place.WHOLE);
+    return node.getStartMark().map(Diagnostics::place).orElse(Place.WHOLE);
   }
 
   static Place place(Mark mark) {

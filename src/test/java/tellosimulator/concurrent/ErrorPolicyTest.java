@@ -13,10 +13,10 @@ import org.junit.jupiter.api.Test;
 import tellosimulator.testing.CapturedLog;
 
 /** What is said about a failure. */
-class VerdictTest {
+class ErrorPolicyTest {
 
-  private final CapturedLog log = CapturedLog.of(Verdict.class);
-  private final Verdict verdict = Verdict.goOn("A picture failed");
+  private final CapturedLog log = CapturedLog.of(ErrorPolicy.class);
+  private final ErrorPolicy verdict = ErrorPolicy.goOn("A picture failed");
 
   @AfterEach
   void close() {

@@ -18,7 +18,7 @@ import tellosimulator.time.SimTime;
  * What comes between a drone and its operator on demand: stray datagrams of the drone itself, and a
  * stranger who commands it, too. For the simulation thread.
  */
-final class Interference {
+final class TrafficFaults {
 
   /** Where the stranger is: on this machine, so that nothing gets into a network. */
   private static final InetSocketAddress STRANGER = stranger();
@@ -65,7 +65,7 @@ final class Interference {
    * @param sender takes what the drone sends
    * @param drone takes what the stranger commands
    */
-  Interference(BiConsumer<Peer, String> sender, BiConsumer<Peer, String> drone) {
+  TrafficFaults(BiConsumer<Peer, String> sender, BiConsumer<Peer, String> drone) {
     this.sender = sender;
     this.drone = drone;
   }

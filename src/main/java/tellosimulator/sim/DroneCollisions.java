@@ -13,7 +13,7 @@ import tellosimulator.world.Collision;
  * Drones that run into each other. They are equally heavy and do not bounce; one that stands is not
  * moved. For the simulation thread.
  */
-final class Encounters {
+final class DroneCollisions {
 
   private static final Collider COLLIDER = DroneSpec.COLLIDER;
 
@@ -26,7 +26,7 @@ final class Encounters {
   /** How fast one slips off another one's back [m/s²]. Assumed: round, smooth covers. */
   private static final double SLIP = 4;
 
-  private Encounters() {}
+  private DroneCollisions() {}
 
   /** Keeps all pairs apart, in the order of their numbers. */
   static void resolve(List<SimDrone> drones) {

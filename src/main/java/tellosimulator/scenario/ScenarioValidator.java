@@ -9,11 +9,11 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Collectors;
 import tellosimulator.goal.Goal;
-import tellosimulator.goal.Spot;
+import tellosimulator.goal.GoalRegion;
 import tellosimulator.math.Vec3;
 import tellosimulator.model.DroneSpec;
+import tellosimulator.scenario.Diagnostic.Place;
 import tellosimulator.scenario.ListCodec.Item;
-import tellosimulator.scenario.Mistake.Place;
 import tellosimulator.scenario.Scenario.Station;
 import tellosimulator.words.Phrase;
 import tellosimulator.words.Spelling;
@@ -29,12 +29,12 @@ import tellosimulator.world.Shape;
 import tellosimulator.world.Surface;
 
 /** Looks whether what was read fits together. */
-final class Checks {
+final class ScenarioValidator {
 
   private final Room room;
-  private final Mistakes mistakes;
+  private final Diagnostics mistakes;
 
-  Checks(Room room, Mistakes mistakes) {
+  ScenarioValidator(Room room, Diagnostics mistakes) {
     this.room = room;
     this.mistakes = mistakes;
   }
@@ -132,14 +132,14 @@ final class Checks {
   /** The places of goals. */
   void places(List<Item<Goal>> goals) {
     for (Item<Goal> goal : goals) {
-      Optional<Spot> spot = spot(goal.value());
+      Optional<GoalRegion> spot = spot(goal.value());
       if (spot.isPresent() && !Footprint.inside(spot.get().place(), room)) {
         mistakes.add(goal.place(), Phrase.of("this place is not in the room"));
       }
     }
   }
 
-  private static Optional<Spot> spot(Goal goal) {
+  private static Optional<GoalRegion> spot(Goal goal) {
     if (goal instanceof Goal.Reach reach) {
       return Optional.of(reach.spot());
     } else if (goal instanceof Goal.Hover hover) {
@@ -171,7 +171,7 @@ final class Checks {
             .filter(obstacle -> obstacle.shape() instanceof Shape.Gate)
             .map(Obstacle::name)
             .collect(Collectors.toSet());
-    String shown = Mistakes.shown(name);
+    String shown = Diagnostics.shown(name);
     mistakes.add(
         place,
         Spelling.meant(name, gates)

@@ -8,7 +8,7 @@ import java.util.concurrent.locks.LockSupport;
  *
  * <p>For one thread, but for {@link #wake} and {@link #nanos}, which are for any.
  */
-public final class Metronome {
+public final class Ticker {
 
   /** Decided: so a halt of a tenth of a second costs nobody any of 30 pictures a second. */
   private static final int MADE_UP = 3;

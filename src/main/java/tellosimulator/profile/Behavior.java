@@ -9,7 +9,7 @@ import java.util.Locale;
  * <p>"Report" is the FHNW report of 2020 on a real Tello EDU; "measured" are published measurements
  * of real drones that go beyond it. {@code docs/protocol.md} names the sources.
  */
-public enum Behaviour {
+public enum Behavior {
   REPORT,
   MEASURED;
 

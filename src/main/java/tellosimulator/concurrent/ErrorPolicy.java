@@ -9,9 +9,9 @@ import org.slf4j.LoggerFactory;
  * How a worker reacts when its agent throws: continue, retry or finish; and the message to log.
  * Allocated in advance, with a message for the case that memory is exhausted. For any thread.
  */
-public final class Verdict {
+public final class ErrorPolicy {
 
-  private static final Logger LOG = LoggerFactory.getLogger(Verdict.class);
+  private static final Logger LOG = LoggerFactory.getLogger(ErrorPolicy.class);
 
   private static final String FULL =
       "memory is full; give the program more, such as java -Xmx256m -jar tello-simulator.jar";
@@ -29,7 +29,7 @@ public final class Verdict {
   private final String what;
   private final byte[] withoutMemory;
 
-  private Verdict(Action action, String what) {
+  private ErrorPolicy(Action action, String what) {
     this.action = action;
     this.what = what;
     withoutMemory = (what + ": " + FULL + '\n').getBytes(StandardCharsets.UTF_8);
@@ -40,18 +40,18 @@ public final class Verdict {
    *
    * @param what failed: the beginning of a sentence, such as "A picture could not be made"
    */
-  public static Verdict goOn(String what) {
-    return new Verdict(Action.GO_ON, what);
+  public static ErrorPolicy goOn(String what) {
+    return new ErrorPolicy(Action.GO_ON, what);
   }
 
   /** It goes on, but ends the program when most of its work fails. */
-  public static Verdict retry(String what) {
-    return new Verdict(Action.RETRY, what);
+  public static ErrorPolicy retry(String what) {
+    return new ErrorPolicy(Action.RETRY, what);
   }
 
   /** It ends; the program does not need it. */
-  public static Verdict finish(String what) {
-    return new Verdict(Action.FINISH, what);
+  public static ErrorPolicy finish(String what) {
+    return new ErrorPolicy(Action.FINISH, what);
   }
 
   Action action() {

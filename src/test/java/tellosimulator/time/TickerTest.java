@@ -7,11 +7,11 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
 @Timeout(value = 20, unit = TimeUnit.SECONDS, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
-class MetronomeTest {
+class TickerTest {
 
   private static final long PERIOD = 2_000_000;
 
-  private final Metronome metronome = new Metronome();
+  private final Ticker metronome = new Ticker();
 
   @Test
   void ticksNeverComeEarly() {

@@ -11,21 +11,21 @@ import tellosimulator.view.text.Language;
 import tellosimulator.view.text.Messages;
 
 /** All that is wrong with a scenario file, with line and column. For the JavaFX thread. */
-final class MistakesPage extends Page {
+final class DiagnosticsPage extends Page {
 
-  /** Mistakes that are shown; the log has all. Decided: more than somebody reads at once. */
+  /** Diagnostics that are shown; the log has all. Decided: more than somebody reads at once. */
   private static final int MOST = 200;
 
-  MistakesPage(ViewContext context, List<Function<Language, String>> mistakes) {
+  DiagnosticsPage(ViewContext context, List<Function<Language, String>> mistakes) {
     super(
         "mistakes-page",
         "mistakes-page",
         context
             .language()
-            .messages(MistakesPage.class)
+            .messages(DiagnosticsPage.class)
             .text(mistakes.size() == 1 ? "mistakes-one" : "mistakes", mistakes.size()));
     Language language = context.language();
-    Messages messages = language.messages(MistakesPage.class);
+    Messages messages = language.messages(DiagnosticsPage.class);
     setMaxHeight(USE_PREF_SIZE);
     VBox lines = new VBox();
     lines.getStyleClass().add("lines");
