@@ -27,6 +27,7 @@ import tellosimulator.goal.Progress.Status;
 import tellosimulator.headless.HeadlessSimulator;
 import tellosimulator.log.LogSetup;
 import tellosimulator.log.StandardErrorLog;
+import tellosimulator.memory.ProcessMemory;
 import tellosimulator.network.PortTakenException;
 import tellosimulator.recording.RecordingFolder;
 import tellosimulator.recording.UnreadableRecordingException;
@@ -65,6 +66,7 @@ public final class Main {
   public static void main(String[] args) {
     System.setProperty("java.awt.headless", "true"); // posters are read, nothing is drawn
     FatalExit fatal = FatalExit.install(LogSetup::flush);
+    ProcessMemory.keepSmall();
     int status = FatalExit.CODE;
     try {
       status = run(args, System.out, System.err);
@@ -89,7 +91,7 @@ public final class Main {
     Optional<SubcommandName> name = SubcommandName.of(args);
     if (name.isEmpty()) {
       return new Invocation(options.commandLine(new Version()), SubcommandName.words(), output)
-          .run(args, () -> action(List.of(args)));
+          .run(ScenarioOptions.withFileNamed(args), () -> action(List.of(args)));
     }
     Subcommand subcommand = name.get().subcommand();
     return new Invocation(subcommand.commandLine(new Version()), List.of(), output)

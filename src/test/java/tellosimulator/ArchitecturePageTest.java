@@ -97,7 +97,7 @@ class ArchitecturePageTest {
   private static boolean isKnown(MatchResult name) {
     String simple = name.group(1);
     String members = name.group(2);
-    JavaClasses where = simple.endsWith("Test") ? TESTS : CLASSES;
+    JavaClasses where = simple.matches(".*(Test|IT)") ? TESTS : CLASSES;
     return FOREIGN.contains(simple)
         || where.stream()
             .filter(type -> type.getSimpleName().equals(simple))

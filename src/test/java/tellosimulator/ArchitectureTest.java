@@ -76,6 +76,7 @@ class ArchitectureTest {
           Map.entry(
               "cli",
               List.of("export", "operator", "proxy", "replay", "report", "scenario", "video")),
+          Map.entry("memory", List.of("concurrent", "time")),
           Map.entry("log", List.of("concurrent")),
           Map.entry("view.fx", List.of("scenery")),
           Map.entry("view.settings", List.of("files")),
@@ -89,7 +90,7 @@ class ArchitectureTest {
           Map.entry("view.log", List.of("view.model")),
           Map.entry("view.pilot", List.of("view.model")),
           Map.entry("view.plan", List.of("view.controls")),
-          Map.entry("view.projector", List.of("view.drone")),
+          Map.entry("view.projector", List.of("view.controls")),
           Map.entry("view.replay", List.of("replay", "report", "view.layout")),
           Map.entry("view.world", List.of("view.drone")),
           Map.entry(

@@ -41,7 +41,7 @@ import tellosimulator.math.Vec3;
 import tellosimulator.network.AddressPlan;
 import tellosimulator.scenario.Scenario;
 import tellosimulator.sim.SimConfig;
-import tellosimulator.sim.SimConfig.Outlets;
+import tellosimulator.sim.SimConfig.StreamPorts;
 import tellosimulator.sim.Swarm;
 import tellosimulator.time.TimeFactor;
 import tellosimulator.video.SoftwareCameras;
@@ -462,7 +462,7 @@ class ExamplesTest {
       List<InetAddress> loopback = List.of(InetAddress.getLoopbackAddress());
       simulator =
           new HeadlessSimulator(
-              Scenario.of(config.withOutlets(new Outlets(statePort, videoPort))),
+              Scenario.of(config.withStreamPorts(new StreamPorts(statePort, videoPort))),
               AddressPlan.portPerDrone(config.starts().size(), loopback, 0),
               OptionalInt.empty(),
               new SoftwareCameras(DroneOptics.DEFAULT));

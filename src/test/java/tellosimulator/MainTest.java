@@ -84,6 +84,8 @@ class MainTest {
           --poster front,0,120,30,pom.xml | The file pom.xml is not an image that can be read (PNG, JPEG, GIF or BMP). Try --help.
           --start 9999,0    | Drone 1 does not fit into the room: its start would be at x 9999, y 0 cm. Try --help.
           --scenario nowhere.yaml | nowhere.yaml: there is no such file
+          nowhere.yaml      | nowhere.yaml: there is no such file
+          nowhere.yaml --headless | Beside options, a scenario file is named by --scenario nowhere.yaml. Try --help.
           --scenario nowhere | Invalid value for option '--scenario': there is neither a file nor a scenario nowhere; there are empty-room, over-the-wall, slalom, table-landing, window-in-the-wall, gate-race, wind, pad-course, wall-pad, swarm-stage. Try --help.
           --scenario slalon  | Invalid value for option '--scenario': there is neither a file nor a scenario slalon, did you mean slalom? Try --help.
           --scenario slalom --drones 2 | --drones does not go with --scenario, which says it. Try --help.

@@ -145,14 +145,14 @@ class UdpDeterminismTest {
         "report --fault delay", // all ways, 0.1 s
         FAULTY
       })
-  void aProgramThatWaitsForEachReplyGetsTheSameBytesInEachRun(String behaviour) throws Exception {
-    List<String> expected = fly(SCRIPT, behaviour, new Random(0), 0);
+  void aProgramThatWaitsForEachReplyGetsTheSameBytesInEachRun(String behavior) throws Exception {
+    List<String> expected = fly(SCRIPT, behavior, new Random(0), 0);
     assertThat(expected).hasSizeGreaterThan(200);
 
     try (Load load = new Load()) {
       assertThat(load.threads).hasSize(LOAD);
       for (int run = 1; run < RUNS; run++) {
-        assertThat(fly(SCRIPT, behaviour, new Random(run), LONGEST_PAUSE_MS))
+        assertThat(fly(SCRIPT, behavior, new Random(run), LONGEST_PAUSE_MS))
             .as("run %d", run)
             .isEqualTo(expected);
       }
@@ -168,9 +168,9 @@ class UdpDeterminismTest {
   }
 
   /** All replies, and then all state lines, each with the drone that it came from. */
-  private List<String> fly(String script, String behaviour, Random pauses, int longestMs)
+  private List<String> fly(String script, String behavior, Random pauses, int longestMs)
       throws IOException {
-    String text = SCENARIO + (behaviour.equals(FAULTY) ? FAULTS : "");
+    String text = SCENARIO + (behavior.equals(FAULTY) ? FAULTS : "");
     Path scenario = Files.writeString(folder.resolve("pads.yaml"), text);
     try (StateLines states = new StateLines();
         ProgramProcess program =
@@ -181,7 +181,7 @@ class UdpDeterminismTest {
                     + " --state-port "
                     + states.socket.getLocalPort()
                     + " --behaviour "
-                    + behaviour,
+                    + behavior,
                 "");
         DatagramSocket socket = new DatagramSocket(0, InetAddress.getLoopbackAddress())) {
       socket.setSoTimeout(ProgramProcess.PATIENCE_SECONDS * 1000);

@@ -20,22 +20,22 @@ import tellosimulator.report.ReportTexts;
 /** Compares two recordings. For one thread. */
 final class DiffSubcommand implements Subcommand {
 
-  private final OptionList choices =
+  private final OptionList optionList =
       OptionList.of(
           SubcommandName.DIFF,
           "Compares two recorded flights, command by command: replies, durations, and how the"
               + " drones moved as their state lines tell it.",
           "Exit code 0: alike; 4: they differ; 1: cannot be read or written; 2: wrong options.");
 
-  private final Supplier<Path> first = choices.recording("A");
-  private final Supplier<Path> second = choices.recording("B");
+  private final Supplier<Path> first = optionList.recording("A");
+  private final Supplier<Path> second = optionList.recording("B");
 
   private final OptionValue<Optional<Path>> output =
-      choices.output("Also write the table and charts of both as an HTML file.");
+      optionList.output("Also write the table and charts of both as an HTML file.");
 
   @Override
   public CommandLine commandLine(IVersionProvider version) {
-    return choices.commandLine(version);
+    return optionList.commandLine(version);
   }
 
   @Override

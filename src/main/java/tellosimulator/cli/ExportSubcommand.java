@@ -16,16 +16,16 @@ import tellosimulator.recording.UnreadableRecordingException;
 /** Writes a recording in the format of another tool. For one thread. */
 final class ExportSubcommand implements Subcommand {
 
-  private final OptionList choices =
+  private final OptionList optionList =
       OptionList.of(
           SubcommandName.EXPORT,
           "Writes a recorded flight in the format of another tool.",
           "Exit code 0: written; 1: cannot be read or written; 2: wrong options.");
 
-  private final Supplier<Path> folder = choices.recording("FOLDER");
+  private final Supplier<Path> folder = optionList.recording("FOLDER");
 
   private final Supplier<ExportFormat> format =
-      choices
+      optionList
           .option(
               "--to",
               Stream.of(ExportFormat.values())
@@ -36,11 +36,11 @@ final class ExportSubcommand implements Subcommand {
           .readRequired(OptionTypes::exportFormat);
 
   private final OptionValue<Optional<Path>> output =
-      choices.output("The file to write. Default: flight.pcap or flight.mcap in the folder.");
+      optionList.output("The file to write. Default: flight.pcap or flight.mcap in the folder.");
 
   @Override
   public CommandLine commandLine(IVersionProvider version) {
-    return choices.commandLine(version);
+    return optionList.commandLine(version);
   }
 
   @Override

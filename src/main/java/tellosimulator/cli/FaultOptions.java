@@ -20,9 +20,9 @@ final class FaultOptions {
   private final OptionValue<Optional<LinkPreset>> link;
   private final OptionValue<List<Fault>> faults;
 
-  FaultOptions(OptionList choices) {
+  FaultOptions(OptionList optionList) {
     link =
-        choices
+        optionList
             .option(
                 "--link",
                 "ideal|lab|classroom|crowded",
@@ -30,7 +30,7 @@ final class FaultOptions {
                     + " Default: ideal, and lab with --behaviour measured.")
             .readIfGiven(FaultOptions::preset);
     faults =
-        choices
+        optionList
             .option(
                 FAULT,
                 "TEXT",

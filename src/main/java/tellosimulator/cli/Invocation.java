@@ -66,7 +66,7 @@ public final class Invocation {
       }
       action = reading.get();
     } catch (ParameterException | IllegalArgumentException e) {
-      output.err().println(mistake(e, args));
+      output.err().println(diagnostic(e, args));
       return ExitCode.WRONG_OPTIONS;
     }
     return run(action);
@@ -83,9 +83,12 @@ public final class Invocation {
     return ExitCode.FAILED;
   }
 
-  private String mistake(RuntimeException e, String... args) {
+  private String diagnostic(RuntimeException e, String... args) {
     if (e instanceof UnmatchedArgumentException unmatched) {
       String word = unmatched.getUnmatched().get(0);
+      if (ScenarioOptions.isFile(word)) {
+        return "Beside options, a scenario file is named by --scenario " + word + "." + HINT;
+      }
       List<String> known = new ArrayList<>(commandLine.getCommandSpec().optionsMap().keySet());
       if (word.equals(args[0])) {
         known.addAll(subcommands);

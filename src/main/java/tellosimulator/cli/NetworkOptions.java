@@ -9,7 +9,7 @@ import tellosimulator.command.OperatorRule;
 import tellosimulator.network.AddressPlan;
 import tellosimulator.network.Reach;
 import tellosimulator.scenario.Scenario;
-import tellosimulator.sim.SimConfig.Outlets;
+import tellosimulator.sim.SimConfig.StreamPorts;
 
 /** The options that say where drones listen, to whom, and where what they send goes. */
 final class NetworkOptions {
@@ -28,11 +28,11 @@ final class NetworkOptions {
   private final OptionValue<OperatorRule> operators;
   private final OptionValue<Boolean> portPerDrone;
 
-  NetworkOptions(OptionList choices) {
-    commandPort = commandPort(choices, "Where drones take commands");
-    statePort = statePort(choices);
+  NetworkOptions(OptionList optionList) {
+    commandPort = commandPort(optionList, "Where drones take commands");
+    statePort = statePort(optionList);
     videoPorts =
-        choices
+        optionList
             .option(
                 "--video-port",
                 "PORT,...",
@@ -40,7 +40,7 @@ final class NetworkOptions {
                     + " each. Default: 11111.")
             .read(OptionTypes::portsOfDrones, USUAL_VIDEO_PORT);
     replyPort =
-        choices
+        optionList
             .option(
                 "--reply-port",
                 "sender|PORT",
@@ -48,7 +48,7 @@ final class NetworkOptions {
                     + " or always to the same one. Default: sender.")
             .read(OptionTypes::replyPort, "sender");
     bind =
-        choices
+        optionList
             .option(
                 "--bind",
                 "A,B,...",
@@ -56,13 +56,13 @@ final class NetworkOptions {
                     + " 127.0.0.2 for drone 2, and so on.")
             .readIfGiven(OptionTypes::addresses);
     lan =
-        choices.flag(
+        optionList.flag(
             "--lan",
             "Let other machines of the local network fly: drone 1, or with --port-per-drone each"
                 + " drone, also listens on this machine's addresses there. Otherwise only this"
                 + " machine does.");
     operators =
-        choices
+        optionList
             .option(
                 "--operator",
                 "first|ADDRESS|anyone",
@@ -71,7 +71,7 @@ final class NetworkOptions {
                     + " Default: first.")
             .read(OptionTypes::operators, "first");
     portPerDrone =
-        choices.flag(
+        optionList.flag(
             "--port-per-drone",
             "Give all drones the same addresses and count the port up: 8879, 8880 and so on,"
                 + " leaving out 8889, 8890 and 11111.");
@@ -82,15 +82,15 @@ final class NetworkOptions {
    *
    * @param what is said at that port
    */
-  static OptionValue<Integer> commandPort(OptionList choices, String what) {
-    return choices
+  static OptionValue<Integer> commandPort(OptionList optionList, String what) {
+    return optionList
         .option("--command-port", "PORT", what + "; 0 chooses a free port. Default: 8879.")
         .read(OptionTypes::portOrFree, "8879");
   }
 
   /** The option that says at which port of its machine a program takes the state. */
-  static OptionValue<Integer> statePort(OptionList choices) {
-    return choices
+  static OptionValue<Integer> statePort(OptionList optionList) {
+    return optionList
         .option(
             "--state-port", "PORT", "Where your program takes the drone's state. Default: 8890.")
         .read(OptionTypes::port, USUAL_STATE_PORT);
@@ -151,9 +151,9 @@ final class NetworkOptions {
    * @param drone its number, from 1
    * @param said what else says so
    */
-  Outlets outlets(int drone, Outlets said) {
+  StreamPorts streamPorts(int drone, StreamPorts said) {
     List<Integer> ports = videoPorts.value().ports();
-    return new Outlets(
+    return new StreamPorts(
         statePort.or(said.statePort()),
         videoPorts.given() ? ports.get((drone - 1) % ports.size()) : said.videoPort());
   }

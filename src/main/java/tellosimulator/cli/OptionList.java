@@ -62,7 +62,7 @@ final class OptionList {
     return new OptionList(PROGRAM + " " + subcommand.word(), does, "", exitCodes);
   }
 
-  /** Reads the command line into the choices, and explains them. */
+  /** Reads the command line into the option values, and explains them. */
   CommandLine commandLine(IVersionProvider version) {
     spec.mixinStandardHelpOptions(true).versionProvider(version);
     return new CommandLine(spec).setExpandAtFiles(false); // @ may begin the name of a file

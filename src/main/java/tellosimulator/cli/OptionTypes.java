@@ -81,7 +81,7 @@ final class OptionTypes {
     } catch (InvalidPathException e) {
       // told below
     }
-    throw mistake("the name of a file or a folder", word);
+    throw diagnostic("the name of a file or a folder", word);
   }
 
   static ExportFormat exportFormat(String word) {
@@ -106,7 +106,7 @@ final class OptionTypes {
 
   static Long seed(String word) {
     if (!word.matches("-?[0-9]{1,18}")) { // as in scenario files
-      throw mistake("a whole number of at most 18 digits", word);
+      throw diagnostic("a whole number of at most 18 digits", word);
     }
     return Long.valueOf(word);
   }
@@ -130,11 +130,11 @@ final class OptionTypes {
   private static InetAddress address(String word, String expected) throws UnknownHostException {
     if (!ADDRESSES_FORM.matcher(word).matches()
         || Arrays.stream(word.split("\\.", -1)).anyMatch(part -> Integer.parseInt(part) > 255)) {
-      throw mistake(expected, word);
+      throw diagnostic(expected, word);
     }
     InetAddress address = InetAddress.getByName(word);
     if (!AddressPlan.isOfOneHost(address)) {
-      throw mistake(expected, word);
+      throw diagnostic(expected, word);
     }
     return address;
   }
@@ -169,7 +169,7 @@ final class OptionTypes {
     return byName(word, List.of(Profile.values()), Profile::option);
   }
 
-  static Behavior behaviourName(String word) {
+  static Behavior behaviorName(String word) {
     return byName(word, List.of(Behavior.values()), Behavior::option);
   }
 
@@ -183,12 +183,12 @@ final class OptionTypes {
   static Room roomSize(String word) {
     Matcher sizes = ROOM_SIZE_FORM.matcher(word);
     if (!sizes.matches()) {
-      throw mistake("width, depth and height in cm such as 500x500x300", word);
+      throw diagnostic("width, depth and height in cm such as 500x500x300", word);
     }
     try {
       return new Room(meters(sizes, 1), meters(sizes, 2), meters(sizes, 3));
     } catch (IllegalArgumentException e) {
-      throw mistake("width, depth and height from 100 to 20000 cm", word);
+      throw diagnostic("width, depth and height from 100 to 20000 cm", word);
     }
   }
 
@@ -202,16 +202,16 @@ final class OptionTypes {
   static Poster posterOnWall(String word) {
     Matcher parts = POSTER_ON_WALL_FORM.matcher(word);
     if (!parts.matches()) {
-      throw mistake("WALL,ALONG,HEIGHT,WIDTH,FILE such as front,0,120,30,face.png", word);
+      throw diagnostic("WALL,ALONG,HEIGHT,WIDTH,FILE such as front,0,120,30,face.png", word);
     }
     Surface wall = Surface.byWord().get(parts.group(1));
     if (wall == null) {
-      throw mistake("front, back, left, right, floor or ceiling", parts.group(1));
+      throw diagnostic("front, back, left, right, floor or ceiling", parts.group(1));
     }
     try {
       return new Poster(wall, meters(parts, 2), meters(parts, 3), meters(parts, 4), parts.group(5));
     } catch (IllegalArgumentException e) {
-      throw mistake("a width from 1 to 20000 cm", parts.group(4));
+      throw diagnostic("a width from 1 to 20000 cm", parts.group(4));
     }
   }
 
@@ -220,7 +220,7 @@ final class OptionTypes {
   static Point floorPoint(String word) {
     Matcher point = FLOOR_POINT_FORM.matcher(word);
     if (!point.matches()) {
-      throw mistake("X,Y in cm such as 100,-50", word);
+      throw diagnostic("X,Y in cm such as 100,-50", word);
     }
     return new Point(Double.parseDouble(point.group(1)), Double.parseDouble(point.group(2)));
   }
@@ -232,7 +232,7 @@ final class OptionTypes {
     try {
       return new TimeFactor(word.matches(NUMBER) ? Double.parseDouble(word) : Double.NaN);
     } catch (IllegalArgumentException e) {
-      throw mistake("a number from 0.01 to 5000, or max", word);
+      throw diagnostic("a number from 0.01 to 5000, or max", word);
     }
   }
 
@@ -242,7 +242,7 @@ final class OptionTypes {
   static Double seconds(String word) {
     double seconds = word.matches(NUMBER) ? Double.parseDouble(word) : 0;
     if (!(seconds > 0 && seconds <= MOST)) {
-      throw mistake("a number of seconds from more than 0 to 86400", word);
+      throw diagnostic("a number of seconds from more than 0 to 86400", word);
     }
     return seconds;
   }
@@ -251,7 +251,7 @@ final class OptionTypes {
   private static int wholeNumber(String word, int least, int most, String expected) {
     int number = word.matches("[0-9]{1,9}") ? Integer.parseInt(word) : -1;
     if (number < least || number > most) {
-      throw mistake(expected, word);
+      throw diagnostic(expected, word);
     }
     return number;
   }
@@ -259,12 +259,12 @@ final class OptionTypes {
   private static double degrees(String word, int least, int most) {
     double value = word.matches(NUMBER) ? Double.parseDouble(word) : Double.NaN;
     if (!(value >= least && value <= most)) {
-      throw mistake("degrees from " + least + " to " + most, word);
+      throw diagnostic("degrees from " + least + " to " + most, word);
     }
     return value;
   }
 
-  private static TypeConversionException mistake(String expected, String word) {
+  private static TypeConversionException diagnostic(String expected, String word) {
     return new TypeConversionException(
         "expected " + expected + ", found " + (word.isEmpty() ? "nothing" : word));
   }
@@ -279,7 +279,7 @@ final class OptionTypes {
         .findFirst()
         .orElseThrow(
             () ->
-                mistake(
+                diagnostic(
                     "one of " + values.stream().map(name).collect(Collectors.joining(", ")), word));
   }
 }

@@ -32,19 +32,19 @@ public final class Options {
 
   private static final String CONTROL = "--control";
 
-  private final OptionList choices = OptionList.ofSimulator();
+  private final OptionList optionList = OptionList.ofSimulator();
 
-  private final OptionValue<Boolean> headless = choices.flag(HEADLESS, "Run without a window.");
+  private final OptionValue<Boolean> headless = optionList.flag(HEADLESS, "Run without a window.");
 
   private final OptionValue<Boolean> on =
-      choices.flag("--on", "Switch all drones on at once. Without a window they always are.");
+      optionList.flag("--on", "Switch all drones on at once. Without a window they always are.");
 
-  private final ScenarioOptions scenarioOptions = new ScenarioOptions(choices);
+  private final ScenarioOptions scenarioOptions = new ScenarioOptions(optionList);
 
-  private final NetworkOptions network = new NetworkOptions(choices);
+  private final NetworkOptions network = new NetworkOptions(optionList);
 
   private final OptionValue<Double> fieldOfViewDeg =
-      choices
+      optionList
           .option(
               CAMERA_FOV,
               "DEG|manual",
@@ -53,12 +53,12 @@ public final class Options {
           .read(OptionTypes::fieldOfView, "55");
 
   private final OptionValue<Double> tiltDeg =
-      choices
+      optionList
           .option(CAMERA_TILT, "DEG", "How far the camera looks down, in degrees. Default: 15.")
           .read(OptionTypes::tilt, "15");
 
   private final OptionValue<Optional<Integer>> drones =
-      choices
+      optionList
           .option(
               "--drones",
               "N",
@@ -66,28 +66,28 @@ public final class Options {
           .readIfGiven(OptionTypes::droneCount);
 
   private final OptionValue<Profile> profile =
-      choices
+      optionList
           .option(
               "--profile",
               "edu|tello|tt",
               "Which drone: Tello EDU, white Tello or RoboMaster TT. Default: edu.")
           .read(OptionTypes::profileName, "edu");
 
-  private final OptionValue<Behavior> behaviour =
-      choices
+  private final OptionValue<Behavior> behavior =
+      optionList
           .option(
               "--behaviour",
               "report|measured",
               "report: exact, and strict about commands that come too early. measured: with the"
                   + " noise, delays and errors of real drones. Default: report.")
-          .read(OptionTypes::behaviourName, "report");
+          .read(OptionTypes::behaviorName, "report");
 
-  private final FaultOptions faultOptions = new FaultOptions(choices);
+  private final FaultOptions faultOptions = new FaultOptions(optionList);
 
-  private final RoomOptions roomOptions = new RoomOptions(choices);
+  private final RoomOptions roomOptions = new RoomOptions(optionList);
 
   private final OptionValue<TimeFactor> timeFactor =
-      choices
+      optionList
           .option(
               "--time-factor",
               "F|max",
@@ -96,13 +96,13 @@ public final class Options {
           .read(OptionTypes::factor, "1");
 
   private final OptionValue<Boolean> noSafetyLanding =
-      choices.flag(
+      optionList.flag(
           "--no-safety-landing",
           "Let drones stay in the air when no command comes for 15 s, for several drones with"
               + " --time-factor max.");
 
   private final OptionValue<Optional<Integer>> control =
-      choices
+      optionList
           .option(
               CONTROL,
               "PORT",
@@ -112,7 +112,7 @@ public final class Options {
           .readIfGiven(OptionTypes::portOrFree);
 
   private final OptionValue<Long> seed =
-      choices
+      optionList
           .option(
               "--seed",
               "N",
@@ -120,12 +120,12 @@ public final class Options {
                   + " also to the byte, for a program that waits for each reply. Default: 1.")
           .read(OptionTypes::seed, "1");
 
-  private final RecordingOptions recordingOptions = new RecordingOptions(choices);
+  private final RecordingOptions recordingOptions = new RecordingOptions(optionList);
 
-  private final ReplayOptions replayOptions = new ReplayOptions(choices);
+  private final ReplayOptions replayOptions = new ReplayOptions(optionList);
 
   private final OptionValue<String> logLevel =
-      choices
+      optionList
           .option(
               LOG_LEVEL,
               "LEVEL",
@@ -135,7 +135,7 @@ public final class Options {
 
   /** Reads the command line into these options, and explains them. */
   public CommandLine commandLine(IVersionProvider version) {
-    return choices.commandLine(version);
+    return optionList.commandLine(version);
   }
 
   public boolean headless() {
@@ -305,8 +305,8 @@ public final class Options {
       changed.add(
           patient
               .withProduct(
-                  new Product(profile.or(product.profile()), behaviour.or(product.behaviour())))
-              .withOutlets(network.outlets(changed.size() + 1, setup.outlets())));
+                  new Product(profile.or(product.profile()), behavior.or(product.behavior())))
+              .withStreamPorts(network.streamPorts(changed.size() + 1, setup.streamPorts())));
     }
     return changed;
   }

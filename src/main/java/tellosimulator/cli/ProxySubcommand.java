@@ -26,19 +26,19 @@ import tellosimulator.proxy.DroneProxy;
 import tellosimulator.proxy.ProxyPlan;
 import tellosimulator.recording.DroneRecorder;
 import tellosimulator.recording.RecordingFolder;
-import tellosimulator.sim.SimConfig.Outlets;
+import tellosimulator.sim.SimConfig.StreamPorts;
 
 /** Stands between programs and a real drone, and records its flights. For one thread. */
 final class ProxySubcommand implements Subcommand {
 
-  private final OptionList choices =
+  private final OptionList optionList =
       OptionList.of(
           SubcommandName.PROXY,
           "Passes commands on to a real drone, and back what it sends, and records its flights.",
           "Exit code 0: ended by quit; 1: an address or a port cannot be had; 2: wrong options.");
 
   private final Supplier<InetSocketAddress> drone =
-      choices
+      optionList
           .option(
               "--drone",
               "ADDRESS[:PORT]",
@@ -46,7 +46,7 @@ final class ProxySubcommand implements Subcommand {
           .readRequired(OptionTypes::droneAddress);
 
   private final OptionValue<Path> record =
-      choices
+      optionList
           .option(
               RecordingOptions.RECORD,
               "DIR",
@@ -54,7 +54,7 @@ final class ProxySubcommand implements Subcommand {
           .read(OptionTypes::fileOrFolder, "recordings");
 
   private final OptionValue<Optional<InetAddress>> bind =
-      choices
+      optionList
           .option(
               "--bind",
               "ADDRESS",
@@ -62,24 +62,24 @@ final class ProxySubcommand implements Subcommand {
           .readIfGiven(OptionTypes::ownAddress);
 
   private final OptionValue<Boolean> lan =
-      choices.flag(
+      optionList.flag(
           "--lan",
           "Take commands from other machines of the local network, too: at all addresses of this"
               + " machine.");
 
   private final OptionValue<Integer> commandPort =
-      NetworkOptions.commandPort(choices, "Where commands are taken");
+      NetworkOptions.commandPort(optionList, "Where commands are taken");
 
-  private final OptionValue<Integer> statePort = NetworkOptions.statePort(choices);
+  private final OptionValue<Integer> statePort = NetworkOptions.statePort(optionList);
 
   private final OptionValue<Integer> videoPort =
-      choices
+      optionList
           .option(
               "--video-port", "PORT", "Where your program takes the drone's video. Default: 11111.")
           .read(OptionTypes::port, NetworkOptions.USUAL_VIDEO_PORT);
 
   private final OptionValue<Integer> droneStatePort =
-      choices
+      optionList
           .option(
               "--drone-state-port",
               "PORT",
@@ -87,7 +87,7 @@ final class ProxySubcommand implements Subcommand {
           .read(OptionTypes::portOrFree, NetworkOptions.USUAL_STATE_PORT);
 
   private final OptionValue<Integer> droneVideoPort =
-      choices
+      optionList
           .option(
               "--drone-video-port",
               "PORT",
@@ -96,7 +96,7 @@ final class ProxySubcommand implements Subcommand {
 
   @Override
   public CommandLine commandLine(IVersionProvider version) {
-    return choices.commandLine(version);
+    return optionList.commandLine(version);
   }
 
   @Override
@@ -111,7 +111,7 @@ final class ProxySubcommand implements Subcommand {
       throws PortTakenException, InterruptedException {
     RecordingFolder folder = RecordingFolder.at(recordings);
     DroneRecorder recorder =
-        DroneRecorder.start(folder, plan.drone().getAddress(), choices.words(), reason -> {});
+        DroneRecorder.start(folder, plan.drone().getAddress(), optionList.words(), reason -> {});
     DroneProxy proxy = DroneProxy.start(plan, recorder);
     AtomicBoolean ended = new AtomicBoolean();
     Runnable end =
@@ -146,8 +146,8 @@ final class ProxySubcommand implements Subcommand {
     return new ProxyPlan(
         drone.get(),
         here,
-        new Outlets(droneStatePort.value(), droneVideoPort.value()),
-        new Outlets(statePort.value(), videoPort.value()));
+        new StreamPorts(droneStatePort.value(), droneVideoPort.value()),
+        new StreamPorts(statePort.value(), videoPort.value()));
   }
 
   /** Or else the proxy would talk to itself. */

@@ -16,9 +16,9 @@ final class RecordingOptions {
   private final OptionValue<Optional<Path>> folder;
   private final OptionValue<Optional<Path>> report;
 
-  RecordingOptions(OptionList choices) {
+  RecordingOptions(OptionList optionList) {
     folder =
-        choices
+        optionList
             .option(
                 RECORD,
                 "DIR",
@@ -26,7 +26,7 @@ final class RecordingOptions {
                     + " where the drones were, and what they filmed.")
             .readIfGiven(OptionTypes::fileOrFolder);
     report =
-        choices
+        optionList
             .option(
                 REPORT,
                 "FILE",

@@ -15,21 +15,21 @@ final class ReplayOptions {
   private static final Set<String> COMPANIONS =
       Set.of(REPLAY, GHOST, Options.CAMERA_FOV, Options.CAMERA_TILT, Options.LOG_LEVEL);
 
-  private final OptionList choices;
+  private final OptionList optionList;
   private final OptionValue<Optional<Path>> folder;
   private final OptionValue<Optional<Path>> ghost;
 
-  ReplayOptions(OptionList choices) {
-    this.choices = choices;
+  ReplayOptions(OptionList optionList) {
+    this.optionList = optionList;
     folder =
-        choices
+        optionList
             .option(
                 REPLAY,
                 "FOLDER",
                 "Open the window on a recorded flight, to play, pause and scrub; nothing is flown.")
             .readIfGiven(OptionTypes::fileOrFolder);
     ghost =
-        choices
+        optionList
             .option(
                 GHOST,
                 "FOLDER",
@@ -60,13 +60,13 @@ final class ReplayOptions {
       }
       return;
     }
-    if (choices.given().contains(Options.HEADLESS)) {
+    if (optionList.given().contains(Options.HEADLESS)) {
       throw new IllegalArgumentException(
           REPLAY
               + " shows a flight in a window; without one, replay FOLDER flies it again, and report"
               + " FOLDER makes a page of it, which any browser shows");
     }
-    for (String option : choices.given()) {
+    for (String option : optionList.given()) {
       if (!COMPANIONS.contains(option)) {
         throw new IllegalArgumentException(option + " does not go with " + REPLAY);
       }

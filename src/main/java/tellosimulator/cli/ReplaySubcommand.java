@@ -26,17 +26,17 @@ final class ReplaySubcommand implements Subcommand {
   /** What is shown of a line that differs [characters]. */
   private static final int LONGEST = 300;
 
-  private final OptionList choices =
+  private final OptionList optionList =
       OptionList.of(
           SubcommandName.REPLAY,
           "Flies a recorded flight again, with the same inputs after the same steps, and compares"
               + " both recordings byte by byte.",
           "Exit code 0: identical; 4: they differ; 1: cannot be read or written; 2: wrong options.");
 
-  private final Supplier<Path> folder = choices.recording("FOLDER");
+  private final Supplier<Path> folder = optionList.recording("FOLDER");
 
   private final OptionValue<Optional<Path>> record =
-      choices
+      optionList
           .option(
               RecordingOptions.RECORD,
               "DIR",
@@ -45,7 +45,7 @@ final class ReplaySubcommand implements Subcommand {
 
   @Override
   public CommandLine commandLine(IVersionProvider version) {
-    return choices.commandLine(version);
+    return optionList.commandLine(version);
   }
 
   @Override

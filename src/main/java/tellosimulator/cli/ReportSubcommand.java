@@ -15,21 +15,22 @@ import tellosimulator.report.ReportTexts;
 /** Makes an HTML file of a recording. For one thread. */
 final class ReportSubcommand implements Subcommand {
 
-  private final OptionList choices =
+  private final OptionList optionList =
       OptionList.of(
           SubcommandName.REPORT,
           "Makes a report of a recorded flight: one HTML file that opens in any browser,"
               + " without a network.",
           "Exit code 0: written; 1: cannot be read or written; 2: wrong options.");
 
-  private final Supplier<Path> folder = choices.recording("FOLDER");
+  private final Supplier<Path> folder = optionList.recording("FOLDER");
 
   private final OptionValue<Optional<Path>> output =
-      choices.output("The file to write. Default: " + FlightReport.FILE_NAME + " in the folder.");
+      optionList.output(
+          "The file to write. Default: " + FlightReport.FILE_NAME + " in the folder.");
 
   @Override
   public CommandLine commandLine(IVersionProvider version) {
-    return choices.commandLine(version);
+    return optionList.commandLine(version);
   }
 
   @Override

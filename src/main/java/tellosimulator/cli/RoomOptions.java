@@ -15,16 +15,16 @@ final class RoomOptions {
   private final OptionValue<List<Poster>> posters;
   private final OptionValue<OptionTypes.Point> start;
 
-  RoomOptions(OptionList choices) {
+  RoomOptions(OptionList optionList) {
     room =
-        choices
+        optionList
             .option(
                 "--room",
                 "WxDxH",
                 "Width, depth and height of the room in cm, each 100 to 20000. Default: 500x500x300.")
             .read(OptionTypes::roomSize, "500x500x300");
     walls =
-        choices
+        optionList
             .option(
                 "--walls",
                 "auto|textured|plain",
@@ -32,7 +32,7 @@ final class RoomOptions {
                     + " auto: textured in the drones' film, calm in the window. Default: auto.")
             .read(OptionTypes::wallsName, "auto");
     posters =
-        choices
+        optionList
             .option(
                 "--poster",
                 "WALL,ALONG,HEIGHT,WIDTH,FILE",
@@ -42,7 +42,7 @@ final class RoomOptions {
                     + " WIDTH that of the image, all in cm. Can be given several times.")
             .readEach(OptionTypes::posterOnWall);
     start =
-        choices
+        optionList
             .option(
                 "--start",
                 "X,Y",

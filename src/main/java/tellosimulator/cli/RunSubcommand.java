@@ -28,7 +28,7 @@ final class RunSubcommand implements Subcommand {
   private static final List<String> DECIDED =
       List.of("--bind", "--command-port", "--lan", "--port-per-drone", "--replay", "--scenarios");
 
-  private final OptionList choices =
+  private final OptionList optionList =
       OptionList.of(
           SubcommandName.RUN,
           "Runs an unchanged program in a private network, in which the drone has 192.168.10.1:8889"
@@ -42,16 +42,16 @@ final class RunSubcommand implements Subcommand {
   @Override
   public CommandLine commandLine(IVersionProvider newVersion) {
     version = newVersion;
-    choices.anyWords(
+    optionList.anyWords(
         "[OPTION...] -- PROGRAM [ARGUMENT...]",
         "Options of the simulator, such as --headless or --scenario slalom; and after --, your"
             + " program. Without a window, a scenario with goals ends with the verdict on them.");
-    return choices.commandLine(newVersion);
+    return optionList.commandLine(newVersion);
   }
 
   @Override
   public Invocation.Action action(ProgramOutput output) {
-    List<String> words = choices.words();
+    List<String> words = optionList.words();
     int separator = words.indexOf(SEPARATOR);
     if (separator < 0 || separator == words.size() - 1) {
       throw new IllegalArgumentException(

@@ -22,31 +22,34 @@ public final class ScenarioOptions {
   static final String EXIT_WHEN_DONE = "--exit-when-done";
   static final String TIMEOUT = "--timeout";
 
+  private static final String SCENARIO = "--scenario";
+
   private final OptionValue<Optional<OpenedScenario>> scenario;
   private final OptionValue<Boolean> list;
   private final OptionValue<Boolean> exitWhenDone;
   private final OptionValue<Optional<Double>> timeout;
 
-  ScenarioOptions(OptionList choices) {
+  ScenarioOptions(OptionList optionList) {
     scenario =
-        choices
+        optionList
             .option(
-                "--scenario",
+                SCENARIO,
                 "FILE|NAME",
                 "Room, drones and goals from a file, or from one of the scenarios that come with the"
                     + " program. Options that are given beside it count more than what it says, but"
                     + " --drones, --room and --start do not go with it.")
             .readIfGiven(ScenarioOptions::named);
-    list = choices.flag("--scenarios", "List the scenarios that come with the program, and end.");
+    list =
+        optionList.flag("--scenarios", "List the scenarios that come with the program, and end.");
     exitWhenDone =
-        choices.flag(
+        optionList.flag(
             EXIT_WHEN_DONE,
             "End when the goals of the scenario are reached or missed, after a line that says so:"
                 + " exit code 0 if all were reached, 3 if not. They are missed, too, when all drones"
                 + " have landed and no command came for 15 s, or none took off and no command came"
                 + " for 60 s. Only with --headless.");
     timeout =
-        choices
+        optionList
             .option(
                 TIMEOUT,
                 "SECONDS",
@@ -55,6 +58,16 @@ public final class ScenarioOptions {
                     + " a program that has sent a command sends no other for 3 s of real time"
                     + " before it takes off, or none at all for 30 s.")
             .readIfGiven(OptionTypes::seconds);
+  }
+
+  /** Words of a command line; one that is a scenario file alone, as of a double click, opens it. */
+  public static String[] withFileNamed(String... words) {
+    return words.length == 1 && isFile(words[0]) ? new String[] {SCENARIO, words[0]} : words;
+  }
+
+  /** Whether a word looks like the name of a scenario file. */
+  static boolean isFile(String word) {
+    return word.matches("[^-].*\\.ya?ml");
   }
 
   Optional<Scenario> scenario() {
@@ -96,7 +109,7 @@ public final class ScenarioOptions {
   static void checkPictures(Arena arena) {
     Stream<String> onWalls = arena.decor().posters().stream().map(Poster::picture);
     Stream<String> onObstacles =
-        arena.obstacles().stream().flatMap(each -> each.cover().pictures().values().stream());
+        arena.obstacles().stream().flatMap(each -> each.appearance().pictures().values().stream());
     Stream.concat(onWalls, onObstacles).distinct().forEach(ScenarioOptions::checkPicture);
   }
 

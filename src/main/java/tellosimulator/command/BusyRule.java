@@ -19,12 +19,12 @@ public enum BusyRule {
     this.words = words;
   }
 
-  boolean allows(Behavior behaviour) {
+  boolean allows(Behavior behavior) {
     return switch (this) {
       case REFUSED -> false;
       case ALLOWED -> true;
-      case READ -> behaviour.readsWhileBusy();
-      case LAND -> behaviour.landsWhileBusy();
+      case READ -> behavior.readsWhileBusy();
+      case LAND -> behavior.landsWhileBusy();
     };
   }
 

@@ -21,7 +21,7 @@ public final class CommandHandler {
   private static final String APP_REQUEST = "conn_req";
 
   private final Profile profile;
-  private final Behavior behaviour;
+  private final Behavior behavior;
   private final CommandParser parser;
   private final Retransmission retransmission = new Retransmission();
   private final CommandTarget target;
@@ -31,7 +31,7 @@ public final class CommandHandler {
 
   private CommandHandler(Builder parts) {
     this.profile = parts.profile;
-    this.behaviour = parts.behaviour;
+    this.behavior = parts.behavior;
     this.parser = new CommandParser(profile);
     this.target = parts.target;
     this.session = parts.session;
@@ -39,8 +39,8 @@ public final class CommandHandler {
     this.observer = parts.observer;
   }
 
-  public static Builder of(Profile profile, Behavior behaviour) {
-    return new Builder(profile, behaviour);
+  public static Builder of(Profile profile, Behavior behavior) {
+    return new Builder(profile, behavior);
   }
 
   /** Takes one datagram. */
@@ -129,7 +129,7 @@ public final class CommandHandler {
   private Optional<Refusal> refusal(Parsed parsed) {
     CommandSyntax syntax = parsed.syntax();
     Optional<Phrase> running = target.running();
-    if (running.isPresent() && !syntax.busyRule().allows(behaviour)) {
+    if (running.isPresent() && !syntax.busyRule().allows(behavior)) {
       return running.map(reason -> new Refusal(Reply.NOT_JOYSTICK, reason));
     }
     Optional<Refusal> complaint = parsed.complaint();
@@ -145,21 +145,21 @@ public final class CommandHandler {
   private String echo(String text) {
     String cut = text.length() > WireText.LONGEST ? text.substring(0, WireText.LONGEST) : text;
     int blank = cut.indexOf(' ');
-    return profile.echoesFirstWord(behaviour) && blank >= 0 ? cut.substring(0, blank) : cut;
+    return profile.echoesFirstWord(behavior) && blank >= 0 ? cut.substring(0, blank) : cut;
   }
 
   /** Gathers the handler's neighbours. */
   public static final class Builder {
     private final Profile profile;
-    private final Behavior behaviour;
+    private final Behavior behavior;
     private CommandTarget target;
     private OperatorSession session;
     private ReplyPort replies;
     private CommandObserver observer;
 
-    private Builder(Profile profile, Behavior behaviour) {
+    private Builder(Profile profile, Behavior behavior) {
       this.profile = profile;
-      this.behaviour = behaviour;
+      this.behavior = behavior;
     }
 
     public Builder target(CommandTarget value) {

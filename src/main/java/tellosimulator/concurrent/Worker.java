@@ -185,12 +185,12 @@ public final class Worker implements AutoCloseable {
 
   /** Makes nothing new: there may be no memory left. */
   private boolean survives(Throwable thrown) {
-    ErrorPolicy verdict = verdict(thrown);
-    tell(verdict, thrown);
-    if (verdict.action() == ErrorPolicy.Action.FINISH) {
+    ErrorPolicy policy = policy(thrown);
+    tell(policy, thrown);
+    if (policy.action() == ErrorPolicy.Action.FINISH) {
       return false;
     }
-    if (verdict.action() == ErrorPolicy.Action.RETRY) {
+    if (policy.action() == ErrorPolicy.Action.RETRY) {
       bucket += thrown instanceof OutOfMemoryError ? MEMORY_FULL : FAILURE;
     }
     if (bucket >= LIMIT) {
@@ -203,7 +203,7 @@ public final class Worker implements AutoCloseable {
     return true;
   }
 
-  private ErrorPolicy verdict(Throwable thrown) {
+  private ErrorPolicy policy(Throwable thrown) {
     try {
       return agent.onError(thrown);
     } catch (Throwable another) {
@@ -211,13 +211,13 @@ public final class Worker implements AutoCloseable {
     }
   }
 
-  private void tell(ErrorPolicy verdict, Throwable thrown) {
+  private void tell(ErrorPolicy policy, Throwable thrown) {
     long now = System.nanoTime();
     if (told && now - toldNanos < QUIET_NANOS) {
       untold++;
       return;
     }
-    verdict.tell(thrown, untold);
+    policy.tell(thrown, untold);
     told = true;
     toldNanos = now;
     untold = 0;

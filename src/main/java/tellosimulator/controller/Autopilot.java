@@ -40,7 +40,7 @@ final class Autopilot {
   /** A target missed by less is where the next maneuver starts from [m, rad]. Assumed. */
   private static final double ON_TARGET = 0.02;
 
-  private final Behavior behaviour;
+  private final Behavior behavior;
   private final RcSteering rc;
   private final Settling settling = new Settling();
   private Maneuver maneuver;
@@ -51,8 +51,8 @@ final class Autopilot {
   private boolean touched;
   private Vec3 drift = Vec3.ZERO;
 
-  Autopilot(Behavior behaviour, RcSteering rc) {
-    this.behaviour = behaviour;
+  Autopilot(Behavior behavior, RcSteering rc) {
+    this.behavior = behavior;
     this.rc = rc;
     this.maneuver = new Parked();
   }
@@ -231,7 +231,7 @@ final class Autopilot {
 
   /** The height nearest to {@code wanted} from which it can still brake before the limits [m]. */
   private double reachableHeight(double wanted, double last, double seconds) {
-    double lowest = behaviour.lowestHover();
+    double lowest = behavior.lowestHover();
     double highest = DroneSpec.MAX_HEIGHT;
     double down = seconds * brakingSpeed(last - lowest);
     double up = seconds * brakingSpeed(highest - last);

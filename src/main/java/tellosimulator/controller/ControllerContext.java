@@ -22,7 +22,7 @@ import tellosimulator.sensor.SeededNoise;
 public record ControllerContext(
     DroneModel model,
     Profile profile,
-    Behavior behaviour,
+    Behavior behavior,
     double crashSpeed,
     boolean landsWhenSilent,
     OperatorSession session,

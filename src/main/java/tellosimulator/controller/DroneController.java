@@ -177,7 +177,7 @@ public final class DroneController implements CommandTarget {
     if (objection.isPresent()) {
       responder.refuse(objection.get().reply(), objection.get().reason());
     } else {
-      double height = faultEffects.takeoffHeight(context.behaviour().takeoffHeight());
+      double height = faultEffects.takeoffHeight(context.behavior().takeoffHeight());
       flight.takeoff(height, Task.of(responder));
     }
   }
@@ -222,8 +222,8 @@ public final class DroneController implements CommandTarget {
     }
     boolean stoppedShort =
         command.direction() == Direction.DOWN
-            && flight.basePosition().z() - command.distance() < context.behaviour().lowestHover();
-    boolean silent = stoppedShort && !context.behaviour().answersLowDown();
+            && flight.basePosition().z() - command.distance() < context.behavior().lowestHover();
+    boolean silent = stoppedShort && !context.behavior().answersLowDown();
     if (silent) {
       observer.happened(
           new Note(Phrase.of("stops above the floor and never answers `%s`", responder.text())));
@@ -310,7 +310,7 @@ public final class DroneController implements CommandTarget {
 
   @Override
   public void setNetwork(Command.SetNetwork command, Responder responder) {
-    if (context.behaviour().restartsForNetwork()) {
+    if (context.behavior().restartsForNetwork()) {
       responder.reply(command.done());
       restart.schedule(now, Restart.NOTICE);
       return;

@@ -42,7 +42,7 @@ final class Flight {
   private static final double STEP = SimTime.STEP;
 
   private final DroneModel model;
-  private final Behavior behaviour;
+  private final Behavior behavior;
   private final FlightObserver observer;
   private final RcSteering rc;
   private final Autopilot autopilot;
@@ -62,12 +62,12 @@ final class Flight {
 
   Flight(ControllerContext context) {
     this.model = context.model();
-    this.behaviour = context.behaviour();
+    this.behavior = context.behavior();
     this.observer = context.observer();
     this.crashSpeed = context.crashSpeed();
     this.landsWhenSilent = context.landsWhenSilent();
-    this.rc = new RcSteering(behaviour);
-    this.autopilot = new Autopilot(behaviour, rc);
+    this.rc = new RcSteering(behavior);
+    this.autopilot = new Autopilot(behavior, rc);
     this.contacts = new Contacts(observer, crashSpeed);
   }
 
@@ -160,7 +160,7 @@ final class Flight {
    * @param height above where it stands [m]
    */
   void takeoff(double height, Task newTask) {
-    fly(new Takeoff(model.motion().position(), baseHeading(), height, behaviour), newTask);
+    fly(new Takeoff(model.motion().position(), baseHeading(), height, behavior), newTask);
     model.countTakeoff();
     model.setPhase(FlightPhase.TAKING_OFF);
     stands = true;

@@ -38,7 +38,7 @@ final class PathPlanner {
    */
   Maneuver to(Vec3 place, double speed) {
     Vec3 goal = place.plus(miss());
-    double lowest = context.behaviour().lowestHover();
+    double lowest = context.behavior().lowestHover();
     double height = Math.max(lowest, Math.min(DroneSpec.MAX_HEIGHT, goal.z()));
     Path path = Path.Line.between(flight.basePosition(), goal.withZ(height));
     return new PathFlight(path, speed, flight.baseHeading());
@@ -46,7 +46,7 @@ final class PathPlanner {
 
   /** Whether the drone gets to a place, and not only as low as it hovers. */
   boolean reaches(Vec3 place) {
-    return context.behaviour().answersLowDown() || place.z() >= context.behaviour().lowestHover();
+    return context.behavior().answersLowDown() || place.z() >= context.behavior().lowestHover();
   }
 
   /**
@@ -65,14 +65,14 @@ final class PathPlanner {
    * @param angle counter-clockwise seen from above [rad]
    */
   Maneuver turn(double angle) {
-    double miss = miss(Channel.MOVE_HEADING, context.behaviour().headingSigma());
+    double miss = miss(Channel.MOVE_HEADING, context.behavior().headingSigma());
     moves++;
     return new Turn(flight.basePosition(), flight.baseHeading(), angle + miss);
   }
 
   /** By how much the next motion ends elsewhere [m]. */
   Vec3 miss() {
-    double sigma = context.behaviour().positionSigma();
+    double sigma = context.behavior().positionSigma();
     Vec3 miss =
         new Vec3(
             miss(Channel.MOVE_X, sigma), miss(Channel.MOVE_Y, sigma), miss(Channel.MOVE_Z, sigma));

@@ -19,14 +19,14 @@ final class RcSteering {
 
   private record Change(SimTime time, Sticks sticks) {}
 
-  private final Behavior behaviour;
+  private final Behavior behavior;
   private final Deque<Change> changes = new ArrayDeque<>();
   private Vec3 velocity = Vec3.ZERO;
   private Vec3 acceleration = Vec3.ZERO;
   private double yawRate;
 
-  RcSteering(Behavior behaviour) {
-    this.behaviour = behaviour;
+  RcSteering(Behavior behavior) {
+    this.behavior = behavior;
     center();
   }
 
@@ -76,16 +76,16 @@ final class RcSteering {
     if (atRest()) {
       return;
     }
-    Sticks level = delayed(now, behaviour.rcLevelDelay());
+    Sticks level = delayed(now, behavior.rcLevelDelay());
     Vec3 wanted = wantedVelocity(level);
-    Vec3 asked = wanted.minus(velocity).times(1 / behaviour.rcLevelTimeConstant());
-    double onset = behaviour.rcLevelOnset();
+    Vec3 asked = wanted.minus(velocity).times(1 / behavior.rcLevelTimeConstant());
+    double onset = behavior.rcLevelOnset();
     acceleration =
         onset == 0 ? asked : acceleration.plusScaled(asked.minus(acceleration), seconds / onset);
     velocity = velocity.plusScaled(acceleration, seconds);
-    Sticks yaw = delayed(now, behaviour.rcYawDelay());
-    double wantedRate = -behaviour.rcYawRate(yaw.clockwise());
-    yawRate += (wantedRate - yawRate) * seconds / behaviour.rcYawTimeConstant();
+    Sticks yaw = delayed(now, behavior.rcYawDelay());
+    double wantedRate = -behavior.rcYawRate(yaw.clockwise());
+    yawRate += (wantedRate - yawRate) * seconds / behavior.rcYawTimeConstant();
     forgetOld(now);
     if (wanted.equals(Vec3.ZERO)
         && velocity.norm() < NEGLIGIBLE
@@ -115,11 +115,11 @@ final class RcSteering {
 
   private Vec3 wantedVelocity(Sticks sticks) {
     return new Vec3(
-        level(sticks.forward()), level(-sticks.right()), sticks.up() * behaviour.rcVerticalGain());
+        level(sticks.forward()), level(-sticks.right()), sticks.up() * behavior.rcVerticalGain());
   }
 
   private double level(double value) {
-    return Math.abs(value) <= behaviour.rcDeadZone() ? 0 : value * behaviour.rcLevelGain();
+    return Math.abs(value) <= behavior.rcDeadZone() ? 0 : value * behavior.rcLevelGain();
   }
 
   private Sticks delayed(SimTime now, double delay) {
@@ -132,7 +132,7 @@ final class RcSteering {
   }
 
   private void forgetOld(SimTime now) {
-    double longest = Math.max(behaviour.rcLevelDelay(), behaviour.rcYawDelay());
+    double longest = Math.max(behavior.rcLevelDelay(), behavior.rcYawDelay());
     while (changes.size() > 1) {
       Change oldest = changes.removeFirst();
       if (now.since(changes.getFirst().time()) < longest) {

@@ -33,13 +33,13 @@ final class Takeoff implements Maneuver {
    * @param heading where the nose points [rad]
    * @param height to which it climbs [m]
    */
-  Takeoff(Vec3 start, double heading, double height, Behavior behaviour) {
+  Takeoff(Vec3 start, double heading, double height, Behavior behavior) {
     this.path = new Path.Line(start, Vec3.UP, height);
     this.profile =
         SpeedProfile.over(
-            path.length(), behaviour.takeoffSpeed(), CLIMB_ACCELERATION, CLIMB_BRAKING);
-    this.creep = behaviour.takeoffCreep();
-    this.planTime = behaviour.takeoffTime() - SETTLING;
+            path.length(), behavior.takeoffSpeed(), CLIMB_ACCELERATION, CLIMB_BRAKING);
+    this.creep = behavior.takeoffCreep();
+    this.planTime = behavior.takeoffTime() - SETTLING;
     this.heading = new Setpoint.Heading(heading, 0);
   }
 

@@ -50,8 +50,8 @@ public enum LinkPreset {
   }
 
   /** What a drone of a behaviour has unless somebody says otherwise. */
-  public static LinkPreset usual(Behavior behaviour) {
-    return behaviour == Behavior.MEASURED ? LAB : IDEAL;
+  public static LinkPreset usual(Behavior behavior) {
+    return behavior == Behavior.MEASURED ? LAB : IDEAL;
   }
 
   /** The word that chooses it. */

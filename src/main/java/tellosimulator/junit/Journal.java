@@ -86,7 +86,7 @@ public final class Journal {
   }
 
   /**
-   * ScenarioValidator how often a command came.
+   * Checks how often a command came.
    *
    * @throws AssertionError if it came more or less often
    */
@@ -106,7 +106,7 @@ public final class Journal {
   }
 
   /**
-   * ScenarioValidator that a command never came.
+   * Checks that a command never came.
    *
    * @throws AssertionError if it did
    */

@@ -8,7 +8,7 @@ import tellosimulator.math.Frames;
 import tellosimulator.math.Vec3;
 import tellosimulator.model.DroneSpec;
 import tellosimulator.sim.Control;
-import tellosimulator.sim.SimConfig.Outlets;
+import tellosimulator.sim.SimConfig.StreamPorts;
 
 /**
  * A drone of a {@link TelloSimulator}: where programs reach it, what a test may do to it, and what
@@ -18,13 +18,13 @@ public final class SimulatedDrone {
 
   private final TelloSimulator simulator;
   private final int number;
-  private final Outlets outlets;
+  private final StreamPorts streamPorts;
   private final Journal journal;
 
-  SimulatedDrone(TelloSimulator simulator, int number, Outlets outlets) {
+  SimulatedDrone(TelloSimulator simulator, int number, StreamPorts streamPorts) {
     this.simulator = simulator;
     this.number = number;
-    this.outlets = outlets;
+    this.streamPorts = streamPorts;
     FlightMonitor monitor = simulator.monitor();
     this.journal = new Journal(simulator, () -> monitor.journal(number), toString());
   }
@@ -51,12 +51,12 @@ public final class SimulatedDrone {
 
   /** The port of the program under test to which it sends its state. */
   public int statePort() {
-    return outlets.statePort();
+    return streamPorts.statePort();
   }
 
   /** The port of the program under test to which it sends its video. */
   public int videoPort() {
-    return outlets.videoPort();
+    return streamPorts.videoPort();
   }
 
   /**

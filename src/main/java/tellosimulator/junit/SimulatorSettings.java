@@ -17,8 +17,8 @@ import tellosimulator.scenario.Scenario;
 import tellosimulator.scenario.ScenarioException;
 import tellosimulator.sim.DroneSetup;
 import tellosimulator.sim.SimConfig;
-import tellosimulator.sim.SimConfig.Outlets;
 import tellosimulator.sim.SimConfig.Product;
+import tellosimulator.sim.SimConfig.StreamPorts;
 import tellosimulator.sim.Swarm;
 import tellosimulator.time.TimeFactor;
 import tellosimulator.words.Spelling;
@@ -35,7 +35,7 @@ public abstract sealed class SimulatorSettings<T extends SimulatorSettings<T>>
   private String scenario = "";
   private int drones;
   private String profile = "";
-  private String behaviour = "";
+  private String behavior = "";
   private String timeFactor = "max";
   private OptionalLong seed = OptionalLong.empty();
   private String link = "";
@@ -69,8 +69,8 @@ public abstract sealed class SimulatorSettings<T extends SimulatorSettings<T>>
   }
 
   /** After which account of the drone: {@code report}, or {@code measured} with its noise. */
-  public T behaviour(String name) {
-    behaviour = name;
+  public T behavior(String name) {
+    behavior = name;
     return self();
   }
 
@@ -175,8 +175,8 @@ public abstract sealed class SimulatorSettings<T extends SimulatorSettings<T>>
               new Product(
                   byName("profile", profile, Profile.values(), Profile::option)
                       .orElse(product.profile()),
-                  byName("behaviour", behaviour, Behavior.values(), Behavior::option)
-                      .orElse(product.behaviour()))));
+                  byName("behavior", behavior, Behavior.values(), Behavior::option)
+                      .orElse(product.behavior()))));
     }
     return base.withConfig(config.withDrones(changed));
   }
@@ -222,10 +222,10 @@ public abstract sealed class SimulatorSettings<T extends SimulatorSettings<T>>
   }
 
   /** The setups of the drones with places for their state and video. */
-  static SimConfig withOutlets(SimConfig config, List<Outlets> outlets) {
+  static SimConfig withStreamPorts(SimConfig config, List<StreamPorts> streamPorts) {
     List<DroneSetup> changed = new ArrayList<>();
     for (int i = 0; i < config.drones().size(); i++) {
-      changed.add(config.drones().get(i).withOutlets(outlets.get(i)));
+      changed.add(config.drones().get(i).withStreamPorts(streamPorts.get(i)));
     }
     return config.withDrones(changed);
   }

@@ -21,7 +21,7 @@ import tellosimulator.scenario.Scenario;
 import tellosimulator.sim.Control;
 import tellosimulator.sim.DroneSetup;
 import tellosimulator.sim.SimConfig;
-import tellosimulator.sim.SimConfig.Outlets;
+import tellosimulator.sim.SimConfig.StreamPorts;
 import tellosimulator.sim.SimSnapshot;
 import tellosimulator.video.SoftwareCameras;
 import tellosimulator.video.VideoStreams;
@@ -110,8 +110,8 @@ public final class TelloSimulator implements AutoCloseable {
     monitor = new FlightMonitor(scenario.config().arena().obstacles(), count);
     goals = new GoalWatch(scenario.challenge(), this::record);
     PortReservation reservation = PortReservation.of(settings.ports(), 2 * count);
-    List<Outlets> outlets = outlets(settings.ports(), count, reservation.ports());
-    config = SimulatorSettings.withOutlets(scenario.config(), outlets);
+    List<StreamPorts> streamPorts = streamPorts(settings.ports(), count, reservation.ports());
+    config = SimulatorSettings.withStreamPorts(scenario.config(), streamPorts);
     online =
         new OnlineSimulation(
             config,
@@ -189,19 +189,19 @@ public final class TelloSimulator implements AutoCloseable {
 
   private void addDrones() {
     for (DroneSetup setup : config.drones()) {
-      drones.add(new SimulatedDrone(this, drones.size() + 1, setup.outlets()));
+      drones.add(new SimulatedDrone(this, drones.size() + 1, setup.streamPorts()));
     }
   }
 
-  private static List<Outlets> outlets(PortChoice ports, int count, List<Integer> free) {
-    List<Outlets> outlets = new ArrayList<>();
+  private static List<StreamPorts> streamPorts(PortChoice ports, int count, List<Integer> free) {
+    List<StreamPorts> streamPorts = new ArrayList<>();
     for (int i = 0; i < count; i++) {
-      outlets.add(
+      streamPorts.add(
           ports == PortChoice.REAL
-              ? Outlets.DEFAULT
-              : new Outlets(free.get(2 * i), free.get(2 * i + 1)));
+              ? StreamPorts.DEFAULT
+              : new StreamPorts(free.get(2 * i), free.get(2 * i + 1)));
     }
-    return outlets;
+    return streamPorts;
   }
 
   /** All on 127.0.0.1 where ports are free ones, since some systems have no other address. */

@@ -193,7 +193,7 @@ public final class TelloSimulatorExtension
         builder()
             .scenario(said.scenario())
             .profile(said.profile())
-            .behaviour(said.behaviour())
+            .behavior(said.behavior())
             .timeFactor(said.timeFactor())
             .link(said.link())
             .video(said.video())

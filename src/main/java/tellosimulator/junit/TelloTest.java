@@ -38,7 +38,7 @@ public @interface TelloTest {
   String profile() default "";
 
   /** {@code report} or {@code measured}; empty for what the scenario says. */
-  String behaviour() default "";
+  String behavior() default "";
 
   /** Simulated seconds in a second of the wall clock, or {@code max}. */
   String timeFactor() default "max";

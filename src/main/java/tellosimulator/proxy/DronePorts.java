@@ -11,26 +11,26 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 import tellosimulator.network.PortTakenException;
 import tellosimulator.network.UdpPort;
-import tellosimulator.sim.SimConfig.Outlets;
+import tellosimulator.sim.SimConfig.StreamPorts;
 
 /**
  * Where the drone's state and video come in: at the one address of this machine from which it is
  * reached, so that other programs may have these ports at other addresses. That changes when the
- * machine joins another network. For one thread, but for {@link #outlets}.
+ * machine joins another network. For one thread, but for {@link #streamPorts}.
  */
 final class DronePorts implements AutoCloseable {
 
   private static final Logger LOG = LoggerFactory.getLogger(DronePorts.class);
 
   private final InetSocketAddress drone;
-  private final Outlets wanted;
+  private final StreamPorts wanted;
   private Optional<InetAddress> local = Optional.empty();
   private Optional<UdpPort> state = Optional.empty();
   private Optional<UdpPort> video = Optional.empty();
-  private volatile Outlets outlets = new Outlets(0, 0);
+  private volatile StreamPorts streamPorts = new StreamPorts(0, 0);
   private boolean lostTold;
 
-  DronePorts(InetSocketAddress drone, Outlets wanted) {
+  DronePorts(InetSocketAddress drone, StreamPorts wanted) {
     this.drone = drone;
     this.wanted = wanted;
   }
@@ -44,8 +44,8 @@ final class DronePorts implements AutoCloseable {
   }
 
   /** Which ports these are; 0 while there are none. */
-  Outlets outlets() {
-    return outlets;
+  StreamPorts streamPorts() {
+    return streamPorts;
   }
 
   /**
@@ -75,7 +75,7 @@ final class DronePorts implements AutoCloseable {
       close();
       throw e;
     }
-    outlets = new Outlets(state.get().address().getPort(), video.get().address().getPort());
+    streamPorts = new StreamPorts(state.get().address().getPort(), video.get().address().getPort());
     local = now;
     LOG.debug("The drone is reached from {}", host.getHostAddress());
     return true;
@@ -112,6 +112,6 @@ final class DronePorts implements AutoCloseable {
     state = Optional.empty();
     video = Optional.empty();
     local = Optional.empty();
-    outlets = new Outlets(0, 0);
+    streamPorts = new StreamPorts(0, 0);
   }
 }

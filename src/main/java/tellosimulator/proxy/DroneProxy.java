@@ -6,7 +6,7 @@ import java.util.stream.Collectors;
 import tellosimulator.concurrent.Worker;
 import tellosimulator.network.PortTakenException;
 import tellosimulator.recording.DroneRecorder;
-import tellosimulator.sim.SimConfig.Outlets;
+import tellosimulator.sim.SimConfig.StreamPorts;
 
 /**
  * Takes commands in the place of a real drone, and passes them to it and back what it sends, until
@@ -56,8 +56,8 @@ public final class DroneProxy implements AutoCloseable {
   }
 
   /** The ports of this machine to which the drone sends; 0 while none can be reached by it. */
-  public Outlets outlets() {
-    return relay.outlets();
+  public StreamPorts streamPorts() {
+    return relay.streamPorts();
   }
 
   /** The line that says that it is ready, as a simulator with one drone says it. */

@@ -4,7 +4,7 @@ import java.net.InetSocketAddress;
 import java.util.List;
 import tellosimulator.network.AddressPlan;
 import tellosimulator.network.LocalNetworks;
-import tellosimulator.sim.SimConfig.Outlets;
+import tellosimulator.sim.SimConfig.StreamPorts;
 
 /**
  * Which drone is passed on, and where. Immutable; for any thread.
@@ -16,7 +16,10 @@ import tellosimulator.sim.SimConfig.Outlets;
  * @param towardsOperator the ports of the operator's machine to which that is passed on
  */
 public record ProxyPlan(
-    InetSocketAddress drone, AddressPlan here, Outlets towardsDrone, Outlets towardsOperator) {
+    InetSocketAddress drone,
+    AddressPlan here,
+    StreamPorts towardsDrone,
+    StreamPorts towardsOperator) {
 
   /** Where a real drone takes commands. Documented: SDK 1.3 User Guide. */
   public static final int COMMAND_PORT = 8889;

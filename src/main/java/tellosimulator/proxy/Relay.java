@@ -24,13 +24,13 @@ import tellosimulator.network.Reach;
 import tellosimulator.network.UdpPort;
 import tellosimulator.network.WireTap.Kind;
 import tellosimulator.recording.DroneRecorder;
-import tellosimulator.sim.SimConfig.Outlets;
+import tellosimulator.sim.SimConfig.StreamPorts;
 import tellosimulator.time.WallTime;
 
 /**
  * Passes datagrams between operators and a drone. Each goes on at once, as it came; the recorder is
  * told afterwards. Nothing that arrives, or does not arrive, ends it. For one thread, but for
- * {@link #addresses}, {@link #outlets} and {@link #end}.
+ * {@link #addresses}, {@link #streamPorts} and {@link #end}.
  */
 final class Relay implements Agent {
 
@@ -136,8 +136,8 @@ final class Relay implements Agent {
   }
 
   /** The ports to which the drone sends; 0 while there is no way to it. For any thread. */
-  Outlets outlets() {
-    return towardsDrone.outlets();
+  StreamPorts streamPorts() {
+    return towardsDrone.streamPorts();
   }
 
   /** Ends it after what it does now. For any thread. */

@@ -2,6 +2,7 @@ package tellosimulator.recording;
 
 import java.net.InetSocketAddress;
 import java.util.Optional;
+import tellosimulator.goal.Challenge;
 import tellosimulator.math.Vec3;
 import tellosimulator.network.WireTap;
 import tellosimulator.sim.SimEvent;
@@ -49,6 +50,9 @@ sealed interface Entry {
    * @param start what the one began from that follows; empty if that is not known
    */
   record Anew(Optional<Start> start) implements Entry {}
+
+  /** Something else is asked of the drones, all of which are on the ground. */
+  record Asked(Challenge challenge) implements Entry {}
 
   /** There were inputs that are not known. */
   record Missed() implements Entry {}

@@ -34,7 +34,7 @@ final class EntryQueue {
   private final AtomicLong weight = new AtomicLong();
   private final AtomicBoolean closed = new AtomicBoolean();
   private final AtomicBoolean pressed = new AtomicBoolean();
-  private final Ticker metronome = new Ticker();
+  private final Ticker ticker = new Ticker();
   private final long most;
 
   /** Weight that was taken and still counts: who adds shall seldom meet who takes. */
@@ -78,6 +78,7 @@ final class EntryQueue {
     return entry instanceof Entry.Begin
         || entry instanceof Entry.End
         || entry instanceof Entry.Anew
+        || entry instanceof Entry.Asked
         || entry instanceof Entry.Missed;
   }
 
@@ -120,7 +121,7 @@ final class EntryQueue {
   void awaitTick(long period) {
     pressed.set(false);
     if (weight.get() <= PRESSING) {
-      metronome.awaitTick(period);
+      ticker.awaitTick(period);
     }
   }
 
@@ -128,12 +129,12 @@ final class EntryQueue {
   void rest() {
     pressed.set(false);
     if (weight.get() <= PRESSING) {
-      metronome.rest();
+      ticker.rest();
     }
   }
 
   /** Ends the waiting, now or the next time. */
   void wake() {
-    metronome.wake();
+    ticker.wake();
   }
 }

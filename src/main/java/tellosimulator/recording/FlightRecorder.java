@@ -4,11 +4,13 @@ import java.net.InetSocketAddress;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalInt;
+import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
 import tellosimulator.command.Peer;
 import tellosimulator.concurrent.Worker;
 import tellosimulator.controller.FlightEvent;
+import tellosimulator.goal.Challenge;
 import tellosimulator.goal.GoalWatch;
 import tellosimulator.goal.Progress;
 import tellosimulator.math.Vec3;
@@ -63,7 +65,7 @@ public final class FlightRecorder implements SimListener, WireTap, AutoCloseable
   private volatile boolean flown;
 
   /** What the simulation began from; empty if that is not known. */
-  private volatile Optional<Start> start = Optional.empty();
+  private final AtomicReference<Optional<Start>> start = new AtomicReference<>(Optional.empty());
 
   /** Whether something was done since the simulation began. */
   private volatile boolean begun;
@@ -201,9 +203,9 @@ public final class FlightRecorder implements SimListener, WireTap, AutoCloseable
   }
 
   private void begin(SimConfig config, OptionalInt replyPort) {
-    start = Optional.of(new Start(config, goals.progress().challenge(), replyPort));
+    start.set(Optional.of(new Start(config, goals.progress().challenge(), replyPort)));
     begun = false;
-    queue.add(new Entry.Anew(start));
+    queue.add(new Entry.Anew(start.get()));
   }
 
   /**
@@ -220,6 +222,15 @@ public final class FlightRecorder implements SimListener, WireTap, AutoCloseable
   /** Whether flights are recorded; if not, one that has begun ends with the next step. */
   public void setRecording(boolean wanted) {
     recording = wanted;
+  }
+
+  /**
+   * Something else is asked of the drones, as {@link GoalWatch#ask} says it: while none flies, and
+   * before all of them are put back if one has flown. For any thread.
+   */
+  public void ask(Challenge challenge) {
+    start.updateAndGet(from -> from.map(before -> before.withChallenge(challenge)));
+    queue.add(new Entry.Asked(challenge));
   }
 
   // --- what is only remembered ---
@@ -288,8 +299,10 @@ public final class FlightRecorder implements SimListener, WireTap, AutoCloseable
   @Override
   public void taken(SimTime now, SimInput input) {
     if (input instanceof SimInput.Act act && act.control() instanceof Control.Restart restart) {
-      start =
-          start.map(before -> new Start(restart.config(), before.challenge(), before.replyPort()));
+      start.updateAndGet(
+          from ->
+              from.map(
+                  before -> new Start(restart.config(), before.challenge(), before.replyPort())));
     } else if (!(input instanceof SimInput.Datagram) && takes()) { // those come from the wire
       queue.add(new Entry.Taken(now, input));
     }
@@ -301,8 +314,8 @@ public final class FlightRecorder implements SimListener, WireTap, AutoCloseable
       end(last());
       lastNanos = event.time().nanos();
       missed = false;
-      begun = start.isEmpty();
-      queue.add(new Entry.Anew(start));
+      begun = start.get().isEmpty();
+      queue.add(new Entry.Anew(start.get()));
       return;
     }
     if (!recording || !begun) {

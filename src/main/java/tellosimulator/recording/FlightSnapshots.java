@@ -98,10 +98,11 @@ public final class FlightSnapshots {
   }
 
   private static Obstacle readable(Obstacle obstacle) {
-    ObstacleAppearance cover = obstacle.cover();
+    ObstacleAppearance appearance = obstacle.appearance();
     boolean readable =
-        cover.pictures().values().stream().allMatch(file -> Files.isReadable(Path.of(file)));
-    ObstacleAppearance plain = new ObstacleAppearance(cover.rgb(), cover.pattern(), Map.of());
+        appearance.pictures().values().stream().allMatch(file -> Files.isReadable(Path.of(file)));
+    ObstacleAppearance plain =
+        new ObstacleAppearance(appearance.rgb(), appearance.pattern(), Map.of());
     return readable
         ? obstacle
         : new Obstacle(

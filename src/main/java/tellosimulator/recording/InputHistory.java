@@ -21,6 +21,7 @@ final class InputHistory {
   private static final long SHARE_OF_HEAP = 32;
 
   private final long most;
+  private Optional<Start> start = Optional.empty();
   private final ByteArrayOutputStream lines = new ByteArrayOutputStream();
   private boolean begun;
   private boolean complete;
@@ -40,6 +41,8 @@ final class InputHistory {
   Optional<String> take(Entry entry) {
     if (entry instanceof Entry.Anew anew) {
       begin(anew);
+    } else if (entry instanceof Entry.Asked asked) {
+      start = start.map(from -> from.withChallenge(asked.challenge()));
     } else if (entry instanceof Entry.Overrun || entry instanceof Entry.Missed) {
       forget();
     } else if (begun && entry instanceof Entry.Received received) {
@@ -54,7 +57,7 @@ final class InputHistory {
     lines.reset();
     begun = anew.start().isPresent();
     complete = begun;
-    anew.start().ifPresent(start -> kept(InputLines.text(start)));
+    start = anew.start();
   }
 
   private String kept(String line) {
@@ -84,6 +87,7 @@ final class InputHistory {
 
   /** The lines of all inputs until now; none if some are missing. */
   String text() {
-    return lines.toString(StandardCharsets.US_ASCII);
+    String first = complete ? start.map(InputLines::text).orElse("") : "";
+    return first + lines.toString(StandardCharsets.US_ASCII);
   }
 }

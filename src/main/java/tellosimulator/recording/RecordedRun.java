@@ -60,11 +60,10 @@ public record RecordedRun(
    *
    * @param number from 1
    * @param profile the option's word for what it is: {@code edu}
-   * @param behaviour the option's word for the account of it: {@code report}
+   * @param behavior the option's word for the account of it: {@code report}
    * @param color as {@code #rrggbb}; empty if it is not known
    */
-  public record DroneEntry(
-      int number, String profile, String behaviour, Pose start, String color) {}
+  public record DroneEntry(int number, String profile, String behavior, Pose start, String color) {}
 
   /** The version of this program. */
   public static String version() {

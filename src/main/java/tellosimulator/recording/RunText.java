@@ -85,7 +85,7 @@ final class RunText {
     Map<String, Object> members = new LinkedHashMap<>();
     members.put("number", drone.state().drone());
     members.put("profile", drone.product().profile().option());
-    members.put("behaviour", drone.product().behaviour().option());
+    members.put("behaviour", drone.product().behavior().option());
     members.put("start", start);
     Rgb color = Livery.of(drone).color();
     members.put("color", String.format(Locale.ROOT, "#%06x", color.argb() & 0xffffff));

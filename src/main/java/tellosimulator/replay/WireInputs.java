@@ -23,8 +23,8 @@ import tellosimulator.scenario.Scenario;
 import tellosimulator.sim.Control;
 import tellosimulator.sim.DroneSetup;
 import tellosimulator.sim.SimConfig;
-import tellosimulator.sim.SimConfig.Outlets;
 import tellosimulator.sim.SimConfig.Product;
+import tellosimulator.sim.SimConfig.StreamPorts;
 import tellosimulator.sim.SimInput;
 import tellosimulator.time.SimTime;
 
@@ -85,7 +85,7 @@ record WireInputs(Start start, List<RecordedInput> commands) {
   private static SimConfig config(RecordedRun run) {
     List<DroneSetup> setups = new ArrayList<>();
     for (RecordedRun.DroneEntry drone : run.setting().drones()) {
-      setups.add(DroneSetup.at(drone.start(), product(drone), Outlets.DEFAULT));
+      setups.add(DroneSetup.at(drone.start(), product(drone), StreamPorts.DEFAULT));
     }
     SimConfig config =
         SimConfig.DEFAULT
@@ -97,7 +97,7 @@ record WireInputs(Start start, List<RecordedInput> commands) {
   private static Product product(RecordedRun.DroneEntry drone) {
     return new Product(
         option(Profile.values(), drone.profile(), Product.DEFAULT.profile()),
-        option(Behavior.values(), drone.behaviour(), Product.DEFAULT.behaviour()));
+        option(Behavior.values(), drone.behavior(), Product.DEFAULT.behavior()));
   }
 
   private static <T extends Enum<T>> T option(T[] known, String word, T other) {

@@ -36,7 +36,7 @@ final class FloorItems {
     Map<String, Object> item = item(obstacle.foot(), obstacle.heading(), size);
     item.put("name", obstacle.name());
     item.put("label", texts.of("obstacle", obstacle.name(), cm(obstacle.foot().z()), cm(top)));
-    item.put("color", String.format(Locale.ROOT, "#%06x", obstacle.cover().rgb()));
+    item.put("color", String.format(Locale.ROOT, "#%06x", obstacle.appearance().rgb()));
     item.put("round", obstacle.shape() instanceof Shape.Cylinder);
     item.put("gate", obstacle.shape() instanceof Shape.Gate);
     return item;

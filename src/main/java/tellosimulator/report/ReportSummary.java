@@ -87,9 +87,9 @@ record ReportSummary(RecordedFlight flight, ReportTexts texts) {
   }
 
   private String drone(DroneEntry drone) {
-    return drone.behaviour().isEmpty()
+    return drone.behavior().isEmpty()
         ? drone.profile()
-        : texts.of("product", drone.profile(), drone.behaviour());
+        : texts.of("product", drone.profile(), drone.behavior());
   }
 
   private void addFact(List<Object> facts, String key, String value) {

@@ -4,8 +4,8 @@ import java.util.List;
 import tellosimulator.fault.Fault;
 import tellosimulator.fault.LinkPreset;
 import tellosimulator.math.Vec3;
-import tellosimulator.sim.SimConfig.Outlets;
 import tellosimulator.sim.SimConfig.Product;
+import tellosimulator.sim.SimConfig.StreamPorts;
 import tellosimulator.time.TimeFactor;
 import tellosimulator.world.Decor;
 import tellosimulator.world.MissionPad;
@@ -67,7 +67,7 @@ public sealed interface Control {
    * Makes another product of a drone, and lets its state and video go elsewhere; only while it is
    * off.
    */
-  record Configure(int drone, Product product, Outlets outlets) implements ForDrone {}
+  record Configure(int drone, Product product, StreamPorts streamPorts) implements ForDrone {}
 
   /**
    * Lets time pass where it would stand still, because it runs as fast as possible and nothing

@@ -18,7 +18,7 @@ final class PadSense {
    * @param model takes what is seen
    * @param blind whether a fault keeps it from seeing any
    */
-  void sense(DroneModel model, SimTime now, boolean blind, CollisionWorld surroundings) {
+  void sense(DroneModel model, SimTime now, boolean blind, CollisionWorld collisionWorld) {
     Perception before = model.perception();
     if (blind) {
       if (!before.pads().isEmpty()) {
@@ -26,7 +26,8 @@ final class PadSense {
       }
     } else if (PadDetector.looksAt(now, before.padMode())) {
       PadSighting.Moment moment = new PadSighting.Moment(now, model.motion().pose());
-      model.setPerception(detector.look(moment, before, surroundings.cards(), surroundings::free));
+      model.setPerception(
+          detector.look(moment, before, collisionWorld.cards(), collisionWorld::free));
     }
   }
 }

@@ -30,17 +30,17 @@ public record SimConfig(
     Arena arena, List<DroneSetup> drones, TimeFactor timeFactor, long seed, Rules rules) {
 
   /** Which drone is simulated, after which account of it. */
-  public record Product(Profile profile, Behavior behaviour) {
+  public record Product(Profile profile, Behavior behavior) {
 
     /** An EDU, after the report. */
     public static final Product DEFAULT = new Product(Profile.EDU, Behavior.REPORT);
   }
 
   /** Where on an operator's host state lines and video go. */
-  public record Outlets(int statePort, int videoPort) {
+  public record StreamPorts(int statePort, int videoPort) {
 
     /** Documented: SDK 1.3 User Guide. */
-    public static final Outlets DEFAULT = new Outlets(8890, 11111);
+    public static final StreamPorts DEFAULT = new StreamPorts(8890, 11111);
   }
 
   /**
@@ -94,7 +94,7 @@ public record SimConfig(
   public static List<DroneSetup> alike(List<Pose> starts) {
     List<DroneSetup> alike = new ArrayList<>();
     for (Pose start : starts) {
-      alike.add(DroneSetup.at(start, Product.DEFAULT, Outlets.DEFAULT));
+      alike.add(DroneSetup.at(start, Product.DEFAULT, StreamPorts.DEFAULT));
     }
     return List.copyOf(alike);
   }
@@ -105,14 +105,14 @@ public record SimConfig(
   }
 
   /** The same with all drones of another product. */
-  public SimConfig withProduct(Profile profile, Behavior behaviour) {
-    Product product = new Product(profile, behaviour);
+  public SimConfig withProduct(Profile profile, Behavior behavior) {
+    Product product = new Product(profile, behavior);
     return withEach(drone -> drone.withProduct(product));
   }
 
   /** The same with all drones sending elsewhere. */
-  public SimConfig withOutlets(Outlets outlets) {
-    return withEach(drone -> drone.withOutlets(outlets));
+  public SimConfig withStreamPorts(StreamPorts streamPorts) {
+    return withEach(drone -> drone.withStreamPorts(streamPorts));
   }
 
   public SimConfig withDrones(List<DroneSetup> newDrones) {

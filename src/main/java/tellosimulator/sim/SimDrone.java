@@ -31,8 +31,8 @@ import tellosimulator.profile.Behavior;
 import tellosimulator.profile.Profile;
 import tellosimulator.sensor.Instruments;
 import tellosimulator.sensor.SeededNoise;
-import tellosimulator.sim.SimConfig.Outlets;
 import tellosimulator.sim.SimConfig.Rules;
+import tellosimulator.sim.SimConfig.StreamPorts;
 import tellosimulator.time.Demand;
 import tellosimulator.time.SimTime;
 import tellosimulator.words.Phrase;
@@ -46,7 +46,7 @@ final class SimDrone {
   private final Neighborhood neighborhood;
   private final ReplyPort replies;
   private final Profile profile;
-  private final Behavior behaviour;
+  private final Behavior behavior;
   private final Instruments instruments;
   private final DroneModel model;
   private final OperatorSession session;
@@ -67,14 +67,14 @@ final class SimDrone {
    *
    * @param seed of everything random
    * @param rules of the simulation
-   * @param surroundings what is around them
+   * @param collisionWorld what is around them
    * @param states the way out for state lines
    * @param events takes what happens
    */
   record Neighborhood(
       long seed,
       Rules rules,
-      CollisionWorld surroundings,
+      CollisionWorld collisionWorld,
       StatePort states,
       Consumer<SimEvent> events) {}
 
@@ -95,23 +95,23 @@ final class SimDrone {
     this.before = model.motion().position();
     this.replies = replies;
     this.profile = setup.product().profile();
-    this.behaviour = setup.product().behaviour();
+    this.behavior = setup.product().behavior();
     this.events = new DroneEvents(number, () -> now, neighborhood.events());
     SeededNoise noise = new SeededNoise(neighborhood.seed(), number);
-    this.stateLines = new StateLines(behaviour, noise);
+    this.stateLines = new StateLines(behavior, noise);
     this.instruments =
         new Instruments(
-            behaviour,
+            behavior,
             noise,
-            neighborhood.surroundings().echoes(number),
+            neighborhood.collisionWorld().echoes(number),
             readings -> SensorFaults.applied(readings, faults()));
     this.state = model.snapshot(now);
-    Outlets outlets = setup.outlets();
+    StreamPorts streamPorts = setup.streamPorts();
     this.session =
         new OperatorSession(
             neighborhood.rules().operators(),
-            outlets.statePort(),
-            outlets.videoPort(),
+            streamPorts.statePort(),
+            streamPorts.videoPort(),
             replies::linked);
     this.link =
         new DroneLink(
@@ -123,7 +123,7 @@ final class SimDrone {
             new ControllerContext(
                 model,
                 profile,
-                behaviour,
+                behavior,
                 neighborhood.rules().crashSpeed(),
                 setup.landsWhenSilent(),
                 session,
@@ -134,7 +134,7 @@ final class SimDrone {
                 this::operatorChanged,
                 this::forgetLink));
     this.handler =
-        CommandHandler.of(profile, behaviour)
+        CommandHandler.of(profile, behavior)
             .target(controller)
             .session(session)
             .replies(link)
@@ -178,7 +178,7 @@ final class SimDrone {
    * @param preset how good the link is otherwise; empty for that of its behaviour
    */
   void disturb(Optional<LinkPreset> preset, List<Fault> acting) {
-    link.set(new ActiveFaults(preset.orElseGet(() -> LinkPreset.usual(behaviour)), acting));
+    link.set(new ActiveFaults(preset.orElseGet(() -> LinkPreset.usual(behavior)), acting));
   }
 
   private ActiveFaults faults() {
@@ -216,7 +216,7 @@ final class SimDrone {
       controller.reset();
       handler.forgetCopies();
       session.release();
-      settle(neighborhood.surroundings());
+      settle(neighborhood.collisionWorld());
     } else if (control instanceof Control.Release) {
       Phrase free = Phrase.of("is free: who sends `command` next operates it");
       note(
@@ -242,33 +242,33 @@ final class SimDrone {
       return this;
     }
     Profile newProfile = change.product().profile();
-    Behavior newBehaviour = change.product().behaviour();
-    DroneSetup newSetup = setup.withProduct(change.product()).withOutlets(change.outlets());
+    Behavior newBehavior = change.product().behavior();
+    DroneSetup newSetup = setup.withProduct(change.product()).withStreamPorts(change.streamPorts());
     SimDrone other = new SimDrone(model, newSetup, replies, neighborhood);
     other.plan(now);
     if (!change.product().equals(setup.product())) {
       other.note(
           Phrase.of(
-              "is of profile %s and behaviour %s now", newProfile.option(), newBehaviour.option()));
+              "is of profile %s and behaviour %s now", newProfile.option(), newBehavior.option()));
     }
-    if (!change.outlets().equals(setup.outlets())) {
+    if (!change.streamPorts().equals(setup.streamPorts())) {
       other.note(
           Phrase.of(
               "sends its state to port %d and its video to port %d from now on",
-              change.outlets().statePort(), change.outlets().videoPort()));
+              change.streamPorts().statePort(), change.streamPorts().videoPort()));
     }
     return other;
   }
 
   /** Other things stand around it: what carried it may be gone, or something is where it is. */
-  void lookAround(CollisionWorld surroundings) {
-    model.moveInto(surroundings.arena().room());
-    settle(surroundings);
+  void lookAround(CollisionWorld collisionWorld) {
+    model.moveInto(collisionWorld.arena().room());
+    settle(collisionWorld);
   }
 
   /** Lets a drone that rests fall, or move out of what it is in. */
-  private void settle(CollisionWorld surroundings) {
-    if (model.resting() && surroundings.unsettles(this)) {
+  private void settle(CollisionWorld collisionWorld) {
+    if (model.resting() && collisionWorld.unsettles(this)) {
       model.setMotion(model.motion());
     }
   }
@@ -320,12 +320,12 @@ final class SimDrone {
     model.setPushed(dynamics.pushed());
   }
 
-  void collide(CollisionWorld surroundings) {
+  void collide(CollisionWorld collisionWorld) {
     if (!model.resting()) {
-      surroundings.obstacle(this).ifPresent(this::stopBy);
+      collisionWorld.obstacle(this).ifPresent(this::stopBy);
     }
     if (!model.resting()) {
-      surroundings.surface(this).ifPresent(this::stopBy);
+      collisionWorld.surface(this).ifPresent(this::stopBy);
     }
   }
 
@@ -335,14 +335,14 @@ final class SimDrone {
   }
 
   /** Looks for mission pads. */
-  void sense(CollisionWorld surroundings) {
+  void sense(CollisionWorld collisionWorld) {
     boolean blind = faults().find(FaultKind.PAD_BLIND).isPresent();
-    padSense.sense(model, now, blind, surroundings);
+    padSense.sense(model, now, blind, collisionWorld);
   }
 
   void consume() {
     int before = model.battery().percent();
-    model.consume(SimTime.STEP, behaviour.filmingEndurance());
+    model.consume(SimTime.STEP, behavior.filmingEndurance());
     BatteryNotes.note(before, model.battery().percent()).ifPresent(this::note);
   }
 
@@ -389,7 +389,7 @@ final class SimDrone {
     model.setStart(start);
     if (model.resting() && !controller.flying()) {
       controller.reset();
-      settle(neighborhood.surroundings());
+      settle(neighborhood.collisionWorld());
     }
   }
 

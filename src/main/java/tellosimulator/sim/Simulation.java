@@ -47,7 +47,7 @@ public final class Simulation {
   /** What is run once nothing is left that anybody waits for. */
   private final List<Runnable> onceStill = new ArrayList<>();
 
-  private CollisionWorld surroundings;
+  private CollisionWorld collisionWorld;
   private volatile OperatorRule operators;
   private FaultInjection faults;
   private TimeDemand demand;
@@ -80,14 +80,14 @@ public final class Simulation {
   private void begin(SimConfig newConfig) {
     config = newConfig;
     drones.clear();
-    surroundings = new CollisionWorld(config.arena(), drones, config.seed());
+    collisionWorld = new CollisionWorld(config.arena(), drones, config.seed());
     clock = new Clock(config.timeFactor(), false);
     operators = config.rules().operators();
     now = SimTime.ZERO;
     demand = new TimeDemand(drones);
     hint = new SilenceHint();
     Neighborhood neighborhood =
-        new Neighborhood(config.seed(), config.rules(), surroundings, states, this::happened);
+        new Neighborhood(config.seed(), config.rules(), collisionWorld, states, this::happened);
     for (DroneSetup setup : config.drones()) {
       int number = drones.size() + 1;
       drones.add(new SimDrone(number, setup, replies.apply(number), neighborhood));
@@ -98,7 +98,7 @@ public final class Simulation {
 
   private void restart(SimConfig newConfig) {
     for (SimDrone drone : drones) {
-      drone.apply(new Control.Power(drone.number(), false), surroundings.arena().room());
+      drone.apply(new Control.Power(drone.number(), false), collisionWorld.arena().room());
     }
     events.clear();
     begin(newConfig);
@@ -341,17 +341,17 @@ public final class Simulation {
     for (SimDrone drone : drones) {
       drone.plan(now);
     }
-    Vec3 wind = surroundings.wind(now);
+    Vec3 wind = collisionWorld.wind(now);
     for (SimDrone drone : drones) {
       drone.integrate(wind);
     }
     for (SimDrone drone : drones) {
-      drone.collide(surroundings);
+      drone.collide(collisionWorld);
     }
     DroneCollisions.resolve(drones);
     for (SimDrone drone : drones) {
       drone.consume();
-      drone.sense(surroundings);
+      drone.sense(collisionWorld);
     }
     for (SimDrone drone : drones) {
       drone.finish();
@@ -390,20 +390,20 @@ public final class Simulation {
       drones.set(change.drone() - 1, drone(change.drone()).configured(change));
       faults.disturb(drone(change.drone()));
     } else if (control instanceof Control.ForDrone forDrone) {
-      drone(forDrone.drone()).apply(forDrone, surroundings.arena().room());
+      drone(forDrone.drone()).apply(forDrone, collisionWorld.arena().room());
     } else if (control instanceof Control.SetRoom change) {
       Room room = change.room();
-      furnish(surroundings.arena().withRoom(room));
+      furnish(collisionWorld.arena().withRoom(room));
       tell(
           Phrase.of(
               "the room is %.0f cm wide, %.0f cm deep and %.0f cm high now",
               room.width() * 100, room.depth() * 100, room.height() * 100));
     } else if (control instanceof Control.Furnish change) {
-      furnish(surroundings.arena().withObstacles(change.obstacles()).withPads(change.pads()));
+      furnish(collisionWorld.arena().withObstacles(change.obstacles()).withPads(change.pads()));
     } else if (control instanceof Control.SetWind change) {
-      furnish(surroundings.arena().withWind(change.wind()));
+      furnish(collisionWorld.arena().withWind(change.wind()));
     } else if (control instanceof Control.Decorate change) {
-      furnish(surroundings.arena().withDecor(change.decor()));
+      furnish(collisionWorld.arena().withDecor(change.decor()));
     } else if (control instanceof Control.InjectFault injected) {
       faults.inject(injected.fault());
     } else if (control instanceof Control.ClearFaults) {
@@ -426,8 +426,8 @@ public final class Simulation {
   }
 
   private void furnish(Arena arena) {
-    surroundings.change(arena);
-    drones.forEach(drone -> drone.lookAround(surroundings));
+    collisionWorld.change(arena);
+    drones.forEach(drone -> drone.lookAround(collisionWorld));
   }
 
   private void publish() {
@@ -436,7 +436,7 @@ public final class Simulation {
       states.add(drone.publish());
     }
     snapshot =
-        new SimSnapshot(now, clock, surroundings.arena(), Collections.unmodifiableList(states));
+        new SimSnapshot(now, clock, collisionWorld.arena(), Collections.unmodifiableList(states));
   }
 
   private void happened(SimEvent event) {

@@ -20,14 +20,14 @@ final class StateLines {
   /** Period of state lines [s]. Report. */
   private static final double PERIOD = 0.1;
 
-  private final Behavior behaviour;
+  private final Behavior behavior;
   private final SeededNoise noise;
   private Optional<Periodic> lines = Optional.empty();
   private boolean owed;
   private long count;
 
-  StateLines(Behavior behaviour, SeededNoise noise) {
-    this.behaviour = behaviour;
+  StateLines(Behavior behavior, SeededNoise noise) {
+    this.behavior = behavior;
     this.noise = noise;
   }
 
@@ -62,7 +62,7 @@ final class StateLines {
   }
 
   private double period() {
-    if (!behaviour.noisySensors()) {
+    if (!behavior.noisySensors()) {
       return PERIOD;
     }
     double period =

@@ -22,8 +22,8 @@ import tellosimulator.profile.Profile;
 import tellosimulator.scenario.Gallery;
 import tellosimulator.sim.DroneSetup;
 import tellosimulator.sim.SimConfig;
-import tellosimulator.sim.SimConfig.Outlets;
 import tellosimulator.sim.SimConfig.Product;
+import tellosimulator.sim.SimConfig.StreamPorts;
 import tellosimulator.time.TimeFactor;
 import tellosimulator.world.Poster;
 import tellosimulator.world.Room;
@@ -59,7 +59,7 @@ class OptionsTest {
     assertThat(config.starts().get(0).position()).isEqualTo(new Vec3(1, -0.5, 0));
     assertThat(config.timeFactor()).isEqualTo(new TimeFactor(2.5));
     assertThat(config.seed()).isEqualTo(-7);
-    assertThat(config.drones().get(0).outlets()).isEqualTo(new Outlets(9001, 9002));
+    assertThat(config.drones().get(0).streamPorts()).isEqualTo(new StreamPorts(9001, 9002));
     assertThat(options.replyPort()).isEqualTo(OptionalInt.of(8889));
     assertThat(options.logLevel()).isEqualTo("debug");
     assertThat(options.headless()).isTrue();
@@ -69,8 +69,8 @@ class OptionsTest {
   void eachDroneMaySendItsVideoToAPortOfItsOwn() {
     SimConfig config = options("--drones 2 --video-port 11111,11112").scenario().config();
 
-    assertThat(config.drones().get(0).outlets()).isEqualTo(new Outlets(8890, 11111));
-    assertThat(config.drones().get(1).outlets()).isEqualTo(new Outlets(8890, 11112));
+    assertThat(config.drones().get(0).streamPorts()).isEqualTo(new StreamPorts(8890, 11111));
+    assertThat(config.drones().get(1).streamPorts()).isEqualTo(new StreamPorts(8890, 11112));
   }
 
   @Test
@@ -91,16 +91,10 @@ class OptionsTest {
 
   @ParameterizedTest
   @CsvSource({"report, REPORT", "measured, MEASURED"})
-  void behavioursAreChosenByName(String word, Behavior behaviour) {
+  void behavioursAreChosenByName(String word, Behavior behavior) {
     assertThat(
-            options("--behaviour " + word)
-                .scenario()
-                .config()
-                .drones()
-                .get(0)
-                .product()
-                .behaviour())
-        .isEqualTo(behaviour);
+            options("--behaviour " + word).scenario().config().drones().get(0).product().behavior())
+        .isEqualTo(behavior);
   }
 
   @ParameterizedTest
@@ -245,8 +239,9 @@ class OptionsTest {
         .extracting(DroneSetup::product)
         .containsOnly(new Product(Profile.TT, Behavior.MEASURED));
     assertThat(config.drones())
-        .extracting(DroneSetup::outlets)
-        .containsExactly(new Outlets(9001, 1), new Outlets(9001, 2), new Outlets(9001, 3));
+        .extracting(DroneSetup::streamPorts)
+        .containsExactly(
+            new StreamPorts(9001, 1), new StreamPorts(9001, 2), new StreamPorts(9001, 3));
     assertThat(config.drones())
         .extracting(DroneSetup::rgb)
         .isEqualTo(scenario.drones().stream().map(DroneSetup::rgb).toList());

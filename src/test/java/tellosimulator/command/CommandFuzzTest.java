@@ -25,13 +25,13 @@ class CommandFuzzTest {
           TT,    MEASURED, 3, 400000
           """)
   void whateverArrivesHasExactlyOneConsequence(
-      Profile profile, Behavior behaviour, long seed, int texts) {
+      Profile profile, Behavior behavior, long seed, int texts) {
     CountingTarget target = new CountingTarget();
     Counts counts = new Counts();
     OperatorSession session = new OperatorSession(OperatorRule.FIRST, 8890, 11_111, link -> {});
     session.open(HandlerFixture.OPERATOR, SimTime.ZERO, true);
     CommandHandler handler =
-        CommandHandler.of(profile, behaviour)
+        CommandHandler.of(profile, behavior)
             .target(target)
             .session(session)
             .replies((peer, text) -> counts.sent++)

@@ -394,8 +394,8 @@ class CommandHandlerTest {
           TT,    MEASURED, foo bar,        foo bar
           """)
   void onlyTheMeasuredWhiteTelloEchoesTheFirstWord(
-      Profile profile, Behavior behaviour, String text, String echo) {
-    HandlerFixture drone = HandlerFixture.flying(profile, behaviour);
+      Profile profile, Behavior behavior, String text, String echo) {
+    HandlerFixture drone = HandlerFixture.flying(profile, behavior);
 
     drone.handle(text);
 

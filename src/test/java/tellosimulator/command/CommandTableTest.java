@@ -157,10 +157,10 @@ class CommandTableTest {
   /** Report: while a command runs all are refused but these; measured: also reads and `land`. */
   @ParameterizedTest
   @EnumSource(Behavior.class)
-  void whileAnotherCommandRunsOnlyTheseAreCarriedOut(Behavior behaviour) {
+  void whileAnotherCommandRunsOnlyTheseAreCarriedOut(Behavior behavior) {
     Set<CommandSyntax> expected =
         EnumSet.of(CommandSyntax.RC, CommandSyntax.STOP, CommandSyntax.EMERGENCY);
-    if (behaviour == Behavior.MEASURED) {
+    if (behavior == Behavior.MEASURED) {
       expected.add(CommandSyntax.COMMAND);
       expected.add(CommandSyntax.LAND);
       Stream.of(CommandSyntax.values())
@@ -170,7 +170,7 @@ class CommandTableTest {
 
     Set<CommandSyntax> carriedOut = EnumSet.noneOf(CommandSyntax.class);
     for (Accepted accepted : ACCEPTED) {
-      HandlerFixture drone = HandlerFixture.flying(TT, behaviour).busyWith("`up 100`");
+      HandlerFixture drone = HandlerFixture.flying(TT, behavior).busyWith("`up 100`");
       drone.handle(accepted.text());
       if (drone.carriedOut().isEmpty()) {
         assertThat(drone.takeReplies()).containsExactly("error Not joystick");

@@ -36,9 +36,9 @@ final class HandlerFixture {
   final CommandHandler handler;
   SimTime now = SimTime.ZERO;
 
-  private HandlerFixture(Profile profile, Behavior behaviour) {
+  private HandlerFixture(Profile profile, Behavior behavior) {
     handler =
-        CommandHandler.of(profile, behaviour)
+        CommandHandler.of(profile, behavior)
             .target(target)
             .session(session)
             .replies((peer, text) -> sent.add(new Sent(peer, text)))
@@ -47,20 +47,20 @@ final class HandlerFixture {
   }
 
   /** A drone that just got its power: it waits for {@code command}. */
-  static HandlerFixture fresh(Profile profile, Behavior behaviour) {
-    return new HandlerFixture(profile, behaviour);
+  static HandlerFixture fresh(Profile profile, Behavior behavior) {
+    return new HandlerFixture(profile, behavior);
   }
 
   /** In SDK mode, on the ground. */
-  static HandlerFixture grounded(Profile profile, Behavior behaviour) {
-    HandlerFixture fixture = new HandlerFixture(profile, behaviour);
+  static HandlerFixture grounded(Profile profile, Behavior behavior) {
+    HandlerFixture fixture = new HandlerFixture(profile, behavior);
     fixture.session.open(OPERATOR, SimTime.ZERO, true);
     return fixture;
   }
 
   /** In SDK mode, flying. */
-  static HandlerFixture flying(Profile profile, Behavior behaviour) {
-    HandlerFixture fixture = grounded(profile, behaviour);
+  static HandlerFixture flying(Profile profile, Behavior behavior) {
+    HandlerFixture fixture = grounded(profile, behavior);
     when(fixture.target.flying()).thenReturn(true);
     return fixture;
   }

@@ -16,7 +16,7 @@ import tellosimulator.testing.CapturedLog;
 class ErrorPolicyTest {
 
   private final CapturedLog log = CapturedLog.of(ErrorPolicy.class);
-  private final ErrorPolicy verdict = ErrorPolicy.goOn("A picture failed");
+  private final ErrorPolicy policy = ErrorPolicy.goOn("A picture failed");
 
   @AfterEach
   void close() {
@@ -25,7 +25,7 @@ class ErrorPolicyTest {
 
   @Test
   void fullMemoryComesWithWhatHelps() throws InterruptedException {
-    verdict.tell(new OutOfMemoryError("Java heap space"));
+    policy.tell(new OutOfMemoryError("Java heap space"));
 
     assertThat(log.next())
         .isEqualTo(
@@ -35,19 +35,19 @@ class ErrorPolicyTest {
 
   @Test
   void inputAndOutputThatFailIsAWarning() throws InterruptedException {
-    verdict.tell(new IOException("no route"));
+    policy.tell(new IOException("no route"));
 
     ILoggingEvent event = log.event();
     assertThat(event.getFormattedMessage()).isEqualTo("A picture failed: no route");
     assertThat(event.getLevel()).isEqualTo(Level.WARN);
 
-    verdict.tell(new IOException());
+    policy.tell(new IOException());
     assertThat(log.next()).isEqualTo("A picture failed: the system does not say why");
   }
 
   @Test
   void whatShouldNotBeIsToReportWithTheNumberOfThoseThatWereNotTold() throws InterruptedException {
-    verdict.tell(new StackOverflowError(), 312);
+    policy.tell(new StackOverflowError(), 312);
 
     ILoggingEvent event = log.event();
     assertThat(event.getFormattedMessage())
@@ -67,7 +67,7 @@ class ErrorPolicyTest {
           }
         });
 
-    assertThatCode(() -> verdict.tell(new OutOfMemoryError())).doesNotThrowAnyException();
+    assertThatCode(() -> policy.tell(new OutOfMemoryError())).doesNotThrowAnyException();
     assertThat(log.isEmpty()).isTrue();
   }
 }

@@ -36,12 +36,12 @@ class WorkerTest {
     final AtomicInteger calls = new AtomicInteger();
     final AtomicInteger closed = new AtomicInteger();
     final CountDownLatch succeeded = new CountDownLatch(1);
-    private final ErrorPolicy verdict;
+    private final ErrorPolicy policy;
     private final Throwable failure;
     private final int failures;
 
-    Failing(ErrorPolicy verdict, Throwable failure, int failures) {
-      this.verdict = verdict;
+    Failing(ErrorPolicy policy, Throwable failure, int failures) {
+      this.policy = policy;
       this.failure = failure;
       this.failures = failures;
     }
@@ -66,7 +66,7 @@ class WorkerTest {
     @Override
     public ErrorPolicy onError(Throwable thrown) {
       assertThat(thrown).isSameAs(failure);
-      return verdict;
+      return policy;
     }
 
     @Override
@@ -88,9 +88,9 @@ class WorkerTest {
   @ParameterizedTest
   @MethodSource("failures")
   void goesOnAfterWhateverItsWorkThrows(Throwable failure) throws InterruptedException {
-    for (ErrorPolicy verdict :
+    for (ErrorPolicy policy :
         List.of(ErrorPolicy.goOn("Work failed"), ErrorPolicy.retry("Work failed"))) {
-      Failing agent = new Failing(verdict, failure, 2);
+      Failing agent = new Failing(policy, failure, 2);
       try (Worker worker = Worker.start("fails twice", agent)) {
         assertThat(agent.succeeded.await(20, TimeUnit.SECONDS)).isTrue();
         assertThat(agent.calls).hasValueGreaterThanOrEqualTo(3);

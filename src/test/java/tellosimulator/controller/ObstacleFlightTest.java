@@ -199,11 +199,11 @@ class ObstacleFlightTest {
     assertThat(drone.ask("takeoff")).isEqualTo("ok");
   }
 
-  private static SteppedDrone flying(Behavior behaviour, Obstacle... obstacles) {
+  private static SteppedDrone flying(Behavior behavior, Obstacle... obstacles) {
     SteppedDrone drone =
         SteppedDrone.of(
             SimConfig.DEFAULT
-                .withProduct(Profile.EDU, behaviour)
+                .withProduct(Profile.EDU, behavior)
                 .withLink(LinkPreset.IDEAL)
                 .withArena(Arena.DEFAULT.withRoom(ROOM).withObstacles(List.of(obstacles))));
     assertThat(drone.ask("command")).isEqualTo("ok");

@@ -233,10 +233,10 @@ class ObstructedFlightTest {
     assertThat(drone.ask("up 50")).isEqualTo("ok");
   }
 
-  private static SteppedDrone flying(Behavior behaviour, Room room) {
+  private static SteppedDrone flying(Behavior behavior, Room room) {
     return flying(
         SimConfig.DEFAULT
-            .withProduct(Profile.EDU, behaviour)
+            .withProduct(Profile.EDU, behavior)
             .withLink(LinkPreset.IDEAL)
             .withRoom(room, Swarm.row(1, Vec3.ZERO, room)));
   }

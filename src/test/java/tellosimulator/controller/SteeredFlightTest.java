@@ -32,8 +32,8 @@ class SteeredFlightTest {
           MEASURED, rc 0 100 0 0    , up 50
           MEASURED, rc 100 100 0 100, up 50
           """)
-  void aMoveUnderTheSticksStillEndsWithOk(Behavior behaviour, String rc, String move) {
-    SteppedDrone drone = flying(behaviour);
+  void aMoveUnderTheSticksStillEndsWithOk(Behavior behavior, String rc, String move) {
+    SteppedDrone drone = flying(behavior);
     drone.send(rc);
     drone.advance(3);
 
@@ -42,8 +42,8 @@ class SteeredFlightTest {
 
   @ParameterizedTest
   @CsvSource({"REPORT, 1.0", "MEASURED, 1.5"})
-  void stopNeverMakesTheDroneFaster(Behavior behaviour, double cruise) {
-    SteppedDrone drone = flying(behaviour);
+  void stopNeverMakesTheDroneFaster(Behavior behavior, double cruise) {
+    SteppedDrone drone = flying(behavior);
     drone.send("rc 0 100 0 0");
     drone.advance(5);
     assertThat(speed(drone)).isCloseTo(cruise, within(0.02));
@@ -125,18 +125,18 @@ class SteeredFlightTest {
     return drone.replies().get(drone.replies().size() - 1).text();
   }
 
-  private static SteppedDrone flying(Behavior behaviour) {
-    SteppedDrone drone = drone(behaviour);
+  private static SteppedDrone flying(Behavior behavior) {
+    SteppedDrone drone = drone(behavior);
     drone.ask("command");
     drone.ask("takeoff");
     drone.ask("up 200");
     return drone;
   }
 
-  private static SteppedDrone drone(Behavior behaviour) {
+  private static SteppedDrone drone(Behavior behavior) {
     return SteppedDrone.of(
         SimConfig.DEFAULT
-            .withProduct(Profile.EDU, behaviour)
+            .withProduct(Profile.EDU, behavior)
             .withLink(LinkPreset.IDEAL)
             .withRoom(HALL, Swarm.row(1, Vec3.ZERO, HALL)));
   }

@@ -29,7 +29,7 @@ import tellosimulator.recording.RecordingFiles;
 import tellosimulator.recording.RecordingFolder;
 import tellosimulator.scenario.Scenario;
 import tellosimulator.sim.SimConfig;
-import tellosimulator.sim.SimConfig.Outlets;
+import tellosimulator.sim.SimConfig.StreamPorts;
 import tellosimulator.time.TimeFactor;
 import tellosimulator.video.SoftwareCameras;
 import tellosimulator.video.camera.DroneOptics;
@@ -90,7 +90,9 @@ class RecordedFilmTest {
   /** As fast as possible: time stands still while the film is awaited, so the drone stays up. */
   private static HeadlessSimulator simulator(int videoPort) throws Exception {
     SimConfig config =
-        SimConfig.DEFAULT.withOutlets(new Outlets(9, videoPort)).withTimeFactor(TimeFactor.MAX);
+        SimConfig.DEFAULT
+            .withStreamPorts(new StreamPorts(9, videoPort))
+            .withTimeFactor(TimeFactor.MAX);
     return new HeadlessSimulator(
         Scenario.of(config),
         AddressPlan.of(List.of(LOOPBACK), 0),

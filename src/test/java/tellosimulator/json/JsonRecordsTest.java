@@ -13,8 +13,8 @@ import tellosimulator.fault.LinkPreset;
 import tellosimulator.math.Vec3;
 import tellosimulator.sim.Control;
 import tellosimulator.sim.SimConfig;
-import tellosimulator.sim.SimConfig.Outlets;
 import tellosimulator.sim.SimConfig.Product;
+import tellosimulator.sim.SimConfig.StreamPorts;
 import tellosimulator.time.TimeFactor;
 import tellosimulator.world.Decor;
 import tellosimulator.world.MissionPad;
@@ -44,7 +44,7 @@ class JsonRecordsTest {
         new Control.Release(1),
         new Control.SetBattery(1, 33.3),
         new Control.SetStart(1, new Vec3(0.1, 0.7, 0), 1.0 / 3),
-        new Control.Configure(1, Product.DEFAULT, new Outlets(1, 2)),
+        new Control.Configure(1, Product.DEFAULT, new StreamPorts(1, 2)),
         new Control.PassTime(0.1),
         new Control.Restart(
             SimConfig.DEFAULT

@@ -255,8 +255,8 @@ class TelloSimulatorExtensionTest {
                 + " there is no such command, did you mean `forward 50`?",
             "drone 1: flies at x -200, y -100, z 30 cm, heading 0 degrees, battery 100 %; took off"
                 + " once, was up to 30 cm high and 0 cm from its start",
-            "goals: 0 of 4 goals reached; open: 1. fly through the gate first; 2. fly through the"
-                + " gate second; 3. fly through the gate third; 4. land at x 150, y 150 cm",
+            "goals: 0 of 4 goals reached; open: 1. fly through the gate A; 2. fly through the"
+                + " gate B; 3. fly through the gate C; 4. land at x 150, y 150 cm",
             "",
             "what came to drone 1:",
             "# s  `command` → `ok` after # s",
@@ -430,7 +430,7 @@ class TelloSimulatorExtensionTest {
   }
 
   static final class MisspeltMethod {
-    @TelloTest(behaviour = "mesured")
+    @TelloTest(behavior = "mesured")
     void never() {}
   }
 
@@ -457,7 +457,7 @@ class TelloSimulatorExtensionTest {
                             + " nor a scenario slalon, did you mean slalom?"));
     assertThat(failures(selectClass(MisspeltMethod.class)).get("never"))
         .hasMessageEndingWith(
-            ".never(): behaviour is mesured, but must be one of report, measured, did you mean"
+            ".never(): behavior is mesured, but must be one of report, measured, did you mean"
                 + " measured?");
     assertThat(failures(selectClass(WrongDrone.class)).get("never"))
         .hasMessageContaining("@Drone(2) in never: there is no drone 2, only drone 1");

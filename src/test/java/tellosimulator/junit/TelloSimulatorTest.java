@@ -46,8 +46,7 @@ class TelloSimulatorTest {
 
   @Test
   void afterAResetTheSameCommandsHaveTheSameEffectsToTheByte() throws IOException {
-    try (TelloSimulator simulator =
-        TelloSimulator.builder().behaviour("measured").seed(7).start()) {
+    try (TelloSimulator simulator = TelloSimulator.builder().behavior("measured").seed(7).start()) {
       List<List<String>> flights = new ArrayList<>();
       List<List<Position>> paths = new ArrayList<>();
       for (int i = 0; i < 3; i++) {
@@ -151,13 +150,13 @@ class TelloSimulatorTest {
           .hasMessageContaining(
               "drone 1: stands at x -200, y -100, z 0 cm, heading 0 degrees, battery 100 %; never took"
                   + " off")
-          .hasMessageContaining("goals: 0 of 4 goals reached; open: 1. fly through the gate first");
+          .hasMessageContaining("goals: 0 of 4 goals reached; open: 1. fly through the gate A");
 
       ScriptedOperator.fly(drone, "command", "takeoff", "up 70", "forward 200");
 
-      assertThat(drone.truth().visited()).containsExactly("first");
+      assertThat(drone.truth().visited()).containsExactly("A");
       assertThat(simulator.simulation().goals().done())
-          .containsExactly("1. fly through the gate first");
+          .containsExactly("1. fly through the gate A");
     }
   }
 
@@ -177,17 +176,17 @@ class TelloSimulatorTest {
           """
           slalon | edu  | report | max  | there is neither a file nor a scenario slalon, did you mean slalom?
           ''     | edo  | report | max  | profile is edo, but must be one of edu, tello, tt, did you mean edu?
-          ''     | edu  | meassured | max | behaviour is meassured, but must be one of report, measured, did you mean measured?
+          ''     | edu  | meassured | max | behavior is meassured, but must be one of report, measured, did you mean measured?
           ''     | edu  | report | fast | timeFactor is fast, but must be a number such as 5, or max
           ''     | edu  | report | -1   | time factor is -1.0, but must be from 0.01 to 5000.0, or max
           """)
   void nonsenseIsOneSentence(
-      String scenario, String profile, String behaviour, String factor, String sentence) {
+      String scenario, String profile, String behavior, String factor, String sentence) {
     TelloSimulator.Builder builder =
         TelloSimulator.builder()
             .scenario(scenario)
             .profile(profile)
-            .behaviour(behaviour)
+            .behavior(behavior)
             .timeFactor(factor);
 
     assertThatIllegalArgumentException().isThrownBy(builder::start).withMessage(sentence);

@@ -128,7 +128,7 @@ class TestingPageTest {
         for (String command : List.of("command", "takeoff", "up 70", "forward 200", "up 50")) {
           tello.send(command);
         }
-        assertThat(drone).visited("first").neverTouchedAnything();
+        assertThat(drone).visited("A").neverTouchedAnything();
         assertThat(simulation.goals().open()).hasSize(3);
 
         for (String command : List.of("forward 150", "down 30", "left 250", "land")) {

@@ -21,7 +21,7 @@ import org.junit.jupiter.api.condition.OS;
 import tellosimulator.math.Vec3;
 import tellosimulator.sim.Control;
 import tellosimulator.sim.SimConfig;
-import tellosimulator.sim.SimConfig.Outlets;
+import tellosimulator.sim.SimConfig.StreamPorts;
 import tellosimulator.sim.SimEvent;
 import tellosimulator.sim.SimListener;
 import tellosimulator.sim.Simulation;
@@ -299,7 +299,7 @@ class DroneNetworkTest {
         SimConfig.DEFAULT
             .withRoom(Room.DEFAULT, Swarm.row(drones, Vec3.ZERO, Room.DEFAULT))
             .withTimeFactor(new TimeFactor(20))
-            .withOutlets(new Outlets(statePort, 11_111));
+            .withStreamPorts(new StreamPorts(statePort, 11_111));
     Simulation simulation =
         new Simulation(config, network.replies(replyPort), network.states(), List.of(listeners));
     for (int drone = 1; drone <= drones; drone++) {

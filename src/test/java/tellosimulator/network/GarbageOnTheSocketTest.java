@@ -26,7 +26,7 @@ import org.junit.jupiter.api.Timeout;
 import tellosimulator.command.GarbageSource;
 import tellosimulator.sim.Control;
 import tellosimulator.sim.SimConfig;
-import tellosimulator.sim.SimConfig.Outlets;
+import tellosimulator.sim.SimConfig.StreamPorts;
 import tellosimulator.sim.SimEvent;
 import tellosimulator.sim.SimListener;
 import tellosimulator.sim.Simulation;
@@ -213,7 +213,7 @@ class GarbageOnTheSocketTest {
         new Simulation(
             SimConfig.DEFAULT
                 .withTimeFactor(new TimeFactor(20))
-                .withOutlets(new Outlets(statePort, 11_111)),
+                .withStreamPorts(new StreamPorts(statePort, 11_111)),
             network.replies(OptionalInt.empty()),
             network.states(),
             List.of(counter));

@@ -22,8 +22,8 @@ import tellosimulator.profile.Behavior;
 import tellosimulator.profile.Profile;
 import tellosimulator.sim.Control;
 import tellosimulator.sim.SimConfig;
-import tellosimulator.sim.SimConfig.Outlets;
 import tellosimulator.sim.SimConfig.Product;
+import tellosimulator.sim.SimConfig.StreamPorts;
 import tellosimulator.sim.SimEvent;
 import tellosimulator.sim.SimListener;
 
@@ -34,7 +34,7 @@ class OnlineSimulationTest {
 
   private final OnlineSimulation simulation =
       new OnlineSimulation(
-          SimConfig.DEFAULT.withOutlets(new Outlets(STATE_PORT, STATE_PORT)),
+          SimConfig.DEFAULT.withStreamPorts(new StreamPorts(STATE_PORT, STATE_PORT)),
           AddressPlan.of(List.of(address("127.0.0.1", 0).getAddress()), 0),
           OptionalInt.empty(),
           List.of());
@@ -137,7 +137,7 @@ class OnlineSimulationTest {
   void aDroneThatIsOffCanBecomeAnotherProduct() throws IOException {
     Product white = new Product(Profile.TELLO, Behavior.MEASURED);
 
-    simulation.carryOut(new Control.Configure(1, white, new Outlets(1234, 5678)));
+    simulation.carryOut(new Control.Configure(1, white, new StreamPorts(1234, 5678)));
     simulation.carryOut(new Control.Power(1, true));
 
     assertThat(simulation.snapshot().drones().get(0).product()).isEqualTo(white);
@@ -152,7 +152,7 @@ class OnlineSimulationTest {
     simulation.carryOut(new Control.Power(1, true));
     Product white = new Product(Profile.TELLO, Behavior.REPORT);
 
-    simulation.carryOut(new Control.Configure(1, white, Outlets.DEFAULT));
+    simulation.carryOut(new Control.Configure(1, white, StreamPorts.DEFAULT));
 
     assertThat(simulation.snapshot().drones().get(0).product().profile()).isEqualTo(Profile.EDU);
     InetSocketAddress drone = simulation.addresses(1).get(0);

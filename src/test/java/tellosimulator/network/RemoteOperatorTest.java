@@ -23,7 +23,7 @@ import org.junit.jupiter.api.condition.OS;
 import tellosimulator.command.OperatorRule;
 import tellosimulator.sim.Control;
 import tellosimulator.sim.SimConfig;
-import tellosimulator.sim.SimConfig.Outlets;
+import tellosimulator.sim.SimConfig.StreamPorts;
 import tellosimulator.sim.SimEvent;
 import tellosimulator.sim.SimListener;
 import tellosimulator.time.TimeFactor;
@@ -60,7 +60,7 @@ class RemoteOperatorTest {
             SimConfig.DEFAULT
                 .withTimeFactor(new TimeFactor(20))
                 .withOperators(OperatorRule.only(host))
-                .withOutlets(new Outlets(states.getLocalPort(), 9)),
+                .withStreamPorts(new StreamPorts(states.getLocalPort(), 9)),
             AddressPlan.of(List.of(host), 0),
             OptionalInt.empty(),
             List.of(listener));

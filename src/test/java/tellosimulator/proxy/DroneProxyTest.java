@@ -26,7 +26,7 @@ import tellosimulator.recording.RecordedCommand.Outcome;
 import tellosimulator.recording.RecordedFlight;
 import tellosimulator.recording.RecordingFiles;
 import tellosimulator.recording.RecordingFolder;
-import tellosimulator.sim.SimConfig.Outlets;
+import tellosimulator.sim.SimConfig.StreamPorts;
 import tellosimulator.testing.CapturedLog;
 
 @Timeout(value = 120, unit = TimeUnit.SECONDS, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
@@ -55,8 +55,8 @@ class DroneProxyTest {
     return new ProxyPlan(
         to,
         AddressPlan.portPerDrone(1, List.of(LOOPBACK), 0),
-        new Outlets(statePort, 0),
-        new Outlets(states.port(), pictures.port()));
+        new StreamPorts(statePort, 0),
+        new StreamPorts(states.port(), pictures.port()));
   }
 
   private DroneRecorder recorder() {
@@ -76,11 +76,11 @@ class DroneProxyTest {
 
   /** Where the drone's state comes in. */
   private InetSocketAddress stateInlet() {
-    return new InetSocketAddress(LOOPBACK, proxy.outlets().statePort());
+    return new InetSocketAddress(LOOPBACK, proxy.streamPorts().statePort());
   }
 
   private InetSocketAddress videoInlet() {
-    return new InetSocketAddress(LOOPBACK, proxy.outlets().videoPort());
+    return new InetSocketAddress(LOOPBACK, proxy.streamPorts().videoPort());
   }
 
   /** The drone takes a command, and answers it. */

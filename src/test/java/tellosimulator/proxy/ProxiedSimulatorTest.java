@@ -27,8 +27,8 @@ import tellosimulator.recording.RecordingFolder;
 import tellosimulator.scenario.Scenario;
 import tellosimulator.sim.Control;
 import tellosimulator.sim.SimConfig;
-import tellosimulator.sim.SimConfig.Outlets;
 import tellosimulator.sim.SimConfig.Product;
+import tellosimulator.sim.SimConfig.StreamPorts;
 
 /** A simulator in the drone's place, in real time. */
 class ProxiedSimulatorTest {
@@ -68,7 +68,7 @@ class ProxiedSimulatorTest {
       InetSocketAddress drone = simulation.addresses(1).get(0);
       try (DroneProxy proxy = proxy(drone, states, passed)) {
         simulation.carryOut(new Control.Power(1, false));
-        simulation.carryOut(new Control.Configure(1, Product.DEFAULT, proxy.outlets()));
+        simulation.carryOut(new Control.Configure(1, Product.DEFAULT, proxy.streamPorts()));
         simulation.carryOut(new Control.Power(1, true));
         for (String command :
             List.of("command", "battery?", "takeoff", "forward 50", "cw 90", "up 9", "land")) {
@@ -91,8 +91,8 @@ class ProxiedSimulatorTest {
         new ProxyPlan(
             drone,
             AddressPlan.portPerDrone(1, List.of(LOOPBACK), 0),
-            new Outlets(0, 0),
-            new Outlets(states.port(), 9)),
+            new StreamPorts(0, 0),
+            new StreamPorts(states.port(), 9)),
         DroneRecorder.start(RecordingFolder.at(recordings), LOOPBACK, List.of(), reason -> {}));
   }
 

@@ -21,7 +21,7 @@ import tellosimulator.network.LocalNetworks.Member;
 import tellosimulator.network.Reach;
 import tellosimulator.recording.DroneRecorder;
 import tellosimulator.recording.RecordingFolder;
-import tellosimulator.sim.SimConfig.Outlets;
+import tellosimulator.sim.SimConfig.StreamPorts;
 import tellosimulator.testing.CapturedLog;
 
 /** A relay that looks around when the test says so; networks that appear are of 127.0.0.0/8. */
@@ -46,8 +46,8 @@ class RelayTest {
         new ProxyPlan(
             drone.address(),
             AddressPlan.ofMachine(1, 0).withReach(Reach.NETWORK),
-            new Outlets(0, 0),
-            new Outlets(9, 9));
+            new StreamPorts(0, 0),
+            new StreamPorts(9, 9));
     relay = Relay.open(plan, recorder, new Relay.Polling(() -> new LocalNetworks(members), 1000));
   }
 

@@ -17,7 +17,7 @@ public final class RecordingFixture {
 
   private static final String RUN =
       """
-      {"format":1,"program":"0.1.0","seed":7,"timeFactor":"1","begun":"2026-03-01T10:00:00Z",
+      {"format":1,"program":"1.0.0","seed":7,"timeFactor":"1","begun":"2026-03-01T10:00:00Z",
        "started":4.0,"scenario":"Two <b>gates</b>","room":{"width":500,"depth":600,"height":300},
        "drones":[{"number":1,"profile":"edu","behaviour":"report",
          "start":{"x":-100,"y":50,"heading":90},"color":"#0072b2"}],

@@ -19,7 +19,7 @@ import tellosimulator.recording.RecordingFolder;
 import tellosimulator.scenario.Scenario;
 import tellosimulator.sim.Control;
 import tellosimulator.sim.SimConfig;
-import tellosimulator.sim.SimConfig.Outlets;
+import tellosimulator.sim.SimConfig.StreamPorts;
 import tellosimulator.world.Wind;
 
 /**
@@ -42,7 +42,7 @@ final class RecordedProgram implements AutoCloseable {
   private final FlightRecorder recorder;
 
   private RecordedProgram(Scenario scenario, Path parent) throws IOException {
-    config = scenario.config().withOutlets(new Outlets(states.getLocalPort(), 9));
+    config = scenario.config().withStreamPorts(new StreamPorts(states.getLocalPort(), 9));
     folder = RecordingFolder.at(parent);
     FlightRecorder[] later = new FlightRecorder[1];
     GoalWatch goals = new GoalWatch(scenario.challenge(), news -> later[0].event(news));

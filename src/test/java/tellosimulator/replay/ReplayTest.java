@@ -49,14 +49,14 @@ class ReplayTest {
 
   @TempDir private Path parent;
 
-  private static Scenario scenario(int drones, TimeFactor factor, Behavior behaviour) {
+  private static Scenario scenario(int drones, TimeFactor factor, Behavior behavior) {
     Obstacle pole =
         new Obstacle(
             "pole", new Shape.Cylinder(0.1, 2), new Vec3(1.5, 0, 0), 0, ObstacleAppearance.DEFAULT);
     SimConfig config =
         SimConfig.DEFAULT
             .withRoom(HALL, Swarm.row(drones, Vec3.ZERO, HALL))
-            .withProduct(Profile.EDU, behaviour)
+            .withProduct(Profile.EDU, behavior)
             .withTimeFactor(factor)
             .withLink(LinkPreset.IDEAL) // a program that waits for a lost reply waits for ever
             .withSeed(3);
@@ -343,7 +343,7 @@ class ReplayTest {
           ANEW,      40,  report
           FLOOD,     10,  measured
           """)
-  void whatCameOverSocketsIsFlownAgainToTheByte(String name, String factor, String behaviour)
+  void whatCameOverSocketsIsFlownAgainToTheByte(String name, String factor, String behavior)
       throws Exception {
     String program = PROGRAMS.get(name);
     TimeFactor pace =
@@ -353,7 +353,7 @@ class ReplayTest {
             scenario(
                 name.equals("SWARM") ? 2 : 1,
                 pace,
-                Behavior.valueOf(behaviour.toUpperCase(Locale.ROOT))),
+                Behavior.valueOf(behavior.toUpperCase(Locale.ROOT))),
             program,
             parent.resolve("flown"));
 

@@ -107,14 +107,14 @@ class DroneCollisionsTest {
     assertThat(Integer.parseInt(reply.replace("mm", "").strip())).isCloseTo(959, within(10));
   }
 
-  private Simulation facing(Behavior behaviour, double apart) {
+  private Simulation facing(Behavior behavior, double apart) {
     return simulation(
-        behaviour,
+        behavior,
         new Pose(new Vec3(-apart / 2, 0, 0), Attitude.LEVEL),
         new Pose(new Vec3(apart / 2, 0, 0), Attitude.ofHeading(Math.PI)));
   }
 
-  private Simulation simulation(Behavior behaviour, Pose... starts) {
+  private Simulation simulation(Behavior behavior, Pose... starts) {
     SimListener listener =
         new SimListener() {
           @Override
@@ -125,7 +125,7 @@ class DroneCollisionsTest {
     Simulation simulation =
         new Simulation(
             SimConfig.DEFAULT
-                .withProduct(Profile.EDU, behaviour)
+                .withProduct(Profile.EDU, behavior)
                 .withLink(LinkPreset.IDEAL)
                 .withRoom(new Room(12, 12, 5), List.of(starts)),
             drone -> (peer, text) -> replies.add(text),

@@ -14,7 +14,7 @@ import tellosimulator.testing.SteppedDrone;
 import tellosimulator.testing.SteppedDrone.Sent;
 
 /**
- * Behavior measured has the link of a real drone: TelloPy 0.7.0, docs/sensor_time.md, measured in
+ * Behaviour measured has the link of a real drone: TelloPy 0.7.0, docs/sensor_time.md, measured in
  * September 2026 with one drone.
  */
 class LabLinkTest {

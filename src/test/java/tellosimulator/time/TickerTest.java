@@ -11,62 +11,60 @@ class TickerTest {
 
   private static final long PERIOD = 2_000_000;
 
-  private final Ticker metronome = new Ticker();
+  private final Ticker ticker = new Ticker();
 
   @Test
   void ticksNeverComeEarly() {
-    metronome.restart();
-    long begun = metronome.nanos();
+    ticker.restart();
+    long begun = ticker.nanos();
     for (int i = 0; i < 20; i++) {
-      assertThat(metronome.awaitTick(PERIOD)).isTrue();
+      assertThat(ticker.awaitTick(PERIOD)).isTrue();
     }
 
-    assertThat(metronome.nanos() - begun).isGreaterThanOrEqualTo(19 * PERIOD - PERIOD / 100);
+    assertThat(ticker.nanos() - begun).isGreaterThanOrEqualTo(19 * PERIOD - PERIOD / 100);
   }
 
   @Test
   void ofMissedTicksThreeAreMadeUpFor() {
     long period = 100_000_000;
-    metronome.restart();
-    metronome.awaitTick(period);
-    metronome.pauseUntil(metronome.nanos() + 6 * period);
-    long late = metronome.nanos();
+    ticker.restart();
+    ticker.awaitTick(period);
+    ticker.pauseUntil(ticker.nanos() + 6 * period);
+    long late = ticker.nanos();
     for (int i = 0; i < 4; i++) {
-      metronome.awaitTick(period);
+      ticker.awaitTick(period);
     }
 
-    assertThat(metronome.due()).as("all came at once").isLessThan(late + 2 * period);
-    metronome.awaitTick(period);
-    assertThat(metronome.nanos())
-        .as("the next took its time")
-        .isGreaterThanOrEqualTo(late + period);
+    assertThat(ticker.due()).as("all came at once").isLessThan(late + 2 * period);
+    ticker.awaitTick(period);
+    assertThat(ticker.nanos()).as("the next took its time").isGreaterThanOrEqualTo(late + period);
   }
 
   @Test
   void wakingEndsTheWaitForATick() {
     long hour = TimeUnit.HOURS.toNanos(1);
-    metronome.restart();
-    metronome.awaitTick(hour);
-    new Thread(metronome::wake, "waker").start();
+    ticker.restart();
+    ticker.awaitTick(hour);
+    new Thread(ticker::wake, "waker").start();
 
-    assertThat(metronome.awaitTick(hour)).isFalse();
+    assertThat(ticker.awaitTick(hour)).isFalse();
   }
 
   @Test
   void wakingBeforeRestIsNotForgotten() {
-    metronome.wake();
-    metronome.rest();
+    ticker.wake();
+    ticker.rest();
 
-    metronome.restart();
-    assertThat(metronome.awaitTick(PERIOD)).isTrue();
+    ticker.restart();
+    assertThat(ticker.awaitTick(PERIOD)).isTrue();
   }
 
   @Test
   void wakingDoesNotShortenAPause() {
-    long begun = metronome.nanos();
-    new Thread(metronome::wake, "waker").start();
-    metronome.pauseUntil(begun + 10 * PERIOD);
+    long begun = ticker.nanos();
+    new Thread(ticker::wake, "waker").start();
+    ticker.pauseUntil(begun + 10 * PERIOD);
 
-    assertThat(metronome.nanos() - begun).isGreaterThanOrEqualTo(10 * PERIOD);
+    assertThat(ticker.nanos() - begun).isGreaterThanOrEqualTo(10 * PERIOD);
   }
 }

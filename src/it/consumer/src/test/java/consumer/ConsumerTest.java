@@ -32,7 +32,7 @@ class ConsumerTest {
     }
 
     assertTrue(drone.truth().flying());
-    assertEquals("[first]", drone.truth().visited().toString());
+    assertEquals("[A]", drone.truth().visited().toString());
     drone.journal().verify(times(1), "takeoff");
     assertThrows(ClassNotFoundException.class, () -> Class.forName("javafx.application.Platform"));
     assertThrows(ClassNotFoundException.class, () -> Class.forName("org.assertj.core.api.Assert"));
