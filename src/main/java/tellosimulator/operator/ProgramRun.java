@@ -7,6 +7,8 @@ import java.io.PrintStream;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.concurrent.TimeUnit;
+import java.util.stream.Stream;
 import tellosimulator.concurrent.Agent;
 import tellosimulator.concurrent.ErrorPolicy;
 import tellosimulator.concurrent.Worker;
@@ -24,8 +26,19 @@ public final class ProgramRun implements AutoCloseable {
   /** Where real drones take commands. Documented: SDK 1.3 User Guide. */
   private static final String COMMAND_PORT = "8889";
 
+  /**
+   * How long a verdict may take once the program has ended [s]. Decided: a drone that was left in
+   * the air lands by itself after 15 s, and 15 s later it is over; where no drone was ever asked
+   * for anything, nothing would come for ever.
+   */
+  private static final int VERDICT_SECONDS = 90;
+
+  /** How long a program may take to end when it is told to [s]. Decided. */
+  private static final int GRACE_SECONDS = 2;
+
   private final Plan plan;
   private final PrintStream out;
+  private final int verdictSeconds;
   private volatile Optional<Process> simulator = Optional.empty();
   private volatile Optional<Process> program = Optional.empty();
 
@@ -72,6 +85,14 @@ public final class ProgramRun implements AutoCloseable {
    * @param out takes what the simulator says
    */
   public ProgramRun(Plan plan, PrintStream out) {
+    this(plan, out, VERDICT_SECONDS);
+  }
+
+  /**
+   * @param verdictSeconds how long a verdict may take once the program has ended
+   */
+  ProgramRun(Plan plan, PrintStream out, int verdictSeconds) {
+    this.verdictSeconds = verdictSeconds;
     this.plan = plan;
     this.out = out;
   }
@@ -135,16 +156,25 @@ public final class ProgramRun implements AutoCloseable {
   }
 
   private int end(Process started) throws InterruptedException {
-    if (plan.ends() == Ends.AT_ONCE) {
-      try (BufferedWriter console = started.outputWriter()) {
-        console.write("quit\n");
-      } catch (IOException e) {
-        started.destroy(); // it takes nothing any more
+    switch (plan.ends()) {
+      case AT_ONCE -> quit(started);
+      case WITH_VERDICT -> {
+        if (!started.waitFor(verdictSeconds, TimeUnit.SECONDS)) {
+          quit(started);
+        }
       }
-    } else if (plan.ends() == Ends.WITH_WINDOW) {
-      out.println("The program has ended; close the window to end the simulator, too.");
+      case WITH_WINDOW ->
+          out.println("The program has ended; close the window to end the simulator, too.");
     }
     return started.waitFor();
+  }
+
+  private static void quit(Process started) {
+    try (BufferedWriter console = started.outputWriter()) {
+      console.write("quit\n");
+    } catch (IOException e) {
+      started.destroy(); // it takes nothing any more
+    }
   }
 
   /** Passes on what a simulator says, until it has ended. */
@@ -172,10 +202,22 @@ public final class ProgramRun implements AutoCloseable {
     }
   }
 
-  /** Ends both, wherever they are. */
+  /** Ends both, wherever they are, also a program that does not want to. */
   @Override
   public void close() {
-    program.ifPresent(Process::destroy);
     simulator.ifPresent(Process::destroy);
+    program.ifPresent(ProgramRun::terminate);
+  }
+
+  private static void terminate(Process process) {
+    List<ProcessHandle> all =
+        Stream.concat(Stream.of(process.toHandle()), process.descendants()).toList();
+    process.destroy();
+    try {
+      process.waitFor(GRACE_SECONDS, TimeUnit.SECONDS);
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+    }
+    all.forEach(ProcessHandle::destroyForcibly);
   }
 }

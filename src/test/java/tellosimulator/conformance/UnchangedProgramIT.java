@@ -6,12 +6,15 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.attribute.BasicFileAttributes;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.condition.EnabledOnOs;
 import org.junit.jupiter.api.condition.OS;
+import org.junit.jupiter.api.io.TempDir;
 
 /** Programs for real drones, flown by the subcommand {@code run} without one changed character. */
 @EnabledOnOs(OS.LINUX)
@@ -19,17 +22,51 @@ class UnchangedProgramIT {
 
   private static final Path PYTHON = Path.of("conformance", ".venv", "bin", "python");
 
+  @TempDir private Path temporary;
+
   @Test
   @Timeout(240)
   void aSwarmOfDjitellopyFliesWhereRealDronesAre() throws IOException, InterruptedException {
-    if (!Files.isExecutable(PYTHON)) {
-      ClientFlight.cannotFly("djitellopy is not installed; see conformance/README.md");
+    List<String> words = new ArrayList<>(List.of("--drones", "3", "--", PYTHON.toString()));
+    words.add("examples/swarm_formation.py");
+    words.addAll(List.of("192.168.10.11", "192.168.10.12", "192.168.10.13"));
+
+    assertThat(run(words)).contains("All have landed.", "in cm: [60, 80, 100]");
+  }
+
+  @Test
+  @Timeout(240)
+  void theExampleOfDjitellopyItselfFlies() throws IOException, InterruptedException {
+    skipUnlessInstalled();
+    Path program = Files.writeString(temporary.resolve("example.py"), exampleOfDjitellopy());
+
+    String printed = run(List.of("--", PYTHON.toString(), program.toString()));
+
+    assertThat(printed)
+        .contains("`left 100` answered `ok`")
+        .contains("`ccw 90` answered `ok`")
+        .contains("`forward 100` answered `ok`")
+        .contains("`land` answered `ok`");
+  }
+
+  private static String exampleOfDjitellopy() throws IOException {
+    try (Stream<Path> files =
+        Files.find(PYTHON.getParent().resolveSibling("lib"), 4, UnchangedProgramIT::tells)) {
+      String description = Files.readString(files.findFirst().orElseThrow());
+      return description.replaceFirst("(?s).*?```python\n(.*?)```.*", "$1");
     }
+  }
+
+  private static boolean tells(Path file, BasicFileAttributes attributes) {
+    return file.endsWith("METADATA") && file.toString().contains("djitellopy-");
+  }
+
+  /** Runs a program by the subcommand, and returns what both have written. */
+  private static String run(List<String> words) throws IOException, InterruptedException {
+    skipUnlessInstalled();
     List<String> command = new ArrayList<>(List.of(ClientFlight.java(), "-jar"));
     command.addAll(List.of(ClientFlight.jar(), "run", "--headless", "--time-factor", "2"));
-    command.addAll(List.of("--drones", "3", "--", PYTHON.toString()));
-    command.add("examples/swarm_formation.py");
-    command.addAll(List.of("192.168.10.11", "192.168.10.12", "192.168.10.13"));
+    command.addAll(words);
     Process process = new ProcessBuilder(command).redirectErrorStream(true).start();
     try {
       String printed = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
@@ -37,11 +74,17 @@ class UnchangedProgramIT {
       if (printed.contains("A private network cannot be made")) {
         ClientFlight.cannotFly(printed);
       }
-      assertThat(printed).contains("All have landed.", "in cm: [60, 80, 100]");
       assertThat(code).as(printed).isZero();
+      return printed;
     } finally {
       process.descendants().forEach(ProcessHandle::destroy);
       process.destroy();
+    }
+  }
+
+  private static void skipUnlessInstalled() {
+    if (!Files.isExecutable(PYTHON)) {
+      ClientFlight.cannotFly("djitellopy is not installed; see conformance/README.md");
     }
   }
 }
