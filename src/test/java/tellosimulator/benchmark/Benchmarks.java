@@ -68,6 +68,7 @@ public final class Benchmarks {
     parts.put("proxy", minutes -> ProxyBenchmark.all());
     parts.put("kit", minutes -> KitBenchmark.all());
     parts.put("report", minutes -> ReportBenchmark.all());
+    parts.put("image", ImageBenchmark::all);
     return parts;
   }
 

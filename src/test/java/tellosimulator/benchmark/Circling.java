@@ -25,6 +25,15 @@ final class Circling implements AutoCloseable {
     var unused = timer.scheduleAtFixedRate(this::steer, 0, PERIOD_MS, TimeUnit.MILLISECONDS);
   }
 
+  /** Takes off, circles, and waits for the drone's first picture. */
+  void startWithFilm(Operator pilot, VideoSocket video) throws IOException {
+    pilot.expect("command", "ok");
+    pilot.expect("takeoff", "ok");
+    pilot.expect("streamon", "ok");
+    start();
+    video.awaitKeyPicture();
+  }
+
   private void steer() {
     try {
       operator.send(CIRCLE);

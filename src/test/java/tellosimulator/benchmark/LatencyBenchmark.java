@@ -14,7 +14,7 @@ import tellosimulator.network.OnlineSimulation;
 import tellosimulator.network.PortTakenException;
 import tellosimulator.sim.Control;
 import tellosimulator.sim.SimConfig;
-import tellosimulator.sim.SimConfig.Outlets;
+import tellosimulator.sim.SimConfig.StreamPorts;
 import tellosimulator.time.Ticker;
 import tellosimulator.video.SoftwareCameras;
 import tellosimulator.video.VideoStreams;
@@ -112,7 +112,7 @@ final class LatencyBenchmark {
 
   private static OnlineSimulation simulation(int videoPort) {
     return new OnlineSimulation(
-        SimConfig.DEFAULT.withOutlets(new Outlets(9, videoPort)),
+        SimConfig.DEFAULT.withStreamPorts(new StreamPorts(9, videoPort)),
         AddressPlan.portPerDrone(1, List.of(InetAddress.getLoopbackAddress()), 0),
         OptionalInt.empty(),
         List.of());

@@ -7,6 +7,7 @@ import java.io.InputStreamReader;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.CompletableFuture;
@@ -16,7 +17,7 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import tellosimulator.testing.ProcessFigures;
 
-/** The runnable jar in a process of its own, as users run it. */
+/** The program in a process of its own, as users run it: the runnable jar, or the app image. */
 final class Simulator implements AutoCloseable {
 
   private static final Pattern PORT = Pattern.compile("drone \\d+ at [0-9.]+:(\\d+)");
@@ -33,13 +34,12 @@ final class Simulator implements AutoCloseable {
 
   /** Starts it without a window, and waits until it is ready. */
   Simulator(String... options) throws IOException {
-    this("--headless", List.of(options));
+    this(jar(), "--headless", List.of(options));
   }
 
-  private Simulator(String way, List<String> options) throws IOException {
-    List<String> command = new ArrayList<>();
-    command.add(ProcessFigures.tool("java"));
-    command.addAll(List.of("-jar", System.getProperty("simulator.jar"), way));
+  private Simulator(List<String> program, String way, List<String> options) throws IOException {
+    List<String> command = new ArrayList<>(program);
+    command.add(way);
     command.addAll(options);
     ProcessBuilder builder = new ProcessBuilder(command);
     String fresh = Files.createTempDirectory("fresh").toString();
@@ -64,11 +64,20 @@ final class Simulator implements AutoCloseable {
     }
   }
 
+  private static List<String> jar() {
+    return List.of(ProcessFigures.tool("java"), "-jar", System.getProperty("simulator.jar"));
+  }
+
+  /** Starts the app image without a window, and waits until it is ready. */
+  static Simulator ofImage(Path launcher, String... options) throws IOException {
+    return new Simulator(List.of(launcher.toString()), "--headless", List.of(options));
+  }
+
   /** Starts it with a window as a first user sees it, and waits until that can be used. */
   static Simulator inWindow(String... options) throws IOException {
     List<String> all = new ArrayList<>(List.of("--log-level", "debug"));
     all.addAll(List.of(options));
-    Simulator simulator = new Simulator("--on", all);
+    Simulator simulator = new Simulator(jar(), "--on", all);
     simulator.usableSeconds();
     return simulator;
   }
@@ -76,6 +85,7 @@ final class Simulator implements AutoCloseable {
   /** Starts it as a proxy for a drone of this machine, and waits until it is ready. */
   static Simulator asProxy(int dronePort, String recordings) throws IOException {
     return new Simulator(
+        jar(),
         "proxy",
         List.of(
             "--command-port",

@@ -82,11 +82,7 @@ final class StreamBenchmark {
             new Simulator("--command-port", "0", "--video-port", "" + video.port());
         Operator operator = new Operator(simulator.port(1));
         Circling circling = new Circling(simulator.port(1))) {
-      operator.expect("command", "ok");
-      operator.expect("takeoff", "ok");
-      operator.expect("streamon", "ok");
-      circling.start();
-      video.awaitKeyPicture();
+      circling.startWithFilm(operator, video);
       double cpu = simulator.figures().processorSeconds();
       long begun = System.nanoTime();
       int pictures = video.picturesUntil(begun + (long) (minutes * 60e9));

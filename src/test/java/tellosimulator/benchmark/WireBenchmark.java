@@ -53,20 +53,20 @@ final class WireBenchmark {
                 "18879",
                 "--log-level",
                 "warn");
-        Operator asking = new Operator(simulator.port(DRONES));
+        Operator withChallenge = new Operator(simulator.port(DRONES));
         Steering steering = new Steering(simulator)) {
-      asking.expect("command", "ok");
+      withChallenge.expect("command", "ok");
       steering.start();
       if (filming) {
         film(simulator.port(1), video);
       }
       for (int i = 0; i < WARM_UP_QUERIES; i++) {
-        asking.ask("battery?");
+        withChallenge.ask("battery?");
       }
       List<Double> times = new ArrayList<>();
       for (int i = 0; i < QUERIES; i++) {
         long start = System.nanoTime();
-        asking.ask("battery?");
+        withChallenge.ask("battery?");
         times.add((System.nanoTime() - start) * 1e-6);
       }
       Statistics statistics = new Statistics(times);

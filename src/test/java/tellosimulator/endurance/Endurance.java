@@ -70,7 +70,8 @@ public final class Endurance {
   private static CompletableFuture<List<Measurement>> begin(
       String name, Entry entry, double minutes) {
     if (entry.lane() == Lane.BESIDE) {
-      return CompletableFuture.supplyAsync(() -> run(name, entry.trial(), minutes));
+      return CompletableFuture.supplyAsync(
+          () -> run(name, entry.trial(), minutes), trial -> Daemon.start(name, trial));
     }
     return CompletableFuture.completedFuture(run(name, entry.trial(), minutes));
   }
@@ -82,8 +83,7 @@ public final class Endurance {
     try {
       rows = trial.run(minutes);
     } catch (IOException | RuntimeException e) { // whatever it is, the other trials go on
-      System.out.println(e);
-      rows = List.of(new Measurement(name, "a measurement", "none, see above", false));
+      rows = List.of(new Measurement(name, "a measurement", "none: " + e, false));
     }
     System.out.printf("%n%s: %.0f s%n", name, (System.nanoTime() - start) * 1e-9);
     Measurement.print(rows, System.out);
@@ -116,6 +116,11 @@ public final class Endurance {
     trials.put("outbox", new Entry(Lane.IN_TURN, OutboxTrial::run));
     trials.put("heap", new Entry(Lane.IN_TURN, SmallHeapTrial::run));
     trials.put("garbage", new Entry(Lane.IN_TURN, again(GarbageTrial::run)));
+    trials.put("stop", new Entry(Lane.ALONE, again(StopTrial::run)));
+    trials.put("interface", new Entry(Lane.ALONE, inNetwork(again(InterfaceTrial::run))));
+    trials.put("link", new Entry(Lane.BESIDE, inNetwork(LinkTrial::run)));
+    trials.put("disk", new Entry(Lane.BESIDE, FullDiskTrial::run));
+    trials.put("clock", new Entry(Lane.ALONE, again(ClockTrial::run)));
     trials.put("power", new Entry(Lane.IN_TURN, PowerTrial::run));
     trials.put("address", new Entry(Lane.IN_TURN, inNetwork(NewAddressTrial::run)));
     trials.put("files", new Entry(Lane.IN_TURN, FilesTrial::run));
@@ -128,6 +133,7 @@ public final class Endurance {
     trials.put("class", new Entry(Lane.IN_TURN, inNetwork(ClassTrial::run)));
     trials.put("kit", new Entry(Lane.IN_TURN, KitTrial::run));
     trials.put("soak", new Entry(Lane.IN_TURN, SoakTrial::run));
+    trials.put("day", new Entry(Lane.BESIDE, DayTrial::run));
     return trials;
   }
 

@@ -28,14 +28,20 @@ final class GarbageTrial {
 
   private static final int TRIES = 3;
 
-  private static final double SHORTEST_SECONDS = 10;
-  private static final double SECONDS_A_MINUTE = 4;
+  private static final int DATAGRAMS_A_MINUTE = 1_000_000;
+
+  /** Reached from ten minutes on. */
+  private static final int MOST_DATAGRAMS = 10_000_000;
+
+  /** A machine on which it takes longer sends less, which is told. */
+  private static final double LONGEST_SECONDS = 300;
+
   private static final double PATIENCE_SECONDS = 30;
 
   private GarbageTrial() {}
 
   static List<Measurement> run(double minutes) throws IOException {
-    double seconds = Math.max(SHORTEST_SECONDS, minutes * SECONDS_A_MINUTE);
+    long datagrams = Math.round(Math.min(MOST_DATAGRAMS, minutes * DATAGRAMS_A_MINUTE));
     String from =
         IntStream.range(0, SENDERS)
             .mapToObj(i -> "127.0.0." + (11 + i))
@@ -49,13 +55,14 @@ final class GarbageTrial {
               Host.HERE.address(),
               simulator.drone(1).getPort(),
               AS_FAST_AS_POSSIBLE,
-              seconds,
+              LONGEST_SECONDS,
               from,
-              "garbage")) {
+              "garbage",
+              datagrams)) {
         senders.await("sending", PATIENCE_SECONDS);
         OtherLoad others = new OtherLoad();
         CompletableFuture<String> sent =
-            CompletableFuture.supplyAsync(() -> sent(senders, seconds + PATIENCE_SECONDS));
+            CompletableFuture.supplyAsync(() -> sent(senders, LONGEST_SECONDS + PATIENCE_SECONDS));
         List<Measurement> rows = new ArrayList<>();
         int tours = 0;
         String harm = "";
@@ -63,11 +70,11 @@ final class GarbageTrial {
           harm = fly(operator);
           tours += harm.isEmpty() ? 1 : 0;
         }
-        String count = sent.join().split(" ", -1)[1];
+        String[] words = sent.join().split(" ", -1);
         rows.add(
             Measurement.beside(
-                "Eight senders of garbage for " + Math.round(seconds) + " s",
-                String.format(Locale.ROOT, "%.1f million", Double.parseDouble(count) / 1e6)));
+                "Eight senders of garbage, " + datagrams + " datagrams",
+                String.format(Locale.ROOT, "%s in %.0f s", words[1], Double.valueOf(words[3]))));
         Measurement flight =
             new Measurement(
                 "… a client that flies",

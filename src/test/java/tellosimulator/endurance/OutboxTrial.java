@@ -27,7 +27,7 @@ final class OutboxTrial {
       simulator.type("pause");
       double heap = simulator.figures().heapMegabytes();
       double resident = simulator.figures().residentMegabytes();
-      try (Program asking =
+      try (Program withChallenge =
           Host.HERE.start(
               Stranger.class,
               Host.HERE.address(),
@@ -36,7 +36,7 @@ final class OutboxTrial {
               seconds,
               Host.HERE.address(),
               "battery?")) {
-        asking.await("sent", seconds + PATIENCE_SECONDS);
+        withChallenge.await("sent", seconds + PATIENCE_SECONDS);
       }
       double residentGrowth = simulator.figures().residentMegabytes() - resident;
       double heapGrowth = simulator.figures().heapMegabytes() - heap;

@@ -43,7 +43,7 @@ final class Pilot implements AutoCloseable {
   private final ScheduledExecutorService timer = Executors.newSingleThreadScheduledExecutor();
   private final List<Long> stateTimes = new CopyOnWriteArrayList<>();
   private final List<Double> times = new ArrayList<>();
-  private DatagramSocket asking = new DatagramSocket();
+  private DatagramSocket withChallenge = new DatagramSocket();
   private int lost;
 
   private Pilot(InetSocketAddress drone, int statePort) throws IOException {
@@ -87,10 +87,10 @@ final class Pilot implements AutoCloseable {
   }
 
   private String ask(String text, int patienceMs) throws IOException {
-    send(asking, text);
+    send(withChallenge, text);
     DatagramPacket packet = new DatagramPacket(new byte[2048], 2048);
-    asking.setSoTimeout(patienceMs);
-    asking.receive(packet);
+    withChallenge.setSoTimeout(patienceMs);
+    withChallenge.receive(packet);
     return new String(packet.getData(), 0, packet.getLength(), StandardCharsets.ISO_8859_1);
   }
 
@@ -145,8 +145,8 @@ final class Pilot implements AutoCloseable {
   }
 
   private void renew() throws SocketException {
-    asking.close();
-    asking = new DatagramSocket();
+    withChallenge.close();
+    withChallenge = new DatagramSocket();
   }
 
   private String report() {
@@ -171,6 +171,6 @@ final class Pilot implements AutoCloseable {
     timer.shutdownNow();
     steering.close();
     states.close();
-    asking.close();
+    withChallenge.close();
   }
 }

@@ -55,10 +55,15 @@ final class Program implements AutoCloseable {
 
   /** The next line that begins so; those before it are lost. */
   String await(String beginning, double seconds) throws IOException {
+    return await(List.of(beginning), seconds);
+  }
+
+  /** The next line that begins in one of these ways; those before it are lost. */
+  String await(List<String> beginnings, double seconds) throws IOException {
     long end = System.nanoTime() + (long) (seconds * 1e9);
     while (System.nanoTime() < end) {
       String line = nextLine();
-      if (line != null && line.startsWith(beginning)) {
+      if (line != null && beginnings.stream().anyMatch(line::startsWith)) {
         return line;
       }
       if (line == null && !process.isAlive() && lines.isEmpty()) {
@@ -68,7 +73,7 @@ final class Program implements AutoCloseable {
     throw new IOException(
         "no line `%s` from %s %s: %s"
             .formatted(
-                beginning,
+                String.join("` or `", beginnings),
                 command.get(command.size() - 1),
                 process.isAlive() ? "in time" : "before its end",
                 errors()));

@@ -17,7 +17,13 @@ final class SimulatorProcess implements AutoCloseable {
 
   private static final Pattern ADDRESS = Pattern.compile("drone (\\d+) at ([0-9.]+):(\\d+)");
 
+  private static final Pattern TIME = Pattern.compile(" ([0-9.]+) s(?=$|,)");
+
   private static final double START_SECONDS = 30;
+
+  /** Of a window, which takes much of a processor to open, beside whatever else runs. */
+  private static final double WINDOW_START_SECONDS = 120;
+
   private static final double CONSOLE_SECONDS = 10;
 
   private final Program program;
@@ -89,7 +95,7 @@ final class SimulatorProcess implements AutoCloseable {
             Host.HERE.address());
     Program program = here.start(command);
     try {
-      return new SimulatorProcess(program, on ? program.await("ready", START_SECONDS) : "");
+      return new SimulatorProcess(program, on ? program.await("ready", WINDOW_START_SECONDS) : "");
     } catch (IOException e) {
       program.close();
       throw e;
@@ -133,6 +139,16 @@ final class SimulatorProcess implements AutoCloseable {
   String state(int drone) throws IOException {
     program.type("state");
     return program.await("drone " + drone + ":", CONSOLE_SECONDS);
+  }
+
+  /** What the console says about the simulation's time [s]. */
+  double simulatedSeconds() throws IOException {
+    String state = state(1);
+    Matcher matcher = TIME.matcher(state);
+    if (!matcher.find()) {
+      throw new IOException("no time in: " + state);
+    }
+    return Double.parseDouble(matcher.group(1));
   }
 
   @Override

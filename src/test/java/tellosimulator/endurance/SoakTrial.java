@@ -3,8 +3,6 @@ package tellosimulator.endurance;
 import java.io.IOException;
 import java.util.List;
 import java.util.Locale;
-import java.util.regex.Matcher;
-import java.util.regex.Pattern;
 import tellosimulator.benchmark.Measurement;
 import tellosimulator.benchmark.Operator;
 import tellosimulator.benchmark.Tour;
@@ -19,8 +17,6 @@ final class SoakTrial {
   /** Flights until all is loaded and all buffers have their size. */
   private static final int WARM_UP_TOURS = 100;
 
-  private static final Pattern TIME = Pattern.compile(" ([0-9.]+) s");
-
   private SoakTrial() {}
 
   static List<Measurement> run(double minutes) throws IOException {
@@ -33,12 +29,12 @@ final class SoakTrial {
         fly(simulator, operator);
       }
       double heap = simulator.figures().heapMegabytes();
-      double before = simulatedSeconds(simulator);
+      double before = simulator.simulatedSeconds();
       long end = System.nanoTime() + (long) (seconds * 1e9);
       while (System.nanoTime() < end) {
         fly(simulator, operator);
       }
-      double hours = (simulatedSeconds(simulator) - before) / 3600;
+      double hours = (simulator.simulatedSeconds() - before) / 3600;
       return List.of(
           Measurement.beside(
               "Simulated hours of flight", String.format(Locale.ROOT, "%.1f h", hours)),
@@ -54,15 +50,5 @@ final class SoakTrial {
   private static void fly(SimulatorProcess simulator, Operator operator) throws IOException {
     simulator.program().type("battery 100");
     Tour.fly(operator);
-  }
-
-  private static double simulatedSeconds(SimulatorProcess simulator) throws IOException {
-    String state = simulator.state(1);
-    Matcher matcher = TIME.matcher(state);
-    double seconds = 0;
-    while (matcher.find()) {
-      seconds = Double.parseDouble(matcher.group(1));
-    }
-    return seconds;
   }
 }

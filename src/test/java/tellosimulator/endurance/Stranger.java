@@ -27,7 +27,7 @@ final class Stranger {
    *
    * @param arguments address and port of the drone, datagrams a second, seconds, addresses to send
    *     from with commas between them, and what to send: {@code garbage}, {@code nonsense} (in
-   *     which there are no commands), or a text
+   *     which there are no commands), or a text; then, if there is one, how many at the most
    */
   public static void main(String[] arguments) throws IOException {
     InetSocketAddress drone = new InetSocketAddress(arguments[0], Integer.parseInt(arguments[1]));
@@ -39,10 +39,11 @@ final class Stranger {
           DatagramChannel.open().bind(new InetSocketAddress(InetAddress.getByName(address), 0)));
     }
     List<ByteBuffer> texts = texts(arguments[5]);
+    long most = arguments.length > 6 ? Long.parseLong(arguments[6]) : Long.MAX_VALUE;
     long start = System.nanoTime();
     long sent = 0;
-    while (System.nanoTime() - start < seconds * 1e9) {
-      long due = (long) ((System.nanoTime() - start) * 1e-9 * rate) + 1;
+    while (sent < most && System.nanoTime() - start < seconds * 1e9) {
+      long due = Math.min(most, (long) ((System.nanoTime() - start) * 1e-9 * rate) + 1);
       while (sent < due && System.nanoTime() - start < seconds * 1e9) {
         ByteBuffer text = texts.get((int) (sent % texts.size()));
         sockets.get((int) (sent % sockets.size())).send(text.rewind(), drone);
