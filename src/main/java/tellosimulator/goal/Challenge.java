@@ -29,4 +29,28 @@ public record Challenge(
           "timeLimit is " + limit + " s, but must be above 0 and at most " + LONGEST);
     }
   }
+
+  /** The same rules with other goals. */
+  public Challenge withGoals(List<Goal> newGoals) {
+    return new Challenge(newGoals, inOrder, timeLimit, untouched);
+  }
+
+  /** The same goals, which count in their order or not. */
+  public Challenge withInOrder(boolean newInOrder) {
+    return new Challenge(goals, newInOrder, timeLimit, untouched);
+  }
+
+  /**
+   * The same with another time limit.
+   *
+   * @param newLimit seconds from the first takeoff on; empty for none
+   */
+  public Challenge withTimeLimit(OptionalDouble newLimit) {
+    return new Challenge(goals, inOrder, newLimit, untouched);
+  }
+
+  /** The same for drones that may touch things, or may not. */
+  public Challenge withUntouched(boolean newUntouched) {
+    return new Challenge(goals, inOrder, timeLimit, newUntouched);
+  }
 }

@@ -26,13 +26,36 @@ public sealed interface Goal {
     return 0;
   }
 
+  /** The same for another drone. */
+  Goal forDrone(OptionalInt newDrone);
+
+  /** A goal that has a place of its own. */
+  sealed interface InRegion extends Goal {
+
+    /** Where the drone shall be. */
+    GoalRegion region();
+
+    /** The same elsewhere. */
+    InRegion at(GoalRegion newRegion);
+  }
+
   /** To be at a place with its feet. */
-  record Reach(OptionalInt drone, GoalRegion spot) implements Goal {
+  record Reach(OptionalInt drone, GoalRegion region) implements InRegion {
+    @Override
+    public Reach forDrone(OptionalInt newDrone) {
+      return new Reach(newDrone, region);
+    }
+
+    @Override
+    public Reach at(GoalRegion newRegion) {
+      return new Reach(drone, newRegion);
+    }
+
     @Override
     public Phrase task() {
       return Phrase.of(
           "reach x %.0f, y %.0f, z %.0f cm",
-          spot.place().x() * 100, spot.place().y() * 100, spot.place().z() * 100);
+          region.place().x() * 100, region.place().y() * 100, region.place().z() * 100);
     }
   }
 
@@ -41,12 +64,22 @@ public sealed interface Goal {
    *
    * @param seconds how long without a break
    */
-  record Hover(OptionalInt drone, GoalRegion spot, double seconds) implements Goal {
+  record Hover(OptionalInt drone, GoalRegion region, double seconds) implements InRegion {
     public Hover {
       if (!(seconds > 0 && seconds <= LONGEST_HOVER)) {
         throw new IllegalArgumentException(
             "seconds is " + seconds + ", but must be above 0 and at most " + LONGEST_HOVER);
       }
+    }
+
+    @Override
+    public Hover forDrone(OptionalInt newDrone) {
+      return new Hover(newDrone, region, seconds);
+    }
+
+    @Override
+    public Hover at(GoalRegion newRegion) {
+      return new Hover(drone, newRegion, seconds);
     }
 
     @Override
@@ -58,7 +91,7 @@ public sealed interface Goal {
     public Phrase task() {
       return Phrase.of(
           "stay %.0f s at x %.0f, y %.0f, z %.0f cm",
-          seconds, spot.place().x() * 100, spot.place().y() * 100, spot.place().z() * 100);
+          seconds, region.place().x() * 100, region.place().y() * 100, region.place().z() * 100);
     }
   }
 
@@ -68,6 +101,11 @@ public sealed interface Goal {
    * @param gate name of the obstacle
    */
   record Pass(OptionalInt drone, String gate, Direction direction) implements Goal {
+    @Override
+    public Pass forDrone(OptionalInt newDrone) {
+      return new Pass(newDrone, gate, direction);
+    }
+
     @Override
     public Phrase task() {
       return Phrase.of("fly through the gate %s", gate);
@@ -85,10 +123,21 @@ public sealed interface Goal {
   }
 
   /** To land at a place: afterwards it stands there without motors. */
-  record Land(OptionalInt drone, GoalRegion spot) implements Goal {
+  record Land(OptionalInt drone, GoalRegion region) implements InRegion {
+    @Override
+    public Land forDrone(OptionalInt newDrone) {
+      return new Land(newDrone, region);
+    }
+
+    @Override
+    public Land at(GoalRegion newRegion) {
+      return new Land(drone, newRegion);
+    }
+
     @Override
     public Phrase task() {
-      return Phrase.of("land at x %.0f, y %.0f cm", spot.place().x() * 100, spot.place().y() * 100);
+      return Phrase.of(
+          "land at x %.0f, y %.0f cm", region.place().x() * 100, region.place().y() * 100);
     }
   }
 
@@ -103,6 +152,11 @@ public sealed interface Goal {
         throw new IllegalArgumentException(
             "pad is " + pad + ", but must be from 1 to " + MissionPad.LAST_ID);
       }
+    }
+
+    @Override
+    public LandOn forDrone(OptionalInt newDrone) {
+      return new LandOn(newDrone, pad);
     }
 
     @Override

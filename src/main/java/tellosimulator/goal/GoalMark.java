@@ -87,10 +87,10 @@ public record GoalMark(int number, OptionalInt drone, GoalState state, Place pla
   /** Empty if what the goal names is not there. */
   private static Optional<Place> place(Goal goal, Arena arena, Obstacles obstacles) {
     if (goal instanceof Goal.Reach reach) {
-      return Optional.of(new Ball(reach.spot().place(), reach.spot().radius()));
+      return Optional.of(new Ball(reach.region().place(), reach.region().radius()));
     }
     if (goal instanceof Goal.Hover hover) {
-      return Optional.of(new Ball(hover.spot().place(), hover.spot().radius()));
+      return Optional.of(new Ball(hover.region().place(), hover.region().radius()));
     }
     if (goal instanceof Goal.Pass pass) {
       return arena.obstacles().stream()
@@ -99,8 +99,8 @@ public record GoalMark(int number, OptionalInt drone, GoalState state, Place pla
           .findFirst();
     }
     if (goal instanceof Goal.Land land) {
-      Vec3 on = onTop(land.spot().place(), arena, obstacles);
-      return Optional.of(new Circle(on, land.spot().radius()));
+      Vec3 on = onTop(land.region().place(), arena, obstacles);
+      return Optional.of(new Circle(on, land.region().radius()));
     }
     int id = ((Goal.LandOn) goal).pad();
     return arena.pads().stream()

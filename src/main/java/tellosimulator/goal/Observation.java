@@ -41,17 +41,17 @@ record Observation(Course course, DroneState before, DroneState now, boolean flo
       return false;
     }
     if (goal instanceof Goal.Reach reach) {
-      return flies() && reach.spot().holds(feet());
+      return flies() && reach.region().holds(feet());
     }
     if (goal instanceof Goal.Hover hover) {
-      return flies() && hover.spot().holds(feet());
+      return flies() && hover.region().holds(feet());
     }
     if (goal instanceof Goal.Pass pass) {
       return flies()
           && course.gate(pass.gate()).filter(gate -> passes(gate, pass.direction())).isPresent();
     }
     if (goal instanceof Goal.Land land) {
-      return landed() && land.spot().holdsLevel(feet());
+      return landed() && land.region().holdsLevel(feet());
     }
     return landed() && course.card(((Goal.LandOn) goal).pad()).filter(this::standsOn).isPresent();
   }

@@ -31,7 +31,7 @@ public record Progress(
   }
 
   /** Before the first takeoff. */
-  static Progress start(Challenge challenge) {
+  public static Progress start(Challenge challenge) {
     List<OptionalDouble> none =
         challenge.goals().stream().map(goal -> OptionalDouble.empty()).toList();
     return new Progress(challenge, none, 0, Optional.empty());

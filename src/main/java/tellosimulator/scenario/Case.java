@@ -62,7 +62,7 @@ record Case(
     }
     for (String other : excluded) {
       if (in.nodes().containsKey(other)) {
-        in.mistakes()
+        in.diagnostics()
             .add(
                 in.nodes().get(other),
                 present

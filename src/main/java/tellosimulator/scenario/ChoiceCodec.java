@@ -37,7 +37,7 @@ final class ChoiceCodec<T> extends RecordCodec<T> {
   boolean checkKeys(Entries in) {
     int found = in.nodes().size();
     if (found != 1 && in.sound()) {
-      in.mistakes()
+      in.diagnostics()
           .add(
               in.node(),
               Phrase.of("expected one of %s, found %d of them", String.join(", ", keys()), found));

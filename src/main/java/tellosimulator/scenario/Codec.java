@@ -18,15 +18,15 @@ interface Codec<T> {
   /**
    * What codecs need to know of the file that they read.
    *
-   * @param mistakes to which they tell what is wrong
+   * @param diagnostics to which they tell what is wrong
    * @param folder from which the file names its pictures
    * @param looked whether a picture that is not there is a mistake
    * @param drones how many there are
    */
-  record Context(Diagnostics mistakes, Path folder, boolean looked, int drones) {
+  record Context(Diagnostics diagnostics, Path folder, boolean looked, int drones) {
 
     Context withDrones(int newDrones) {
-      return new Context(mistakes, folder, looked, newDrones);
+      return new Context(diagnostics, folder, looked, newDrones);
     }
   }
 

@@ -8,8 +8,8 @@ import tellosimulator.profile.Behavior;
 import tellosimulator.profile.Profile;
 import tellosimulator.scenario.Scenario.Station;
 import tellosimulator.sim.DroneSetup;
-import tellosimulator.sim.SimConfig.Outlets;
 import tellosimulator.sim.SimConfig.Product;
+import tellosimulator.sim.SimConfig.StreamPorts;
 import tellosimulator.words.Phrase;
 
 /** A drone: what it is, where it starts, and where it takes commands. */
@@ -29,11 +29,11 @@ final class DroneCodec extends RecordCodec<DroneCodec.StationedDrone> {
           .usual(
               WordCodec.of(Profile.values()).or(Product.DEFAULT.profile()),
               drone -> drone.setup().product().profile());
-  private final Field<StationedDrone, Behavior> behaviour =
+  private final Field<StationedDrone, Behavior> behavior =
       key("behaviour", "Exact, or with the noise and delays of real drones.")
           .usual(
-              WordCodec.of(Behavior.values()).or(Product.DEFAULT.behaviour()),
-              drone -> drone.setup().product().behaviour());
+              WordCodec.of(Behavior.values()).or(Product.DEFAULT.behavior()),
+              drone -> drone.setup().product().behavior());
   private final Field<StationedDrone, Integer> color =
       key("colour", "").optionalInt(Scalars.COLOR, drone -> drone.setup().rgb());
   private final Field<StationedDrone, Double> battery =
@@ -53,13 +53,13 @@ final class DroneCodec extends RecordCodec<DroneCodec.StationedDrone> {
   private final Field<StationedDrone, Integer> statePort =
       key("state-port", "Where its state goes.")
           .usual(
-              Scalars.PORT.or(Outlets.DEFAULT.statePort()),
-              drone -> drone.setup().outlets().statePort());
+              Scalars.PORT.or(StreamPorts.DEFAULT.statePort()),
+              drone -> drone.setup().streamPorts().statePort());
   private final Field<StationedDrone, Integer> videoPort =
       key("video-port", "Where its video goes.")
           .usual(
-              Scalars.PORT.or(Outlets.DEFAULT.videoPort()),
-              drone -> drone.setup().outlets().videoPort());
+              Scalars.PORT.or(StreamPorts.DEFAULT.videoPort()),
+              drone -> drone.setup().streamPorts().videoPort());
 
   DroneCodec() {
     super("drone", Phrase.of("a drone"), "A drone; the first one has the number 1.");
@@ -70,8 +70,8 @@ final class DroneCodec extends RecordCodec<DroneCodec.StationedDrone> {
     DroneSetup setup =
         new DroneSetup(
             new Pose(in.get(start), Attitude.ofHeading(in.get(heading))),
-            new Product(in.get(profile), in.get(behaviour)),
-            new Outlets(in.get(statePort), in.get(videoPort)),
+            new Product(in.get(profile), in.get(behavior)),
+            new StreamPorts(in.get(statePort), in.get(videoPort)),
             in.get(battery),
             in.findInt(color));
     return new StationedDrone(setup, new Station(in.find(address), in.findInt(commandPort)));

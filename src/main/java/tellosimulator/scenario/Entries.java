@@ -14,7 +14,7 @@ final class Entries {
 
   private final Node node;
   private final Codec.Context context;
-  private final int mistakesBefore;
+  private final int diagnosticsBefore;
   private final Map<String, Node> nodes = new HashMap<>();
   private final Map<String, Object> values = new HashMap<>();
   private final Set<String> unsound = new HashSet<>();
@@ -22,12 +22,12 @@ final class Entries {
   Entries(Node node, Codec.Context context) {
     this.node = node;
     this.context = context;
-    this.mistakesBefore = context.mistakes().count();
+    this.diagnosticsBefore = context.diagnostics().count();
   }
 
   /** Reads the value of a key. */
   <V> void read(Field<?, V> field, Phrase phrase) {
-    int before = context.mistakes().count();
+    int before = context.diagnostics().count();
     Node value = nodes.get(field.key());
     Optional<V> read = field.usual().map(Field.Usual::value);
     if (value != null) {
@@ -38,14 +38,14 @@ final class Entries {
     if (read.isPresent()) {
       values.put(field.key(), read.get());
     }
-    if (context.mistakes().count() != before) {
+    if (context.diagnostics().count() != before) {
       unsound.add(field.key());
     }
   }
 
   /** Tells that a key is missing. */
   void need(String key, Phrase phrase) {
-    context.mistakes().add(node, Phrase.of("%s needs the key %s", phrase, key));
+    context.diagnostics().add(node, Phrase.of("%s needs the key %s", phrase, key));
   }
 
   /** Takes the node of a key; false if there is one already. */
@@ -55,7 +55,7 @@ final class Entries {
 
   /** Whether nothing was wrong so far. */
   boolean sound() {
-    return context.mistakes().count() == mistakesBefore;
+    return context.diagnostics().count() == diagnosticsBefore;
   }
 
   /** Whether nothing was wrong with the value of a key. */
@@ -73,8 +73,8 @@ final class Entries {
     return nodes;
   }
 
-  Diagnostics mistakes() {
-    return context.mistakes();
+  Diagnostics diagnostics() {
+    return context.diagnostics();
   }
 
   /** A value that is there, or its usual one; to be called for what is sound. */
@@ -100,7 +100,7 @@ final class Entries {
   }
 
   /** Tells that a value is wrong that is there. */
-  void mistake(Field<?, ?> field, Phrase phrase) {
-    context.mistakes().add(nodes.get(field.key()), phrase);
+  void diagnostic(Field<?, ?> field, Phrase phrase) {
+    context.diagnostics().add(nodes.get(field.key()), phrase);
   }
 }

@@ -46,7 +46,7 @@ final class FaultCodec implements Codec<Fault> {
     OptionalInt drone = read.map(fault -> fault.target().drone()).orElse(OptionalInt.empty());
     if (drone.isPresent() && drone.getAsInt() > context.drones()) {
       return context
-          .mistakes()
+          .diagnostics()
           .add(
               node,
               Phrase.of(
@@ -59,7 +59,9 @@ final class FaultCodec implements Codec<Fault> {
   private static Optional<Fault> line(Node node, Context context) {
     Optional<String> text = Scalars.text(node).filter(line -> line.length() <= LONGEST);
     if (text.isEmpty()) {
-      return context.mistakes().expected(Phrase.of("a fault such as %s", "loss state 20%"), node);
+      return context
+          .diagnostics()
+          .expected(Phrase.of("a fault such as %s", "loss state 20%"), node);
     }
     return told(node, context, () -> Fault.of(text.get()));
   }
@@ -74,7 +76,7 @@ final class FaultCodec implements Codec<Fault> {
     try {
       return Optional.of(attempt.make());
     } catch (FaultTextException e) {
-      return context.mistakes().add(node, e.phrase());
+      return context.diagnostics().add(node, e.phrase());
     }
   }
 
@@ -175,7 +177,7 @@ final class FaultCodec implements Codec<Fault> {
       try {
         attempt.make();
       } catch (FaultTextException e) {
-        in.mistake(field, e.phrase());
+        in.diagnostic(field, e.phrase());
       }
     }
 
@@ -240,11 +242,11 @@ final class FaultCodec implements Codec<Fault> {
       List<Node> words =
           node instanceof SequenceNode sequence ? sequence.getValue() : List.of(node);
       Set<LinkDirection> directions = EnumSet.noneOf(LinkDirection.class);
-      int before = context.mistakes().count();
+      int before = context.diagnostics().count();
       for (Node word : words) {
         WORD.read(word, context).ifPresent(directions::add);
       }
-      return context.mistakes().count() == before ? Optional.of(directions) : Optional.empty();
+      return context.diagnostics().count() == before ? Optional.of(directions) : Optional.empty();
     }
 
     @Override

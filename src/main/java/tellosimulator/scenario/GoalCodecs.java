@@ -42,14 +42,14 @@ final class GoalCodecs {
   private static Codec<Goal.Reach> reach() {
     KindCodec<Goal.Reach> reach =
         new KindCodec<>("reach", Phrase.of("a place to reach"), "To be at a place.");
-    Function<Entries, GoalRegion> spot = reach.spot(Goal.Reach::spot);
-    return reach.madeFor((in, drone) -> new Goal.Reach(drone, spot.apply(in)));
+    Function<Entries, GoalRegion> region = reach.region(Goal.Reach::region);
+    return reach.madeFor((in, drone) -> new Goal.Reach(drone, region.apply(in)));
   }
 
   private static Codec<Goal.Hover> hover() {
     KindCodec<Goal.Hover> hover =
         new KindCodec<>("hover", Phrase.of("a place to hover"), "To stay at a place.");
-    Function<Entries, GoalRegion> spot = hover.spot(Goal.Hover::spot);
+    Function<Entries, GoalRegion> region = hover.region(Goal.Hover::region);
     Field<Goal.Hover, Double> seconds =
         hover
             .key("seconds", "How long without a break.")
@@ -59,7 +59,7 @@ final class GoalCodecs {
                     SHORTEST_HOVER,
                     Goal.LONGEST_HOVER),
                 Goal.Hover::seconds);
-    return hover.madeFor((in, drone) -> new Goal.Hover(drone, spot.apply(in), in.get(seconds)));
+    return hover.madeFor((in, drone) -> new Goal.Hover(drone, region.apply(in), in.get(seconds)));
   }
 
   private static Codec<Goal.Pass> pass() {
@@ -77,9 +77,9 @@ final class GoalCodecs {
   private static Codec<Goal.Land> land() {
     KindCodec<Goal.Land> land =
         new KindCodec<>("land", Phrase.of("a place to land"), "To land at a place.");
-    Function<Entries, GoalRegion> spot =
-        land.spot("The place: [x, y] in cm.", Scalars.FLOOR_POINT, Goal.Land::spot);
-    return land.madeFor((in, drone) -> new Goal.Land(drone, spot.apply(in)));
+    Function<Entries, GoalRegion> region =
+        land.region("The place: [x, y] in cm.", Scalars.FLOOR_POINT, Goal.Land::region);
+    return land.madeFor((in, drone) -> new Goal.Land(drone, region.apply(in)));
   }
 
   private static Codec<Goal.LandOn> landOn() {
@@ -100,13 +100,13 @@ final class GoalCodecs {
       super(name, phrase, description);
     }
 
-    Function<Entries, GoalRegion> spot(Function<G, GoalRegion> getter) {
+    Function<Entries, GoalRegion> region(Function<G, GoalRegion> getter) {
       String description = "The place: [x, y, z] in cm, z from the floor to the drone's feet.";
-      return spot(description, Scalars.POINT, getter);
+      return region(description, Scalars.POINT, getter);
     }
 
     /** Declares a place and its radius. */
-    Function<Entries, GoalRegion> spot(
+    Function<Entries, GoalRegion> region(
         String description, Codec<Vec3> place, Function<G, GoalRegion> getter) {
       Field<G, Vec3> at = key("at", description).need(place, getter.andThen(GoalRegion::place));
       Field<G, Double> radius =

@@ -54,13 +54,13 @@ record ListCodec<T>(Codec<T> codec, int most) implements Codec<List<ListCodec.It
   public Optional<List<Item<T>>> read(Node node, Context context) {
     if (!(node instanceof SequenceNode sequence)) {
       return context
-          .mistakes()
+          .diagnostics()
           .add(node, Phrase.of("expected a list, found %s", Diagnostics.found(node)));
     }
     List<Node> nodes = sequence.getValue();
     if (nodes.size() > most) {
       return context
-          .mistakes()
+          .diagnostics()
           .add(node, Phrase.of("expected a list of at most %d, found %d", most, nodes.size()));
     }
     List<Item<T>> items = new ArrayList<>(nodes.size());

@@ -33,27 +33,27 @@ record LocalizedTextCodec() implements Codec<LocalizedText> {
   }
 
   private static Optional<Map<String, String>> lines(MappingNode mapping, Context context) {
-    Diagnostics mistakes = context.mistakes();
-    int before = mistakes.count();
+    Diagnostics diagnostics = context.diagnostics();
+    int before = diagnostics.count();
     Map<String, String> lines = new LinkedHashMap<>();
     for (NodeTuple tuple : mapping.getValue()) {
-      Optional<String> language = language(tuple.getKeyNode(), mistakes);
+      Optional<String> language = language(tuple.getKeyNode(), diagnostics);
       Optional<String> line = Scalars.LINE.read(tuple.getValueNode(), context);
       if (language.isPresent() && lines.put(language.get(), line.orElse("")) != null) {
-        mistakes.add(tuple.getKeyNode(), Phrase.of("the key %s is there twice", language.get()));
+        diagnostics.add(tuple.getKeyNode(), Phrase.of("the key %s is there twice", language.get()));
       }
     }
     if (mapping.getValue().isEmpty()) {
-      mistakes.add(mapping, Phrase.of("expected a text in at least one language, found none"));
+      diagnostics.add(mapping, Phrase.of("expected a text in at least one language, found none"));
     }
-    return mistakes.count() == before ? Optional.of(lines) : Optional.empty();
+    return diagnostics.count() == before ? Optional.of(lines) : Optional.empty();
   }
 
-  private static Optional<String> language(Node key, Diagnostics mistakes) {
+  private static Optional<String> language(Node key, Diagnostics diagnostics) {
     Optional<String> language = Scalars.text(key).filter(LocalizedTextCodec::isLanguage);
     return language.isPresent()
         ? language
-        : mistakes.expected(Phrase.of("a language such as en or de"), key);
+        : diagnostics.expected(Phrase.of("a language such as en or de"), key);
   }
 
   @Override

@@ -70,7 +70,7 @@ record NumberCodec(Unit unit, Phrase expected, double least, double most) implem
     if (value >= least && value <= most) {
       return Optional.of(inSi(value));
     }
-    return context.mistakes().expected(expected, node);
+    return context.diagnostics().expected(expected, node);
   }
 
   @Override
@@ -136,7 +136,7 @@ record NumberCodec(Unit unit, Phrase expected, double least, double most) implem
       if (!(node instanceof SequenceNode sequence) || sequence.getValue().size() != size) {
         String names = size == 2 ? "[x, y]" : "[x, y, z]";
         return context
-            .mistakes()
+            .diagnostics()
             .expected(
                 Phrase.of(
                     "%s in cm, each from %s to %s",

@@ -104,17 +104,17 @@ final class ObstacleCodecs {
       shared("colour", "")
           .usual(
               Scalars.COLOR.or(ObstacleAppearance.DEFAULT.rgb()),
-              entry -> entry.obstacle().cover().rgb());
+              entry -> entry.obstacle().appearance().rgb());
 
   private static final Field<NotedObstacle, Pattern> PATTERN =
       shared("pattern", "What is painted on it in two shades of its colour.")
           .usual(
               WordCodec.of(Pattern.values()).or(ObstacleAppearance.DEFAULT.pattern()),
-              entry -> entry.obstacle().cover().pattern());
+              entry -> entry.obstacle().appearance().pattern());
 
   private static final Field<NotedObstacle, Map<Side, String>> PICTURES =
       shared("pictures", "")
-          .usual(pictures().or(Map.of()), entry -> entry.obstacle().cover().pictures());
+          .usual(pictures().or(Map.of()), entry -> entry.obstacle().appearance().pictures());
 
   private ObstacleCodecs() {}
 
@@ -131,12 +131,12 @@ final class ObstacleCodecs {
 
   private static NotedObstacle finished(Entries in, String kind, Stand stand, Shape shape) {
     Optional<String> name = in.find(NAME);
-    ObstacleAppearance cover =
+    ObstacleAppearance appearance =
         new ObstacleAppearance(in.get(COLOR), in.get(PATTERN), in.get(PICTURES));
     Vec3 foot = stand.at().withZ(in.get(BASE));
     return new NotedObstacle(
         new Notation(kind, name.isPresent(), Optional.empty()),
-        new Obstacle(name.orElse(""), shape, foot, stand.heading(), cover));
+        new Obstacle(name.orElse(""), shape, foot, stand.heading(), appearance));
   }
 
   /** Image files on the sides of an obstacle. */
@@ -224,10 +224,10 @@ final class ObstacleCodecs {
         in -> {
           double length = length(in.get(from), in.get(to));
           if (length < Shape.SHORTEST) {
-            in.mistake(to, Phrase.of("expected another place than that of from"));
+            in.diagnostic(to, Phrase.of("expected another place than that of from"));
           } else if (length > Shape.LONGEST) {
             String most = NumberCodec.plain(Scalars.LONGEST_CM);
-            in.mistake(to, Phrase.of("expected a wall of at most %s cm", most));
+            in.diagnostic(to, Phrase.of("expected a wall of at most %s cm", most));
           }
         });
     return codec.made(
@@ -309,7 +309,7 @@ final class ObstacleCodecs {
         in -> {
           double leastCm = lowest.applyAsDouble(in) * 100;
           if (NumberCodec.rounded(in.get(center) * 100) < NumberCodec.rounded(leastCm)) {
-            in.mistake(
+            in.diagnostic(
                 center,
                 Phrase.of(
                     "the centre of this opening must be at least %s cm high",

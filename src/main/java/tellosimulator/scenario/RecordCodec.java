@@ -103,7 +103,7 @@ class RecordCodec<T> implements Codec<T> {
   final Entries entries(Node node, Context context) {
     Entries in = new Entries(node, context);
     if (!(node instanceof MappingNode mapping)) {
-      context.mistakes().expected(phrase, node);
+      context.diagnostics().expected(phrase, node);
       return in;
     }
     for (NodeTuple tuple : mapping.getValue()) {
@@ -126,17 +126,17 @@ class RecordCodec<T> implements Codec<T> {
   }
 
   private void take(NodeTuple tuple, Entries in) {
-    Diagnostics mistakes = in.mistakes();
+    Diagnostics diagnostics = in.diagnostics();
     Node key = tuple.getKeyNode();
     if (!(key instanceof ScalarNode scalar)) {
-      mistakes.add(key, Phrase.of("expected a key, found %s", Diagnostics.found(key)));
+      diagnostics.add(key, Phrase.of("expected a key, found %s", Diagnostics.found(key)));
       return;
     }
     String word = scalar.getValue();
     if (!fields.containsKey(word)) {
-      mistakes.add(Diagnostics.place(key), () -> unknown(word));
+      diagnostics.add(Diagnostics.place(key), () -> unknown(word));
     } else if (!in.put(word, tuple.getValueNode())) {
-      mistakes.add(key, Phrase.of("the key %s is there twice", word));
+      diagnostics.add(key, Phrase.of("the key %s is there twice", word));
     }
   }
 

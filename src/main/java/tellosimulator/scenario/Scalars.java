@@ -152,7 +152,7 @@ final class Scalars {
     public Optional<T> read(Node node, Context context) {
       Optional<T> value =
           node instanceof ScalarNode scalar ? meaning.apply(scalar) : Optional.empty();
-      return value.isPresent() ? value : context.mistakes().expected(expected, node);
+      return value.isPresent() ? value : context.diagnostics().expected(expected, node);
     }
 
     @Override
@@ -231,7 +231,7 @@ final class Scalars {
         if (file.isEmpty() || (context.looked() && !Files.isRegularFile(file.get()))) {
           Object found = Diagnostics.found(node);
           return context
-              .mistakes()
+              .diagnostics()
               .add(node, Phrase.of("expected the name of an image file, found no file %s", found));
         }
       }

@@ -10,7 +10,7 @@ import tellosimulator.goal.Challenge;
 import tellosimulator.network.AddressPlan;
 import tellosimulator.sim.DroneSetup;
 import tellosimulator.sim.SimConfig;
-import tellosimulator.sim.SimConfig.Outlets;
+import tellosimulator.sim.SimConfig.StreamPorts;
 import tellosimulator.sim.SimSnapshot;
 import tellosimulator.sim.SimSnapshot.DroneSnapshot;
 
@@ -61,6 +61,11 @@ public record Scenario(
     return new Scenario(description, newConfig, stations, challenge);
   }
 
+  /** The same with something else to do. */
+  public Scenario withChallenge(Challenge newChallenge) {
+    return new Scenario(description, config, stations, newChallenge);
+  }
+
   /**
    * The same with room, starts, products and ports as they are in a simulation of it now.
    *
@@ -70,8 +75,9 @@ public record Scenario(
     List<DroneSetup> setups = new ArrayList<>();
     for (DroneSnapshot drone : snapshot.drones()) {
       DroneSetup first = config.drones().get(setups.size());
-      Outlets outlets = new Outlets(drone.link().statePort(), drone.link().videoPort());
-      setups.add(first.withStart(drone.start()).withProduct(drone.product()).withOutlets(outlets));
+      StreamPorts streamPorts = new StreamPorts(drone.link().statePort(), drone.link().videoPort());
+      setups.add(
+          first.withStart(drone.start()).withProduct(drone.product()).withStreamPorts(streamPorts));
     }
     return withConfig(config.withArena(snapshot.arena()).withDrones(setups));
   }

@@ -257,7 +257,8 @@ final class ScenarioCodec extends RecordCodec<ScenarioCodec.Noted> {
   }
 
   private void checkParts(Entries in) {
-    ScenarioValidator checks = new ScenarioValidator(in.find(room).orElse(UNKNOWN), in.mistakes());
+    ScenarioValidator checks =
+        new ScenarioValidator(in.find(room).orElse(UNKNOWN), in.diagnostics());
     List<Item<ObstacleCodecs.NotedObstacle>> written = in.find(obstacles).orElse(List.of());
     List<Item<Obstacle>> named = named(written);
     List<Item<MissionPad>> placed = in.find(pads).orElse(List.of());

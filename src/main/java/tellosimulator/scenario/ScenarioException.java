@@ -8,15 +8,15 @@ public final class ScenarioException extends Exception {
 
   private static final long serialVersionUID = 1;
 
-  private final transient List<Diagnostic> mistakes;
+  private final transient List<Diagnostic> diagnostics;
 
-  ScenarioException(List<Diagnostic> mistakes) {
-    super(mistakes.stream().map(Diagnostic::toString).collect(Collectors.joining("\n")));
-    this.mistakes = List.copyOf(mistakes);
+  ScenarioException(List<Diagnostic> diagnostics) {
+    super(diagnostics.stream().map(Diagnostic::toString).collect(Collectors.joining("\n")));
+    this.diagnostics = List.copyOf(diagnostics);
   }
 
   /** What is wrong, in the order of the places; at least one. */
-  public List<Diagnostic> mistakes() {
-    return mistakes;
+  public List<Diagnostic> diagnostics() {
+    return diagnostics;
   }
 }

@@ -43,9 +43,9 @@ public final class ScenarioFile {
    * @throws ScenarioException with all that is wrong with it
    */
   public static ScenarioDocument open(Path file) throws ScenarioException {
-    Diagnostics mistakes = new Diagnostics(file.toString());
-    Optional<byte[]> bytes = new Source(file.toString(), mistakes).bytes(file);
-    mistakes.check();
+    Diagnostics diagnostics = new Diagnostics(file.toString());
+    Optional<byte[]> bytes = new Source(file.toString(), diagnostics).bytes(file);
+    diagnostics.check();
     return open(file.toString(), bytes.orElseThrow(), folder(file));
   }
 
@@ -57,14 +57,14 @@ public final class ScenarioFile {
 
   private static ScenarioDocument open(String name, byte[] bytes, Path folder)
       throws ScenarioException {
-    Diagnostics mistakes = new Diagnostics(name);
-    Source source = new Source(name, mistakes);
+    Diagnostics diagnostics = new Diagnostics(name);
+    Source source = new Source(name, diagnostics);
     Optional<String> text = source.text(bytes);
     Optional<Node> root = text.isPresent() ? source.root(text.get()) : Optional.empty();
-    mistakes.check();
-    Codec.Context context = new Codec.Context(mistakes, folder, true, 1);
+    diagnostics.check();
+    Codec.Context context = new Codec.Context(diagnostics, folder, true, 1);
     Optional<Noted> noted = ScenarioCodec.CODEC.read(root.orElseThrow(), context);
-    mistakes.check();
+    diagnostics.check();
     return ScenarioDocument.read(
         noted.orElseThrow(), new String(bytes, StandardCharsets.UTF_8), folder);
   }
@@ -75,9 +75,9 @@ public final class ScenarioFile {
    * @return empty if a part of it could not be read
    */
   static Optional<Noted> understood(String text, Path folder) {
-    Diagnostics mistakes = new Diagnostics("");
-    Codec.Context context = new Codec.Context(mistakes, folder, false, 1);
-    return new Source("", mistakes)
+    Diagnostics diagnostics = new Diagnostics("");
+    Codec.Context context = new Codec.Context(diagnostics, folder, false, 1);
+    return new Source("", diagnostics)
         .root(text)
         .flatMap(root -> ScenarioCodec.CODEC.read(root, context));
   }

@@ -9,7 +9,6 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Collectors;
 import tellosimulator.goal.Goal;
-import tellosimulator.goal.GoalRegion;
 import tellosimulator.math.Vec3;
 import tellosimulator.model.DroneSpec;
 import tellosimulator.scenario.Diagnostic.Place;
@@ -32,11 +31,11 @@ import tellosimulator.world.Surface;
 final class ScenarioValidator {
 
   private final Room room;
-  private final Diagnostics mistakes;
+  private final Diagnostics diagnostics;
 
-  ScenarioValidator(Room room, Diagnostics mistakes) {
+  ScenarioValidator(Room room, Diagnostics diagnostics) {
     this.room = room;
-    this.mistakes = mistakes;
+    this.diagnostics = diagnostics;
   }
 
   /** Whether the names are different. */
@@ -45,7 +44,8 @@ final class ScenarioValidator {
     for (Item<ObstacleCodecs.NotedObstacle> obstacle : obstacles) {
       String name = obstacle.value().obstacle().name();
       if (!name.isEmpty() && !names.add(name)) {
-        mistakes.add(obstacle.place(), Phrase.of("there are two obstacles of the name %s", name));
+        diagnostics.add(
+            obstacle.place(), Phrase.of("there are two obstacles of the name %s", name));
       }
     }
   }
@@ -53,7 +53,7 @@ final class ScenarioValidator {
   void obstacles(List<Item<Obstacle>> obstacles) {
     for (Item<Obstacle> obstacle : obstacles) {
       if (!Footprint.inside(obstacle.value(), room)) {
-        mistakes.add(
+        diagnostics.add(
             obstacle.place(),
             Phrase.of("the obstacle %s is not in the room", obstacle.value().name()));
       }
@@ -63,7 +63,7 @@ final class ScenarioValidator {
   void posters(List<Item<Poster>> posters) {
     for (Item<Poster> poster : posters) {
       if (!Footprint.inside(poster.value(), room)) {
-        mistakes.add(
+        diagnostics.add(
             poster.place(),
             Phrase.of("the middle of the poster is not on %s", poster.value().surface().phrase()));
       }
@@ -75,10 +75,10 @@ final class ScenarioValidator {
     for (Item<MissionPad> pad : pads) {
       int id = pad.value().id();
       if (!ids.add(id)) {
-        mistakes.add(pad.place(), Phrase.of("there are two mission pads of the number %d", id));
+        diagnostics.add(pad.place(), Phrase.of("there are two mission pads of the number %d", id));
       }
       if (!Footprint.inside(pad.value(), room)) {
-        mistakes.add(
+        diagnostics.add(
             pad.place(),
             Phrase.of("the mission pad %d is not on %s", id, pad.value().surface().phrase()));
       }
@@ -92,17 +92,17 @@ final class ScenarioValidator {
       Item<DroneCodec.StationedDrone> drone = drones.get(i);
       Vec3 start = start(drone);
       if (!room.contains(start, DroneSpec.COLLIDER)) {
-        mistakes.add(
+        diagnostics.add(
             drone.place(), Phrase.of("drone %d does not fit into the room there", drone.number()));
       }
       Optional<Obstacle> obstacle = around.around(start, DroneSpec.COLLIDER);
       if (obstacle.isPresent()) {
-        mistakes.add(
+        diagnostics.add(
             drone.place(), Phrase.of("drone %d is in %s", drone.number(), obstacle.get().phrase()));
       }
       for (Item<DroneCodec.StationedDrone> other : drones.subList(0, i)) {
         if (start.distanceTo(start(other)) < 2 * DroneSpec.COLLIDER.radius()) {
-          mistakes.add(
+          diagnostics.add(
               drone.place(), Phrase.of("drone %d is in drone %d", drone.number(), other.number()));
         }
       }
@@ -122,7 +122,7 @@ final class ScenarioValidator {
           station.address().map(InetAddress::getHostAddress).orElse("127.0.0." + drone.number());
       Integer other = taken.putIfAbsent(host + ":" + station.port().orElse(0), drone.number());
       if (other != null) {
-        mistakes.add(
+        diagnostics.add(
             drone.place(),
             Phrase.of("drone %d takes commands where drone %d does", drone.number(), other));
       }
@@ -132,20 +132,11 @@ final class ScenarioValidator {
   /** The places of goals. */
   void places(List<Item<Goal>> goals) {
     for (Item<Goal> goal : goals) {
-      Optional<GoalRegion> spot = spot(goal.value());
-      if (spot.isPresent() && !Footprint.inside(spot.get().place(), room)) {
-        mistakes.add(goal.place(), Phrase.of("this place is not in the room"));
+      if (goal.value() instanceof Goal.InRegion place
+          && !Footprint.inside(place.region().place(), room)) {
+        diagnostics.add(goal.place(), Phrase.of("this place is not in the room"));
       }
     }
-  }
-
-  private static Optional<GoalRegion> spot(Goal goal) {
-    if (goal instanceof Goal.Reach reach) {
-      return Optional.of(reach.spot());
-    } else if (goal instanceof Goal.Hover hover) {
-      return Optional.of(hover.spot());
-    }
-    return goal instanceof Goal.Land land ? Optional.of(land.spot()) : Optional.empty();
   }
 
   /** The gates that goals name. */
@@ -162,7 +153,7 @@ final class ScenarioValidator {
         obstacles.stream().filter(obstacle -> obstacle.name().equals(name)).findFirst();
     if (named.isPresent()) {
       if (!(named.get().shape() instanceof Shape.Gate)) {
-        mistakes.add(place, Phrase.of("the obstacle %s is no gate", name));
+        diagnostics.add(place, Phrase.of("the obstacle %s is no gate", name));
       }
       return;
     }
@@ -172,7 +163,7 @@ final class ScenarioValidator {
             .map(Obstacle::name)
             .collect(Collectors.toSet());
     String shown = Diagnostics.shown(name);
-    mistakes.add(
+    diagnostics.add(
         place,
         Spelling.meant(name, gates)
             .map(meant -> Phrase.of("there is no gate %s, did you mean %s?", shown, meant))
@@ -183,7 +174,7 @@ final class ScenarioValidator {
   void padsToLandOn(List<Item<Goal>> goals, List<MissionPad> pads) {
     for (Item<Goal> goal : goals) {
       if (goal.value() instanceof Goal.LandOn land && !lies(land.pad(), pads)) {
-        mistakes.add(goal.place(), Phrase.of("no mission pad %d lies on the floor", land.pad()));
+        diagnostics.add(goal.place(), Phrase.of("no mission pad %d lies on the floor", land.pad()));
       }
     }
   }

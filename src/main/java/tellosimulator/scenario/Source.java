@@ -37,38 +37,38 @@ final class Source {
   private static final char BYTE_ORDER_MARK = '\uFEFF';
 
   private final String file;
-  private final Diagnostics mistakes;
+  private final Diagnostics diagnostics;
 
-  Source(String file, Diagnostics mistakes) {
+  Source(String file, Diagnostics diagnostics) {
     this.file = file;
-    this.mistakes = mistakes;
+    this.diagnostics = diagnostics;
   }
 
   /** The bytes of a file; empty if it cannot be read or is too large. */
   Optional<byte[]> bytes(Path path) {
     if (Files.isDirectory(path)) {
-      mistakes.add(Place.WHOLE, Phrase.of("expected a file, found a folder"));
+      diagnostics.add(Place.WHOLE, Phrase.of("expected a file, found a folder"));
       return Optional.empty();
     }
     if (!Files.exists(path)) {
-      mistakes.add(Place.WHOLE, Phrase.of("there is no such file"));
+      diagnostics.add(Place.WHOLE, Phrase.of("there is no such file"));
       return Optional.empty();
     }
     if (!Files.isRegularFile(path)) { // a pipe may wait for ever, and a device never ends
-      mistakes.add(Place.WHOLE, Phrase.of("expected a file, found a pipe or a device"));
+      diagnostics.add(Place.WHOLE, Phrase.of("expected a file, found a pipe or a device"));
       return Optional.empty();
     }
     try (InputStream input = Files.newInputStream(path)) {
       byte[] bytes = input.readNBytes(LARGEST + 1);
       if (bytes.length > LARGEST) {
-        mistakes.add(
+        diagnostics.add(
             Place.WHOLE,
             Phrase.of("expected a file of at most %d MB, found a larger one", LARGEST >> 20));
         return Optional.empty();
       }
       return Optional.of(bytes);
     } catch (IOException e) {
-      mistakes.add(Place.WHOLE, Phrase.of("the file cannot be read"));
+      diagnostics.add(Place.WHOLE, Phrase.of("the file cannot be read"));
       return Optional.empty();
     }
   }
@@ -80,7 +80,7 @@ final class Source {
     CoderResult result = decoder.decode(ByteBuffer.wrap(bytes), chars, true);
     String text = chars.flip().toString();
     if (result.isError()) {
-      mistakes.add(end(text), Phrase.of("expected text in UTF-8, found other bytes"));
+      diagnostics.add(end(text), Phrase.of("expected text in UTF-8, found other bytes"));
       return Optional.empty();
     }
     boolean marked = !text.isEmpty() && text.charAt(0) == BYTE_ORDER_MARK;
@@ -94,28 +94,28 @@ final class Source {
       Parser parser = new ParserImpl(settings, new StreamReader(settings, text));
       Optional<Node> root = new Composer(settings, new BoundedParser(parser)).getSingleNode();
       if (root.isEmpty()) {
-        mistakes.add(new Place(1, 1), Phrase.of("expected a scenario, found nothing"));
+        diagnostics.add(new Place(1, 1), Phrase.of("expected a scenario, found nothing"));
       }
       return root;
     } catch (BoundedParser.ExceededException e) {
-      mistakes.add(e.place(), e.phrase());
+      diagnostics.add(e.place(), e.phrase());
     } catch (MarkedYamlEngineException e) {
       Place place =
           e.getProblemMark().or(e::getContextMark).map(Diagnostics::place).orElse(Place.WHOLE);
-      mistakes.add(
+      diagnostics.add(
           place, Phrase.of("this is not YAML: %s", shortened(String.valueOf(e.getProblem()))));
     } catch (YamlVersionException e) {
       SpecVersion version = e.getSpecVersion();
-      mistakes.add(
+      diagnostics.add(
           Place.WHOLE,
           Phrase.of("expected YAML 1.2, found %d.%d", version.getMajor(), version.getMinor()));
     } catch (ReaderException e) {
       int codePoints = Math.min(e.getPosition(), text.codePointCount(0, text.length()));
       Place place = end(text.substring(0, text.offsetByCodePoints(0, codePoints)));
-      mistakes.add(
+      diagnostics.add(
           place, Phrase.of("expected text, found the control character %d", e.getCodePoint()));
     } catch (YamlEngineException e) {
-      mistakes.add(Place.WHOLE, Phrase.of("this is not YAML: %s", shortened(e.getMessage())));
+      diagnostics.add(Place.WHOLE, Phrase.of("this is not YAML: %s", shortened(e.getMessage())));
     }
     return Optional.empty();
   }

@@ -45,7 +45,7 @@ record WordCodec<T>(NavigableMap<String, T> words) implements Codec<T> {
                     Phrase.of(
                         "expected one of %s, found %s, did you mean %s?", known, found, guess))
             .orElseGet(() -> Phrase.of("expected one of %s, found %s", known, found));
-    return context.mistakes().add(node, wrong);
+    return context.diagnostics().add(node, wrong);
   }
 
   /** The word for a value. */

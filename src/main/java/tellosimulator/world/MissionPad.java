@@ -46,6 +46,11 @@ public record MissionPad(int id, Surface surface, double along, double height, d
     return new MissionPad(id, Surface.FLOOR, -place.y(), place.x(), heading);
   }
 
+  /** The same elsewhere on its surface. */
+  public MissionPad movedTo(double newAlong, double newHeight) {
+    return new MissionPad(id, surface, newAlong, newHeight, rotation);
+  }
+
   /** Where its frame is in a room. */
   public Pose pose(Room room) {
     Attitude turned = Attitude.ofHeading(rotation);

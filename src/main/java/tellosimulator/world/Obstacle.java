@@ -14,7 +14,7 @@ import tellosimulator.words.Phrase;
  *     room's x
  */
 public record Obstacle(
-    String name, Shape shape, Vec3 foot, double heading, ObstacleAppearance cover)
+    String name, Shape shape, Vec3 foot, double heading, ObstacleAppearance appearance)
     implements Collidable {
 
   @Override
@@ -35,11 +35,11 @@ public record Obstacle(
 
   /** The same with another name. */
   public Obstacle named(String newName) {
-    return new Obstacle(newName, shape, foot, heading, cover);
+    return new Obstacle(newName, shape, foot, heading, appearance);
   }
 
   /** The same elsewhere. */
   public Obstacle movedTo(Vec3 newFoot, double newHeading) {
-    return new Obstacle(name, shape, newFoot, newHeading, cover);
+    return new Obstacle(name, shape, newFoot, newHeading, appearance);
   }
 }

@@ -118,12 +118,12 @@ class GoalMarkTest {
 
   @Test
   void theNextOneOfADroneIsItsOwnOrThatOfAny() {
-    GoalRegion spot = new GoalRegion(new Vec3(1, 0, 1), 0.3);
+    GoalRegion region = new GoalRegion(new Vec3(1, 0, 1), 0.3);
     List<Goal> goals =
         List.of(
-            new Goal.Reach(OptionalInt.of(2), spot),
-            new Goal.Reach(OptionalInt.of(1), spot),
-            new Goal.Reach(ANY, spot));
+            new Goal.Reach(OptionalInt.of(2), region),
+            new Goal.Reach(OptionalInt.of(1), region),
+            new Goal.Reach(ANY, region));
     Challenge challenge = new Challenge(goals, false, OptionalDouble.empty(), false);
     List<GoalMark> marks = GoalMark.of(Progress.start(challenge), Arena.DEFAULT);
 

@@ -73,11 +73,11 @@ class FaultsInFilesTest {
           {fault: delay, time: 1ms, least: 2ms} | 2:13: the delay must be from its least to its most
           {fault: cut, tme: 3}                  | 2:18: a fault has no key "tme", did you mean time?
           """)
-  void aMistakeIsToldAtItsPlace(String item, String mistake) {
+  void aMistakeIsToldAtItsPlace(String item, String diagnostic) {
     ScenarioException wrong =
         catchThrowableOfType(ScenarioException.class, () -> plan("faults:\n  - " + item + "\n"));
 
-    assertThat(wrong).hasMessageContaining("room.yaml:" + mistake);
+    assertThat(wrong).hasMessageContaining("room.yaml:" + diagnostic);
   }
 
   @Test

@@ -69,8 +69,10 @@ class GalleryTest {
   void theReadmeListsThemWithWhatTheyTeach() throws IOException {
     String readme = Files.readString(Path.of("README.md")).replace("`go`", "go");
     for (String name : Gallery.NAMES) {
-      String teaches = Gallery.find(name).orElseThrow().description().teaches().english();
-      assertThat(readme).contains("| `" + name + "` | " + teaches + " |");
+      Description description = Gallery.find(name).orElseThrow().description();
+      String title = description.name().english();
+      String teaches = description.teaches().english();
+      assertThat(readme).contains("| `" + name + "` | " + title + " | " + teaches + " |");
     }
   }
 

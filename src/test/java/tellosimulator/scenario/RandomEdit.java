@@ -12,8 +12,8 @@ import tellosimulator.math.Vec3;
 import tellosimulator.scenario.Scenario.Station;
 import tellosimulator.sim.DroneSetup;
 import tellosimulator.sim.SimConfig;
-import tellosimulator.sim.SimConfig.Outlets;
 import tellosimulator.sim.SimConfig.Product;
+import tellosimulator.sim.SimConfig.StreamPorts;
 import tellosimulator.world.Arena;
 import tellosimulator.world.MissionPad;
 import tellosimulator.world.Obstacle;
@@ -100,7 +100,7 @@ record RandomEdit(String what, Scenario changed, int linesGone, int linesNew) {
       Obstacle each = arena().obstacles().get(index);
       Obstacle other =
           new Obstacle(
-              each.name(), larger(each.shape()), each.foot(), each.heading(), each.cover());
+              each.name(), larger(each.shape()), each.foot(), each.heading(), each.appearance());
       return edit("resize " + each.name(), with(index, other), 3, 3);
     }
 
@@ -129,7 +129,7 @@ record RandomEdit(String what, Scenario changed, int linesGone, int linesNew) {
               new Shape.Cylinder(0.1, 2),
               new Shape.Ring(0.4, 0.05, 1.2),
               new Shape.Frame(1, 0.8, 0.05, 1.5));
-      ObstacleAppearance cover =
+      ObstacleAppearance appearance =
           random.nextBoolean()
               ? ObstacleAppearance.DEFAULT
               : new ObstacleAppearance(
@@ -141,7 +141,7 @@ record RandomEdit(String what, Scenario changed, int linesGone, int linesNew) {
               shapes.get(random.nextInt(shapes.size())),
               step(),
               Math.toRadians(random.nextInt(2) * 45),
-              cover));
+              appearance));
       return edit("add thing-" + number, arena().withObstacles(more), 1, ITEM);
     }
 
@@ -212,7 +212,7 @@ record RandomEdit(String what, Scenario changed, int linesGone, int linesNew) {
       List<DroneSetup> drones = new ArrayList<>(scenario.config().drones());
       List<Station> stations = new ArrayList<>(scenario.stations());
       Pose start = new Pose(step(), tellosimulator.math.Attitude.LEVEL);
-      drones.add(DroneSetup.at(start, Product.DEFAULT, new Outlets(9000, 11111)));
+      drones.add(DroneSetup.at(start, Product.DEFAULT, new StreamPorts(9000, 11111)));
       stations.add(Station.USUAL);
       return drones("add a drone", drones, stations, ITEM);
     }

@@ -163,7 +163,11 @@ class RandomEditsTest {
       boolean given = each.name().contains(" ") && name.contains(" ");
       named.add(
           new Obstacle(
-              given ? name : each.name(), each.shape(), each.foot(), each.heading(), each.cover()));
+              given ? name : each.name(),
+              each.shape(),
+              each.foot(),
+              each.heading(),
+              each.appearance()));
     }
     SimConfig config = read.config().withArena(read.config().arena().withObstacles(named));
     if (written(read.withConfig(config)).equals(written(wanted))) {

@@ -25,8 +25,8 @@ import tellosimulator.profile.Profile;
 import tellosimulator.scenario.Scenario.Station;
 import tellosimulator.sim.DroneSetup;
 import tellosimulator.sim.SimConfig;
-import tellosimulator.sim.SimConfig.Outlets;
 import tellosimulator.sim.SimConfig.Product;
+import tellosimulator.sim.SimConfig.StreamPorts;
 import tellosimulator.time.TimeFactor;
 import tellosimulator.world.Arena;
 import tellosimulator.world.Decor;
@@ -124,16 +124,16 @@ final class RandomScenario {
           case 2 -> new Shape.Ring(cm(40, 100) / 2, thickness, cm(101, 200));
           default -> new Shape.Frame(cm(40, 100), cm(40, 100), thickness, cm(101, 200));
         };
-    ObstacleAppearance cover =
+    ObstacleAppearance appearance =
         new ObstacleAppearance(random.nextInt(1 << 24), pick(List.of(Pattern.values())), Map.of());
-    return new Obstacle(name, shape, place().withZ(cm(0, 100)), angle(), cover);
+    return new Obstacle(name, shape, place().withZ(cm(0, 100)), angle(), appearance);
   }
 
   private DroneSetup drone(Vec3 start) {
     return new DroneSetup(
         new Pose(start, Attitude.ofHeading(angle())),
         new Product(pick(List.of(Profile.values())), pick(List.of(Behavior.values()))),
-        new Outlets(1 + random.nextInt(65535), 1 + random.nextInt(65535)),
+        new StreamPorts(1 + random.nextInt(65535), 1 + random.nextInt(65535)),
         number(0, 100),
         random.nextBoolean() ? OptionalInt.empty() : OptionalInt.of(random.nextInt(1 << 24)));
   }

@@ -377,7 +377,7 @@ class ScenarioDocumentTest {
     return each -> {
       Shape.Box box = (Shape.Box) each.shape();
       Shape.Box other = new Shape.Box(depth, box.width(), box.height());
-      return new Obstacle(each.name(), other, each.foot(), each.heading(), each.cover());
+      return new Obstacle(each.name(), other, each.foot(), each.heading(), each.appearance());
     };
   }
 

@@ -40,8 +40,8 @@ import tellosimulator.profile.Behavior;
 import tellosimulator.profile.Profile;
 import tellosimulator.sim.DroneSetup;
 import tellosimulator.sim.SimConfig;
-import tellosimulator.sim.SimConfig.Outlets;
 import tellosimulator.sim.SimConfig.Product;
+import tellosimulator.sim.SimConfig.StreamPorts;
 import tellosimulator.testing.ForPeople;
 import tellosimulator.time.TimeFactor;
 import tellosimulator.world.Arena;
@@ -205,11 +205,13 @@ class ScenarioFileTest {
             new DroneSetup(
                 new Pose(new Vec3(-2, 0, 0), Attitude.ofHeading(StrictMath.toRadians(90))),
                 new Product(Profile.TT, Behavior.MEASURED),
-                new Outlets(9001, 9002),
+                new StreamPorts(9001, 9002),
                 55.5,
                 OptionalInt.of(0xc0392b)),
             DroneSetup.at(
-                new Pose(new Vec3(-2, 1, 0), Attitude.LEVEL), Product.DEFAULT, Outlets.DEFAULT));
+                new Pose(new Vec3(-2, 1, 0), Attitude.LEVEL),
+                Product.DEFAULT,
+                StreamPorts.DEFAULT));
     assertThat(scenario.addressPlan(8879).drones())
         .extracting(drone -> drone.addresses().get(0) + ":" + drone.port())
         .containsExactly("/127.0.0.7:8889", "/127.0.0.2:8879");
@@ -395,7 +397,7 @@ class ScenarioFileTest {
           ? [a, b]                            | 1:3: expected a key, found a list of 2
           """)
   void aMistakeIsOneSentenceWithItsPlace(String text, String sentence) {
-    assertThat(mistakes(text + "\n")).containsExactly(sentence);
+    assertThat(diagnostics(text + "\n")).containsExactly(sentence);
   }
 
   @Test
@@ -417,7 +419,7 @@ class ScenarioFileTest {
           - pass: {gate: frist}
           - pass: {gate: table}
         """;
-    assertThat(mistakes(text))
+    assertThat(diagnostics(text))
         .containsExactly(
             "5:5: there is no gate \"frist\", did you mean first?",
             "6:5: the obstacle table is no gate");
@@ -428,13 +430,13 @@ class ScenarioFileTest {
     String table = "obstacles: [{box: {name: table, at: [0, 0], base: 50, size: [80, 80, 5]}}]\n";
     assertThat(read(table).config().drones()).hasSize(1);
 
-    assertThat(mistakes(table.replace("base: 50", "base: 2")))
+    assertThat(diagnostics(table.replace("base: 50", "base: 2")))
         .as("the usual drone")
         .containsExactly("1:1: drone 1 is in the obstacle table");
-    assertThat(mistakes("# a comment\n" + table.replace("base: 50", "base: 2")))
+    assertThat(diagnostics("# a comment\n" + table.replace("base: 50", "base: 2")))
         .containsExactly("2:1: drone 1 is in the obstacle table");
     String chest = table.replace("base: 50", "base: 2") + "drones: [{start: [40, 0]}]\n";
-    assertThat(mistakes(chest)).containsExactly("2:10: drone 1 is in the obstacle table");
+    assertThat(diagnostics(chest)).containsExactly("2:10: drone 1 is in the obstacle table");
   }
 
   @Test
@@ -447,7 +449,7 @@ class ScenarioFileTest {
         obstacles:
           - box: {at: [0, 200], size: 5}
         """;
-    assertThat(mistakes(text))
+    assertThat(diagnostics(text))
         .containsExactly(
             "2:37: expected a length in cm from 1 to 20000, found \"-5\"",
             "3:15: expected a length in cm from 100 to 20000, found \"abc\"",
@@ -457,7 +459,7 @@ class ScenarioFileTest {
 
   @Test
   void tooManyMistakesAreCounted() {
-    List<String> found = mistakes("a: 1\n".repeat(250));
+    List<String> found = diagnostics("a: 1\n".repeat(250));
 
     assertThat(found).hasSize(101);
     assertThat(found.get(100)).isEqualTo("100:1: and 150 more mistakes");
@@ -466,12 +468,12 @@ class ScenarioFileTest {
   @ParameterizedTest
   @ValueSource(strings = {"", "\n\n", "# only a comment\n"})
   void anEmptyFileIsASentence(String text) {
-    assertThat(mistakes(text)).containsExactly("1:1: expected a scenario, found nothing");
+    assertThat(diagnostics(text)).containsExactly("1:1: expected a scenario, found nothing");
   }
 
   @Test
   void aSecondDocumentIsASentence() {
-    assertThat(mistakes("name: a\n---\nname: b\n"))
+    assertThat(diagnostics("name: a\n---\nname: b\n"))
         .containsExactly("2:1: this is not YAML: but found another document");
   }
 
@@ -495,9 +497,9 @@ class ScenarioFileTest {
   void binaryFilesAreASentence() throws IOException {
     byte[] random = new byte[5000];
     new SplittableRandom(3).nextBytes(random);
-    assertThat(mistakes(random)).singleElement().asString().contains("found other bytes");
+    assertThat(diagnostics(random)).singleElement().asString().contains("found other bytes");
 
-    assertThat(mistakes("name: a\nteaches: \u0001b\n".getBytes(StandardCharsets.UTF_8)))
+    assertThat(diagnostics("name: a\nteaches: \u0001b\n".getBytes(StandardCharsets.UTF_8)))
         .containsExactly("2:10: expected text, found the control character 1");
   }
 
@@ -506,24 +508,24 @@ class ScenarioFileTest {
   void aHugeFileIsASentence() throws IOException {
     byte[] huge = new byte[Source.LARGEST + 1];
     java.util.Arrays.fill(huge, (byte) ' ');
-    assertThat(mistakes(huge))
+    assertThat(diagnostics(huge))
         .containsExactly("expected a file of at most 4 MB, found a larger one");
   }
 
   @Test
   @Timeout(20)
   void hostileFilesAreASentence() {
-    assertThat(mistakes("a: " + "[".repeat(1_000_000)))
+    assertThat(diagnostics("a: " + "[".repeat(1_000_000)))
         .containsExactly("1:23: expected at most 20 levels, found more");
-    assertThat(mistakes("a: [" + "1,".repeat(1_500_000) + "]"))
+    assertThat(diagnostics("a: [" + "1,".repeat(1_500_000) + "]"))
         .singleElement()
         .asString()
         .endsWith("expected at most 400000 values, found more");
-    assertThat(mistakes("&a [*a, *a]"))
+    assertThat(diagnostics("&a [*a, *a]"))
         .containsExactly("1:1: expected a scenario, found a list of 2");
-    assertThat(mistakes("room: &a {width: *a}"))
+    assertThat(diagnostics("room: &a {width: *a}"))
         .containsExactly("1:7: expected a length in cm from 100 to 20000, found a mapping");
-    assertThat(mistakes("obstacles: &a\n  - *a\n"))
+    assertThat(diagnostics("obstacles: &a\n  - *a\n"))
         .containsExactly("1:12: expected an obstacle, found a list of 1");
     String bomb =
         "a: &a [1,1,1,1,1,1,1,1,1]\n"
@@ -538,13 +540,13 @@ class ScenarioFileTest {
                             + ("*" + (char) ('a' + i) + " ,").repeat(9)
                             + "]\n")
                 .reduce("", String::concat);
-    assertThat(mistakes(bomb))
+    assertThat(diagnostics(bomb))
         .singleElement()
         .asString()
         .matches("\\d+:\\d+: expected at most 50 aliases, found more");
-    assertThat(mistakes("name: a\n? [b]\n: c\n"))
+    assertThat(diagnostics("name: a\n? [b]\n: c\n"))
         .containsExactly("2:3: expected a key, found a list of 1");
-    assertThat(mistakes("%YAML 9.9\n---\nname: a\n"))
+    assertThat(diagnostics("%YAML 9.9\n---\nname: a\n"))
         .containsExactly("expected YAML 1.2, found 9.9");
   }
 
@@ -654,7 +656,7 @@ class ScenarioFileTest {
       try {
         ScenarioFile.read(file(bytes));
       } catch (ScenarioException e) {
-        assertThat(e.mistakes()).isNotEmpty();
+        assertThat(e.diagnostics()).isNotEmpty();
         ForPeople.check(e.getMessage());
       }
     }
@@ -674,24 +676,24 @@ class ScenarioFileTest {
     return ScenarioFile.read(file);
   }
 
-  private List<String> mistakes(String text) {
+  private List<String> diagnostics(String text) {
     try {
-      return mistakes(text.getBytes(StandardCharsets.UTF_8));
+      return diagnostics(text.getBytes(StandardCharsets.UTF_8));
     } catch (IOException e) {
       throw new AssertionError(e);
     }
   }
 
   /** What is wrong, without the name of the file. */
-  private List<String> mistakes(byte[] bytes) throws IOException {
+  private List<String> diagnostics(byte[] bytes) throws IOException {
     Path file = file(bytes);
     ScenarioException wrong =
         catchThrowableOfType(ScenarioException.class, () -> ScenarioFile.read(file));
     assertThat(wrong).as("something is wrong").isNotNull();
-    return wrong.mistakes().stream()
+    return wrong.diagnostics().stream()
         .map(
-            mistake ->
-                mistake.toString().substring(file.toString().length()).replaceFirst("^: ?", ""))
+            diagnostic ->
+                diagnostic.toString().substring(file.toString().length()).replaceFirst("^: ?", ""))
         .toList();
   }
 }

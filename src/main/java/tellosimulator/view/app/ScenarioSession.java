@@ -7,12 +7,14 @@ import java.util.function.Function;
 import javafx.application.Platform;
 import javafx.stage.Stage;
 import javafx.util.Subscription;
+import tellosimulator.goal.Challenge;
 import tellosimulator.goal.GoalNews;
 import tellosimulator.goal.GoalWatch;
 import tellosimulator.network.AddressPlan;
 import tellosimulator.network.OnlineSimulation;
 import tellosimulator.recording.FlightRecorder;
 import tellosimulator.recording.FlightRecorder.Subject;
+import tellosimulator.scenario.EditedScenario;
 import tellosimulator.scenario.OpenedScenario;
 import tellosimulator.scenario.Scenario;
 import tellosimulator.scenario.ScenarioDocument;
@@ -29,6 +31,7 @@ import tellosimulator.view.model.FxScenario;
 import tellosimulator.view.model.Pulse;
 import tellosimulator.view.model.ScenarioActions;
 import tellosimulator.view.model.ViewContext;
+import tellosimulator.view.plan.PlanEditorState;
 import tellosimulator.view.settings.Settings;
 import tellosimulator.view.text.Language;
 import tellosimulator.view.video.MediaFolder;
@@ -54,7 +57,7 @@ final class ScenarioSession implements AutoCloseable {
   /** What stays when the scenario changes. */
   record Frame(Stage stage, Language language, WindowState state, Settings settings) {}
 
-  private OpenedScenario opened;
+  private EditedScenario edited;
   private final LogQueue logQueue;
   private final GoalWatch goals;
   private final OnlineSimulation simulation;
@@ -68,16 +71,16 @@ final class ScenarioSession implements AutoCloseable {
   private int frames;
 
   /** Starts its simulation; all drones are off. */
-  ScenarioSession(OpenedScenario opened, Wire wire, DroneOptics optics, LogQueue logQueue) {
-    this.opened = opened;
+  ScenarioSession(EditedScenario edited, Wire wire, DroneOptics optics, LogQueue logQueue) {
+    this.edited = edited;
     this.logQueue = logQueue;
-    Scenario scenario = opened.scenario();
+    Scenario scenario = edited.present();
     recordings = wire.recordings();
     goals = new GoalWatch(scenario.challenge(), this::tell);
     recorder =
         FlightRecorder.start(
             recordings.folder(),
-            new Subject(opened.title(), scenario, recordings.options(), goals),
+            new Subject(edited.opened().title(), scenario, recordings.options(), goals),
             reason -> logQueue.say(LogLevel.WARN, language -> language.say(reason)));
     simulation =
         new OnlineSimulation(
@@ -99,13 +102,18 @@ final class ScenarioSession implements AutoCloseable {
   }
 
   OpenedScenario opened() {
-    return opened;
+    return edited.opened();
+  }
+
+  private void ask(Challenge challenge) {
+    goals.ask(challenge);
+    recorder.ask(challenge);
   }
 
   /** Shows it in a stage. For the JavaFX thread, as all that follows but for {@link #close}. */
   void showIn(Frame newFrame, ScenarioActions actions) {
     frame = newFrame;
-    FxScenario scenario = new FxScenario(opened.scenario(), opened.file(), goals, actions);
+    FxScenario scenario = new FxScenario(edited, goals, this::ask, actions);
     context = ViewContext.of(simulation, frame.language.linked(), video, scenario);
     context.pulse().onBeat(nanos -> lookForEdits(scenario));
     window = new SimulatorWindow(frame.stage, context, frame.state.linked(), logQueue);
@@ -149,8 +157,8 @@ final class ScenarioSession implements AutoCloseable {
   }
 
   /** Says in the window what is wrong with another scenario. */
-  void show(List<Function<Language, String>> mistakes) {
-    window.show(mistakes);
+  void show(List<Function<Language, String>> diagnostics) {
+    window.show(diagnostics);
   }
 
   /** Lets somebody choose what to fly in, or closes that page. */
@@ -158,21 +166,20 @@ final class ScenarioSession implements AutoCloseable {
     window.toggleGallery(offer);
   }
 
-  /** The scenario with room and starts as they are now. */
-  private Scenario present() {
-    return opened.scenario().asIn(simulation.snapshot());
+  /** The scenario as it is now. */
+  EditedScenario present() {
+    return edited.in(simulation.snapshot(), context.scenario().challenge());
   }
 
   /** What to begin anew: as it was opened, or the room as it is now if that came from nowhere. */
   OpenedScenario asItBegins() {
-    boolean plain = opened.file().isEmpty() && opened.known().isEmpty();
-    return plain ? OpenedScenario.once(present()) : opened;
+    boolean plain = opened().file().isEmpty() && opened().known().isEmpty();
+    return plain ? OpenedScenario.once(present().present()) : opened();
   }
 
   /** The document of what is there now, as it would be in a file. */
   ScenarioDocument toSave(Path file) {
-    Scenario wanted = opened.toSave(present());
-    return opened.document().changedTo(wanted, ScenarioFile.folder(file));
+    return opened().document().changedTo(present().toSave(), ScenarioFile.folder(file));
   }
 
   /** Does something when all that was done in the window has been carried out. */
@@ -186,14 +193,24 @@ final class ScenarioSession implements AutoCloseable {
 
   /** Whether there is something that no file has. */
   boolean unsaved() {
-    return opened.unsaved(present());
+    return present().unsaved();
   }
 
   /** It has been written to a file, which from now on is the one to open again. */
   void savedAs(ScenarioDocument document, Path file) {
-    opened = OpenedScenario.of(document, file).with(present());
+    edited = present().savedAs(document, file);
     context.scenario().savedAs(file);
     context.scenario().setUnsaved(unsaved());
+  }
+
+  /** What was planned, for the session that goes on with it. */
+  PlanEditorState planned() {
+    return window.planned();
+  }
+
+  /** Goes on with what was planned in another session. */
+  void goOn(PlanEditorState planned) {
+    window.goOn(planned);
   }
 
   /** Saves it to its file, or lets somebody choose one. */

@@ -33,13 +33,13 @@ final class ScenarioWriter {
     try {
       ScenarioFile.read(file);
     } catch (ScenarioException e) { // a gate may be gone of which a goal speaks
-      e.mistakes().forEach(this::warn);
+      e.diagnostics().forEach(this::warn);
     }
     return true;
   }
 
-  private void warn(Diagnostic mistake) {
-    logQueue.say(LogLevel.WARN, language -> mistake.in(language.translation()));
+  private void warn(Diagnostic diagnostic) {
+    logQueue.say(LogLevel.WARN, language -> diagnostic.in(language.translation()));
   }
 
   /** Tells why it could not be written. */

@@ -1,14 +1,20 @@
 package tellosimulator.view.model;
 
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Optional;
+import java.util.function.Consumer;
 import java.util.function.Supplier;
 import javafx.beans.property.ReadOnlyBooleanProperty;
 import javafx.beans.property.ReadOnlyBooleanWrapper;
 import javafx.beans.property.ReadOnlyObjectProperty;
 import javafx.beans.property.ReadOnlyObjectWrapper;
+import tellosimulator.goal.Challenge;
 import tellosimulator.goal.GoalWatch;
 import tellosimulator.goal.Progress;
+import tellosimulator.scenario.DroneOrigin;
+import tellosimulator.scenario.EditedScenario;
+import tellosimulator.scenario.OpenedScenario;
 import tellosimulator.scenario.Scenario;
 
 /**
@@ -17,7 +23,9 @@ import tellosimulator.scenario.Scenario;
  */
 public final class FxScenario {
 
-  private final Scenario scenario;
+  private final EditedScenario scenario;
+  private final ReadOnlyObjectWrapper<Challenge> challenge;
+  private final Consumer<Challenge> asking;
   private final ReadOnlyObjectWrapper<Optional<Path>> file;
   private final ReadOnlyBooleanWrapper unsaved = new ReadOnlyBooleanWrapper(this, "unsaved");
   private final ScenarioActions actions;
@@ -25,14 +33,20 @@ public final class FxScenario {
   private final ReadOnlyObjectWrapper<Progress> progress;
 
   /**
-   * @param file from which it came; empty for what came with the program, or from nowhere
+   * @param scenario as it begins
    * @param goals which watches the simulation
+   * @param asking asks something else of the drones
    * @param actions where other scenarios are had
    */
   public FxScenario(
-      Scenario scenario, Optional<Path> file, GoalWatch goals, ScenarioActions actions) {
+      EditedScenario scenario,
+      GoalWatch goals,
+      Consumer<Challenge> asking,
+      ScenarioActions actions) {
     this.scenario = scenario;
-    this.file = new ReadOnlyObjectWrapper<>(this, "file", file);
+    this.challenge = new ReadOnlyObjectWrapper<>(this, "challenge", scenario.present().challenge());
+    this.file = new ReadOnlyObjectWrapper<>(this, "file", scenario.opened().file());
+    this.asking = asking;
     this.actions = actions;
     this.newest = goals::progress;
     this.progress = new ReadOnlyObjectWrapper<>(goals.progress());
@@ -41,17 +55,43 @@ public final class FxScenario {
   /** A scenario that asks for nothing. */
   static FxScenario none(Scenario scenario) {
     GoalWatch idle = new GoalWatch(scenario.challenge(), news -> {});
-    return new FxScenario(scenario, Optional.empty(), idle, ScenarioActions.CLOSED);
+    EditedScenario plain = EditedScenario.of(OpenedScenario.once(scenario));
+    return new FxScenario(plain, idle, idle::ask, ScenarioActions.CLOSED);
   }
 
   /** Takes over how far the drones have come; called once a pulse. */
   void update() {
-    progress.set(newest.get());
+    Progress now = newest.get();
+    if (now.challenge().equals(challenge())) { // otherwise the simulation has not heard of it yet
+      progress.set(now);
+    }
   }
 
-  /** As it was opened. */
+  /** As it began. */
   public Scenario scenario() {
-    return scenario;
+    return scenario.present();
+  }
+
+  /** Where its drones come from, in the order of their numbers. */
+  public List<DroneOrigin> origins() {
+    return scenario.origins();
+  }
+
+  /** What is asked of the drones now. */
+  public ReadOnlyObjectProperty<Challenge> challengeProperty() {
+    return challenge.getReadOnlyProperty();
+  }
+
+  /** See {@link #challengeProperty}. */
+  public Challenge challenge() {
+    return challenge.get();
+  }
+
+  /** Asks something else of the drones, which begin anew with it. While none of them flies. */
+  public void ask(Challenge newChallenge) {
+    asking.accept(newChallenge);
+    progress.set(Progress.start(newChallenge));
+    challenge.set(newChallenge);
   }
 
   /** From which it came or to which it was saved; empty for none. */
@@ -86,8 +126,8 @@ public final class FxScenario {
   /** Whether nobody chose it: an empty room. */
   public boolean plain() {
     return file().isEmpty()
-        && scenario.description().name().isEmpty()
-        && scenario.challenge().goals().isEmpty();
+        && scenario().description().name().isEmpty()
+        && challenge().goals().isEmpty();
   }
 
   /** How far the drones have come. */

@@ -43,7 +43,7 @@ public final class Pulse {
   private final Runnable mirror;
   private final BooleanSupplier still;
   private final List<LongConsumer> listeners = new ArrayList<>();
-  private final Ticker metronome = new Ticker();
+  private final Ticker ticker = new Ticker();
   private final AtomicBoolean scheduled = new AtomicBoolean();
   private final AnimationTimer timer =
       new AnimationTimer() {
@@ -79,7 +79,7 @@ public final class Pulse {
     idle = false;
     idleBeats.ifPresent(Worker::end);
     idleBeats = Optional.empty();
-    metronome.wake();
+    ticker.wake();
   }
 
   /** Whether nothing has moved or happened for a while, so that it beats seldom. */
@@ -131,7 +131,7 @@ public final class Pulse {
   private void sleep() {
     timer.stop();
     idle = true;
-    metronome.wake();
+    ticker.wake();
     if (wanted) { // by a thread that did not see yet that it is idle
       resume();
     }
@@ -158,7 +158,7 @@ public final class Pulse {
   private void beatOnce() {
     scheduled.set(false);
     if (idle) {
-      beat(metronome.nanos());
+      beat(ticker.nanos());
     }
   }
 
@@ -172,7 +172,7 @@ public final class Pulse {
       if (!idle) {
         return Outcome.IDLE;
       }
-      if (metronome.awaitTick(IDLE_PERIOD) && idle) {
+      if (ticker.awaitTick(IDLE_PERIOD) && idle) {
         runLater();
       }
       return Outcome.WORKED;
@@ -180,8 +180,8 @@ public final class Pulse {
 
     @Override
     public void idle() {
-      metronome.rest();
-      metronome.restart();
+      ticker.rest();
+      ticker.restart();
     }
 
     @Override

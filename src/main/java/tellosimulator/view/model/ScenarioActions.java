@@ -1,6 +1,10 @@
 package tellosimulator.view.model;
 
 import java.nio.file.Path;
+import java.util.List;
+import tellosimulator.goal.Challenge;
+import tellosimulator.scenario.PlannedDrone;
+import tellosimulator.world.Arena;
 
 /**
  * What a person can do with scenarios and recordings: choose, open, reload, save. What goes wrong
@@ -28,6 +32,11 @@ public interface ScenarioActions {
 
         @Override
         public void beginAnew(StartSettings settings) {}
+
+        @Override
+        public boolean replan(Arena arena, List<PlannedDrone> drones, Challenge challenge) {
+          return false;
+        }
 
         @Override
         public void reload() {}
@@ -61,6 +70,14 @@ public interface ScenarioActions {
 
   /** Begins what is flown anew, with other settings, after a question. */
   void beginAnew(StartSettings settings);
+
+  /**
+   * Begins what is flown anew with other drones, as somebody has planned them, and with what was
+   * planned until now still there to be undone.
+   *
+   * @return whether it did; if not, the window says why
+   */
+  boolean replan(Arena arena, List<PlannedDrone> drones, Challenge challenge);
 
   /** Opens again what is flown. */
   void reload();

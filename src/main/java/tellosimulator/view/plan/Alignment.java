@@ -1,63 +1,38 @@
 package tellosimulator.view.plan;
 
+import java.util.DoubleSummaryStatistics;
 import java.util.List;
 import java.util.Locale;
-import java.util.stream.DoubleStream;
+import java.util.function.ToDoubleFunction;
 import tellosimulator.math.Vec3;
 
 /** A line to which several items are moved; the plan shows the front wall above. */
 enum Alignment {
   /** The front edges, which are the upper ones of the plan. */
-  FRONT(true) {
-    @Override
-    double line(Placement placement, DoubleStream corners) {
-      return corners.max().orElseThrow();
-    }
-  },
-  BACK(true) {
-    @Override
-    double line(Placement placement, DoubleStream corners) {
-      return corners.min().orElseThrow();
-    }
-  },
-  LEFT(false) {
-    @Override
-    double line(Placement placement, DoubleStream corners) {
-      return corners.max().orElseThrow();
-    }
-  },
-  RIGHT(false) {
-    @Override
-    double line(Placement placement, DoubleStream corners) {
-      return corners.min().orElseThrow();
-    }
-  },
+  FRONT(true, edges -> edges.getMax()),
+  BACK(true, edges -> edges.getMin()),
+  LEFT(false, edges -> edges.getMax()),
+  RIGHT(false, edges -> edges.getMin()),
   /** The middles, in a row from left to right. */
-  ROW(true) {
-    @Override
-    double line(Placement placement, DoubleStream corners) {
-      return placement.place().x();
-    }
-  },
+  ROW(true, Alignment::middle),
   /** The middles, in a column from front to back. */
-  COLUMN(false) {
-    @Override
-    double line(Placement placement, DoubleStream corners) {
-      return placement.place().y();
-    }
-  };
+  COLUMN(false, Alignment::middle);
 
   private final boolean alongX;
+  private final ToDoubleFunction<DoubleSummaryStatistics> line;
 
   /**
    * @param alongX whether items move along the room's x axis, otherwise along y
+   * @param line where it is between the edges of an item along that axis [m]
    */
-  Alignment(boolean alongX) {
+  Alignment(boolean alongX, ToDoubleFunction<DoubleSummaryStatistics> line) {
     this.alongX = alongX;
+    this.line = line;
   }
 
-  /** Where the line of an item is along the axis [m]; its corners' coordinates are given. */
-  abstract double line(Placement placement, DoubleStream corners);
+  private static double middle(DoubleSummaryStatistics edges) {
+    return (edges.getMin() + edges.getMax()) / 2;
+  }
 
   /** The end of the keys of its texts. */
   String word() {
@@ -81,10 +56,9 @@ enum Alignment {
   }
 
   private double line(FloorPlan plan, PlanItem item) {
-    Placement placement = plan.placement(item);
-    return line(
-        placement,
-        plan.outline(item).corners(placement).stream()
-            .mapToDouble(corner -> alongX ? corner.x() : corner.y()));
+    return line.applyAsDouble(
+        plan.outline(item).corners(plan.placement(item)).stream()
+            .mapToDouble(corner -> alongX ? corner.x() : corner.y())
+            .summaryStatistics());
   }
 }

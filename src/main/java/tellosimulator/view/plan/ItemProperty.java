@@ -1,9 +1,12 @@
 package tellosimulator.view.plan;
 
 import java.util.OptionalDouble;
+import tellosimulator.goal.Goal;
+import tellosimulator.goal.GoalRegion;
 import tellosimulator.math.Frames;
 import tellosimulator.math.Vec3;
 import tellosimulator.view.controls.NumberRange;
+import tellosimulator.view.plan.PlanItem.GoalItem;
 import tellosimulator.view.plan.PlanItem.ObstacleItem;
 import tellosimulator.view.plan.PlanItem.Pad;
 import tellosimulator.world.MissionPad;
@@ -43,6 +46,50 @@ enum ItemProperty {
       return plan.with(item, now.at(new Vec3(now.place().x(), Frames.meters(value), 0)));
     }
   },
+  /** Height of the drone's feet at a goal. */
+  HEIGHT_OF_GOAL(Range.SIZE_OR_NONE) {
+    @Override
+    OptionalDouble of(Goal goal) {
+      return goal instanceof Goal.InRegion at && !(goal instanceof Goal.Land)
+          ? centimeters(at.region().place().z())
+          : OptionalDouble.empty();
+    }
+
+    @Override
+    Goal with(Goal goal, double value) {
+      Vec3 place = ((Goal.InRegion) goal).region().place();
+      return GoalPlacement.moved(goal, place.withZ(Frames.meters(value)));
+    }
+  },
+  RADIUS(Range.SIZE) {
+    @Override
+    OptionalDouble of(Goal goal) {
+      return goal instanceof Goal.InRegion at
+          ? centimeters(at.region().radius())
+          : OptionalDouble.empty();
+    }
+
+    @Override
+    Goal with(Goal goal, double value) {
+      Goal.InRegion at = (Goal.InRegion) goal;
+      return at.at(new GoalRegion(at.region().place(), Frames.meters(value)));
+    }
+  },
+  /** How long a drone shall stay [s]. */
+  SECONDS(Range.SECONDS) {
+    @Override
+    OptionalDouble of(Goal goal) {
+      return goal instanceof Goal.Hover hover
+          ? OptionalDouble.of(hover.seconds())
+          : OptionalDouble.empty();
+    }
+
+    @Override
+    Goal with(Goal goal, double value) {
+      Goal.Hover hover = (Goal.Hover) goal;
+      return new Goal.Hover(hover.drone(), hover.region(), value);
+    }
+  },
   /** Height of an obstacle's foot above the floor. */
   ELEVATION(Range.SIZE_OR_NONE) {
     @Override
@@ -71,10 +118,7 @@ enum ItemProperty {
     @Override
     FloorPlan with(FloorPlan plan, PlanItem item, double value) {
       MissionPad now = plan.pad((Pad) item);
-      return plan.replacing(
-          now.id(),
-          new MissionPad(
-              now.id(), now.surface(), Frames.meters(value), now.height(), now.rotation()));
+      return plan.replacing(now.id(), now.movedTo(Frames.meters(value), now.height()));
     }
   },
   /** Of a mission pad at a wall: its middle above the floor. */
@@ -89,16 +133,13 @@ enum ItemProperty {
     @Override
     FloorPlan with(FloorPlan plan, PlanItem item, double value) {
       MissionPad now = plan.pad((Pad) item);
-      return plan.replacing(
-          now.id(),
-          new MissionPad(
-              now.id(), now.surface(), now.along(), Frames.meters(value), now.rotation()));
+      return plan.replacing(now.id(), now.movedTo(now.along(), Frames.meters(value)));
     }
   },
   HEADING(Range.ANGLE) {
     @Override
     OptionalDouble of(FloorPlan plan, PlanItem item) {
-      return onFloor(plan, item)
+      return onFloor(plan, item) && !(item instanceof GoalItem)
           ? OptionalDouble.of(rounded(Math.toDegrees(plan.placement(item).heading())))
           : OptionalDouble.empty();
     }
@@ -220,6 +261,7 @@ enum ItemProperty {
     private static final NumberRange PLACE = new NumberRange(-LONGEST / 2, LONGEST / 2, 5);
     private static final NumberRange SIZE = new NumberRange(1, LONGEST, 5);
     private static final NumberRange SIZE_OR_NONE = new NumberRange(0, LONGEST, 5);
+    private static final NumberRange SECONDS = new NumberRange(0.1, Goal.LONGEST_HOVER, 1);
     private static final NumberRange ANGLE = new NumberRange(-360, 360, 15);
   }
 
@@ -235,6 +277,9 @@ enum ItemProperty {
 
   /** The number of an item; empty if it has none. */
   OptionalDouble of(FloorPlan plan, PlanItem item) {
+    if (item instanceof GoalItem goal) {
+      return of(plan.goal(goal));
+    }
     return item instanceof ObstacleItem body
         ? of(plan.obstacle(body).shape())
         : OptionalDouble.empty();
@@ -242,10 +287,14 @@ enum ItemProperty {
 
   /** The plan with another number; gates are raised as far as they must. */
   FloorPlan with(FloorPlan plan, PlanItem item, double value) {
+    if (item instanceof GoalItem goal) {
+      return plan.with(goal, with(plan.goal(goal), value));
+    }
     ObstacleItem body = (ObstacleItem) item;
     Obstacle now = plan.obstacle(body);
     Shape shape = with(now.shape(), Frames.meters(value));
-    return plan.with(body, new Obstacle(now.name(), shape, now.foot(), now.heading(), now.cover()));
+    return plan.with(
+        body, new Obstacle(now.name(), shape, now.foot(), now.heading(), now.appearance()));
   }
 
   /** The number of a shape; empty if it has none. */
@@ -258,7 +307,21 @@ enum ItemProperty {
     return shape;
   }
 
+  /** The number of a goal; empty if it has none. */
+  OptionalDouble of(Goal goal) {
+    return OptionalDouble.empty();
+  }
+
+  /** A goal that has the number, with another one. */
+  Goal with(Goal goal, double value) {
+    return goal;
+  }
+
+  /** Whether it has a place of its own there. */
   private static boolean onFloor(FloorPlan plan, PlanItem item) {
+    if (item instanceof GoalItem goal) {
+      return plan.goal(goal) instanceof Goal.InRegion;
+    }
     return !(item instanceof Pad pad) || !plan.pad(pad).surface().wall();
   }
 

@@ -1,9 +1,12 @@
 package tellosimulator.view.plan;
 
+import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.function.IntFunction;
+import javafx.geometry.Point2D;
 import javafx.geometry.VPos;
 import javafx.scene.canvas.GraphicsContext;
 import javafx.scene.paint.Color;
@@ -28,6 +31,9 @@ final class MarkPainter {
 
   /** Half the edge of a number [px]. */
   private static final double TAG = 8;
+
+  /** A number is at least this far above the middle, where one takes hold of a gate [px]. */
+  private static final double ABOVE = TAG + 4;
 
   /** Radius of the sign of a touch, and of a crash [px]. */
   private static final double TOUCH = 5;
@@ -79,11 +85,44 @@ final class MarkPainter {
     for (ContactMark contact : contacts) {
       paint(contact, scale);
     }
-    Map<Vec3, Integer> at = new HashMap<>();
-    for (GoalMark goal : goals) {
-      int aside = at.merge(goal.place().middle(), 1, Integer::sum) - 1;
-      tag(goal, aside, scale);
+    List<Point2D> tags = tags(goals, scale);
+    for (int i = 0; i < goals.size(); i++) {
+      tag(goals.get(i), tags.get(i));
     }
+  }
+
+  /**
+   * The middles of the numbers: at the rims of what they are about, beside each other if that is
+   * the same, and all of them within the picture [px].
+   */
+  static List<Point2D> tags(List<GoalMark> goals, PlanViewport scale) {
+    Map<Vec3, Integer> at = new HashMap<>();
+    List<Point2D> tags = new ArrayList<>();
+    for (GoalMark goal : goals) {
+      Vec3 middle = goal.place().middle();
+      int aside = at.merge(middle, 1, Integer::sum) - 1;
+      double x = scale.screenX(middle) + 2.2 * TAG * aside;
+      double y = scale.screenY(middle) - Math.max(ABOVE, radius(goal.place()) * scale.pixels());
+      tags.add(new Point2D(inside(x, scale.width()), inside(y, scale.height())));
+    }
+    return tags;
+  }
+
+  /** The place of a number that is near enough to an edge to be seen whole. */
+  private static double inside(double middle, double size) {
+    double edge = TAG + 1;
+    return Math.max(edge, Math.min(size - edge, middle));
+  }
+
+  /** The uppermost goal whose number is at a point of the screen. */
+  static Optional<GoalMark> tagged(List<GoalMark> goals, PlanViewport scale, double x, double y) {
+    List<Point2D> tags = tags(goals, scale);
+    for (int i = goals.size() - 1; i >= 0; i--) {
+      if (Math.abs(tags.get(i).getX() - x) <= TAG && Math.abs(tags.get(i).getY() - y) <= TAG) {
+        return Optional.of(goals.get(i));
+      }
+    }
+    return Optional.empty();
   }
 
   private Color color(GoalMark goal) {
@@ -138,11 +177,10 @@ final class MarkPainter {
     return gate instanceof Shape.Ring ring ? 2 * ring.radius() : ((Shape.Frame) gate).width();
   }
 
-  /** A number on a rounded square, or a tick; at the rim of what it is about. */
-  private void tag(GoalMark goal, int aside, PlanViewport scale) {
-    Vec3 middle = goal.place().middle();
-    double x = scale.screenX(middle) + 2.2 * TAG * aside;
-    double y = scale.screenY(middle) - Math.max(SMALLEST, radius(goal.place()) * scale.pixels());
+  /** A number on a rounded square, or a tick. */
+  private void tag(GoalMark goal, Point2D middle) {
+    double x = middle.getX();
+    double y = middle.getY();
     pen.setFill(color(goal).deriveColor(0, 1, 1, 1 / color(goal).getOpacity()));
     pen.setStroke(Color.WHITE);
     pen.setLineWidth(1);

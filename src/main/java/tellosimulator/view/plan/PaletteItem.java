@@ -18,11 +18,11 @@ enum PaletteItem {
 
   private static final double GATE_MIDDLE = 1;
 
-  private final ObstacleAppearance cover;
+  private final ObstacleAppearance appearance;
   private final Function<Room, Shape> shape;
 
   PaletteItem(int rgb, Pattern pattern, Function<Room, Shape> shape) {
-    this.cover = new ObstacleAppearance(rgb, pattern, Map.of());
+    this.appearance = new ObstacleAppearance(rgb, pattern, Map.of());
     this.shape = shape;
   }
 
@@ -30,8 +30,8 @@ enum PaletteItem {
     return shape.apply(room);
   }
 
-  ObstacleAppearance cover() {
-    return cover;
+  ObstacleAppearance appearance() {
+    return appearance;
   }
 
   /** The word with which names begin, and the end of the keys of its texts. */

@@ -5,6 +5,7 @@ import java.util.Optional;
 import tellosimulator.goal.Goal;
 import tellosimulator.math.Vec3;
 import tellosimulator.model.DroneSpec;
+import tellosimulator.view.plan.PlanItem.GoalItem;
 import tellosimulator.view.plan.PlanItem.ObstacleItem;
 import tellosimulator.view.plan.PlanItem.Pad;
 import tellosimulator.view.plan.PlanItem.Start;
@@ -27,7 +28,15 @@ enum PlacementProblem {
   /** It would be gone or have another name, and a goal names it. */
   NAMED_BY_GOAL,
   /** Another obstacle has this name. */
-  NAME_TAKEN;
+  NAME_TAKEN,
+  /** Drones would be other ones or have other numbers, and a fault names one. */
+  NAMED_BY_FAULT,
+  /** No drone would be left. */
+  LAST_DRONE,
+  /** There are as many drones as there can be. */
+  MOST_DRONES,
+  /** Drones or goals would be other ones while a drone flies. */
+  WHILE_FLYING;
 
   /** What may be missing to a gap [m]: the last bits of a calculation. */
   private static final double SLACK = 1e-6;
@@ -38,6 +47,11 @@ enum PlacementProblem {
       return problem(plan, plan.obstacle(body));
     } else if (item instanceof Start start) {
       return problem(plan, start);
+    } else if (item instanceof GoalItem goal) {
+      return plan.goal(goal) instanceof Goal.InRegion at
+              && !Footprint.inside(at.region().place(), plan.arena().room())
+          ? Optional.of(OUTSIDE)
+          : Optional.empty();
     }
     return Footprint.inside(plan.pad((Pad) item), plan.arena().room())
         ? Optional.empty()
@@ -45,11 +59,31 @@ enum PlacementProblem {
   }
 
   /** Whether a goal could not be reached any more; empty if none is concerned. */
-  static Optional<PlacementProblem> problemWithGoals(
-      FloorPlan plan, FloorPlan wanted, List<Goal> goals) {
-    return goals.stream().anyMatch(goal -> plan.offers(goal) && !wanted.offers(goal))
+  static Optional<PlacementProblem> problemWithGoals(FloorPlan plan, FloorPlan wanted) {
+    return wanted.goals().stream().anyMatch(goal -> plan.offers(goal) && !wanted.offers(goal))
         ? Optional.of(NAMED_BY_GOAL)
         : Optional.empty();
+  }
+
+  /**
+   * What keeps drones from being taken away; empty if nothing does.
+   *
+   * @param faulty whether a fault names a drone by its number
+   */
+  static Optional<PlacementProblem> problemWithout(
+      FloorPlan plan, List<PlanItem> drones, boolean faulty) {
+    if (drones.isEmpty()) {
+      return Optional.empty();
+    } else if (drones.size() == plan.drones().size()) {
+      return Optional.of(LAST_DRONE);
+    } else if (faulty) {
+      return Optional.of(NAMED_BY_FAULT);
+    }
+    boolean named =
+        plan.goals().stream()
+            .flatMapToInt(goal -> goal.drone().stream())
+            .anyMatch(number -> drones.contains(new Start(number)));
+    return named ? Optional.of(NAMED_BY_GOAL) : Optional.empty();
   }
 
   private static Optional<PlacementProblem> problem(FloorPlan plan, Obstacle obstacle) {

@@ -1,27 +1,22 @@
 package tellosimulator.view.plan;
 
 import java.util.ArrayList;
-import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
-import java.util.function.BiPredicate;
 import javafx.beans.property.ReadOnlyBooleanProperty;
 import javafx.beans.property.ReadOnlyBooleanWrapper;
 import javafx.beans.property.ReadOnlyObjectProperty;
 import javafx.beans.property.ReadOnlyObjectWrapper;
+import tellosimulator.goal.Challenge;
 import tellosimulator.goal.Goal;
 import tellosimulator.math.Pose;
 import tellosimulator.math.Vec3;
 import tellosimulator.sim.Control;
+import tellosimulator.view.model.FxScenario;
 import tellosimulator.view.model.FxSimulation;
 import tellosimulator.view.model.SimulatorActions;
-import tellosimulator.view.plan.PlanItem.ObstacleItem;
-import tellosimulator.view.plan.PlanItem.Pad;
+import tellosimulator.view.plan.PlanItem.GoalItem;
 import tellosimulator.view.plan.PlanItem.Start;
-import tellosimulator.world.MissionPad;
-import tellosimulator.world.Obstacle;
-import tellosimulator.world.ObstacleAppearance;
-import tellosimulator.world.Room;
 
 /**
  * What is placed in the room, what of it is chosen, and what can be undone. Each change is sent to
@@ -29,15 +24,9 @@ import tellosimulator.world.Room;
  */
 final class PlanEditor {
 
-  /** Distance between places at which something new is tried [m]. Decided. */
-  private static final double RASTER = 0.25;
-
-  /** How far from a place something new is tried, in rasters. Decided: seven metres. */
-  private static final int MOST_RINGS = 28;
-
   private final SimulatorActions actions;
   private final FxSimulation simulation;
-  private final List<Goal> goals;
+  private final FxScenario scenario;
   private final ReadOnlyObjectWrapper<FloorPlan> plan;
   private final ReadOnlyObjectWrapper<List<PlanItem>> selection =
       new ReadOnlyObjectWrapper<>(this, "selection", List.of());
@@ -45,19 +34,20 @@ final class PlanEditor {
       new ReadOnlyObjectWrapper<>(this, "problem", Optional.empty());
   private final ReadOnlyBooleanWrapper undoable = new ReadOnlyBooleanWrapper(this, "undoable");
   private final ReadOnlyBooleanWrapper redoable = new ReadOnlyBooleanWrapper(this, "redoable");
-  private final UndoStack history = new UndoStack();
+  private UndoStack history = new UndoStack();
 
   /** How it was when the hand took hold of something. */
   private Optional<FloorPlan> held = Optional.empty();
 
-  /**
-   * @param goals of the scenario, which name what must stay
-   */
-  PlanEditor(FxSimulation simulation, SimulatorActions actions, List<Goal> goals) {
+  PlanEditor(FxSimulation simulation, SimulatorActions actions, FxScenario scenario) {
     this.simulation = simulation;
-    this.goals = List.copyOf(goals);
+    this.scenario = scenario;
     this.actions = actions;
-    this.plan = new ReadOnlyObjectWrapper<>(FloorPlan.of(simulation.snapshot()));
+    this.plan = new ReadOnlyObjectWrapper<>(present(scenario.challenge()));
+  }
+
+  private FloorPlan present(Challenge challenge) {
+    return FloorPlan.of(simulation.snapshot(), scenario.origins(), challenge);
   }
 
   /** Takes over what the newest snapshot says; once a pulse while somebody looks. */
@@ -65,8 +55,8 @@ final class PlanEditor {
     if (actions.pending()) {
       return; // the snapshot does not show it yet
     }
-    FloorPlan newest = FloorPlan.of(simulation.snapshot());
     FloorPlan before = plan.get();
+    FloorPlan newest = present(held.isPresent() ? before.challenge() : scenario.challenge());
     if (newest.equals(before)) {
       return;
     }
@@ -74,6 +64,18 @@ final class PlanEditor {
       forget(); // what was in the other room may be outside of this one
     }
     show(newest);
+  }
+
+  /** What was done until now, for the editor of another window. */
+  UndoStack history() {
+    return history;
+  }
+
+  /** Goes on with what was done in another window. */
+  void goOn(UndoStack done, List<PlanItem> selected) {
+    history = done;
+    select(selected.stream().filter(plan()::has).toList());
+    showHistory();
   }
 
   /** What is where. */
@@ -136,7 +138,12 @@ final class PlanEditor {
   void release() {
     Optional<FloorPlan> was = held;
     held = Optional.empty();
-    was.filter(before -> !before.equals(plan())).ifPresent(this::remember);
+    was.filter(before -> !before.equals(plan()))
+        .ifPresent(
+            before -> {
+              remember(before);
+              ask(plan().challenge());
+            });
     problem.set(Optional.empty());
   }
 
@@ -146,7 +153,7 @@ final class PlanEditor {
         .ifPresent(
             item -> {
               Vec3 way = placement.place().minus(plan().placement(item).place());
-              FloorPlan wanted = plan().with(item, placement);
+              FloorPlan wanted = placed(item, placement);
               for (PlanItem other : selection().subList(0, selection().size() - 1)) {
                 Placement beside = plan().placement(other);
                 wanted = wanted.with(other, beside.at(beside.place().plus(way)));
@@ -155,187 +162,75 @@ final class PlanEditor {
             });
   }
 
+  /** A goal that is moved alone goes to another gate or pad, if it names one. */
+  private FloorPlan placed(PlanItem item, Placement placement) {
+    boolean named = item instanceof GoalItem goal && !(plan().goal(goal) instanceof Goal.InRegion);
+    if (!named || selection().size() > 1) {
+      return plan().with(item, placement);
+    }
+    GoalItem goal = (GoalItem) item;
+    return plan().with(goal, GoalPlacement.renamed(plan().goal(goal), placement.place(), plan()));
+  }
+
   /** Moves the selected items to an edge or a line of the one that was selected last. */
   void align(Alignment alignment) {
     tryOut(alignment.aligned(plan(), selection()));
   }
 
-  /** Gives the item that was selected last another number. */
-  void change(ItemProperty property, double value) {
-    selected()
-        .filter(item -> property.of(plan(), item).isPresent())
-        .ifPresent(item -> tryOut(property.with(plan(), item, value)));
-  }
-
-  /** Gives the selected obstacle another name, if no other has it. */
-  void rename(String name) {
-    if (selected().orElse(null) instanceof ObstacleItem body) {
-      FloorPlan wanted = plan().with(body, plan().obstacle(body).named(name));
-      boolean taken =
-          plan().arena().obstacles().stream()
-              .anyMatch(other -> other.name().equals(name) && !other.equals(plan().obstacle(body)));
-      problem.set(
-          taken
-              ? Optional.of(PlacementProblem.NAME_TAKEN)
-              : PlacementProblem.problemWithGoals(plan(), wanted, goals));
-      if (problem.get().isEmpty()) {
-        carryOut(wanted);
-      }
-    }
-  }
-
-  /** Gives the selected obstacle another colour, as one writes #rrggbb. */
-  void paint(int rgb) {
-    if (selected().orElse(null) instanceof ObstacleItem body) {
-      Obstacle now = plan().obstacle(body);
-      ObstacleAppearance cover =
-          new ObstacleAppearance(rgb, now.cover().pattern(), now.cover().pictures());
-      carryOut(
-          plan()
-              .with(body, new Obstacle(now.name(), now.shape(), now.foot(), now.heading(), cover)));
-    }
-  }
-
-  /** Gives the selected mission pad another number, if no goal names it. */
-  void renumber(int id) {
-    if (selected().orElse(null) instanceof Pad known && known.id() != id) {
-      MissionPad now = plan().pad(known);
-      MissionPad renumbered =
-          new MissionPad(id, now.surface(), now.along(), now.height(), now.rotation());
-      FloorPlan wanted = plan().replacing(known.id(), renumbered);
-      problem.set(PlacementProblem.problemWithGoals(plan(), wanted, goals));
-      if (problem.get().isEmpty()) {
-        select(List.of(new Pad(id)));
-        carryOut(wanted);
-      }
-    }
-  }
-
-  /** Adds another obstacle or mission pad like the one that was selected last, beside it. */
-  void duplicate() {
-    PlanItem item = selected().orElse(null);
-    if (item instanceof ObstacleItem body) {
-      Obstacle like = plan().obstacle(body);
-      String name = plan().freeName(like.name().replaceFirst(" [0-9]+$", ""));
-      addNear(
-          like.foot(),
-          new ObstacleItem(plan().arena().obstacles().size()),
-          place ->
-              plan().with(like.named(name).movedTo(place.withZ(like.foot().z()), like.heading())));
-    } else if (item instanceof Pad pad) {
-      addPad(plan().placement(pad).place());
-    }
-  }
-
-  /** Adds an obstacle near a place, and selects it. */
-  void add(PaletteItem kind, Vec3 near) {
-    Room room = plan().arena().room();
-    String name = plan().freeName(kind.word());
-    int index = plan().arena().obstacles().size();
-    addNear(
-        near,
-        new ObstacleItem(index),
-        place -> plan().with(new Obstacle(name, kind.shape(room), place, 0, kind.cover())));
-  }
-
-  /** Adds the mission pad of the next free id near a place, if there is one left. */
-  void addPad(Vec3 near) {
-    plan().freePadIds().stream()
-        .findFirst()
-        .ifPresent(
-            id ->
-                addNear(near, new Pad(id), place -> plan().with(MissionPad.onFloor(id, place, 0))));
-  }
-
-  private interface Adding {
-    FloorPlan at(Vec3 place);
-  }
-
-  /** Beside what is there if there is room for it, otherwise where it fits. */
-  private void addNear(Vec3 near, PlanItem item, Adding adding) {
-    boolean added =
-        tryAround(near, item, adding, PlanEditor::apart)
-            || tryAround(near, item, adding, (wanted, other) -> true);
-    if (!added) {
-      problem.set(
-          PlacementProblem.problem(adding.at(near), item)
-              .or(() -> Optional.of(PlacementProblem.OUTSIDE)));
-    }
-  }
-
-  /** Tries places around one, from the nearest ring to the farthest. */
-  private boolean tryAround(
-      Vec3 near, PlanItem item, Adding adding, BiPredicate<FloorPlan, PlanItem> wish) {
-    for (int ring = 0; ring <= MOST_RINGS; ring++) {
-      for (int x = -ring; x <= ring; x++) {
-        for (int y = -ring; y <= ring; y++) {
-          Vec3 place = near.plus(new Vec3(x * RASTER, y * RASTER, 0)).withZ(0);
-          if (Math.max(Math.abs(x), Math.abs(y)) == ring) {
-            FloorPlan wanted = adding.at(place);
-            if (PlacementProblem.problem(wanted, item).isEmpty() && wish.test(wanted, item)) {
-              carryOut(wanted);
-              select(List.of(item));
-              return true;
-            }
-          }
-        }
-      }
-    }
-    return false;
-  }
-
-  /** Whether a new item is clear of all others, however they are turned. */
-  private static boolean apart(FloorPlan wanted, PlanItem item) {
-    Vec3 place = wanted.placement(item).place();
-    double reach = wanted.outline(item).reach();
-    return wanted.items().stream()
-        .filter(other -> !other.equals(item))
-        .noneMatch(other -> wanted.outline(other).covers(place, wanted.placement(other), reach));
-  }
-
-  /** Whether something is selected that can be taken away: drones' starts stay. */
+  /** Whether something is selected that can be taken away: one drone stays. */
   boolean removable() {
-    return selection().stream().anyMatch(item -> !(item instanceof Start));
+    long starts = selection().stream().filter(Start.class::isInstance).count();
+    return !selection().isEmpty()
+        && (selection().size() > starts || starts < plan().drones().size());
   }
 
-  /** Takes the selected items away, unless they are drones' starts or a goal names one. */
+  /** Takes the selected items away, unless a goal or a fault names one. */
   void remove() {
-    FloorPlan wanted = plan();
-    List<PlanItem> last = // so that the indices of those before stay
-        selection().stream()
-            .sorted(
-                Comparator.comparingInt(
-                    item -> item instanceof ObstacleItem body ? -body.index() : 0))
-            .toList();
-    for (PlanItem item : last) {
-      wanted = wanted.without(item);
+    List<PlanItem> drones = selection().stream().filter(Start.class::isInstance).toList();
+    List<PlanItem> others = new ArrayList<>(selection());
+    others.removeAll(drones);
+    FloorPlan rest = plan().without(others);
+    problem.set(
+        PlacementProblem.problemWithGoals(plan(), rest)
+            .or(() -> PlacementProblem.problemWithout(rest, drones, faultNamesDrone())));
+    if (problem.get().isEmpty()) {
+      carryOut(rest.without(drones), List.of());
     }
-    problem.set(PlacementProblem.problemWithGoals(plan(), wanted, goals));
-    if (problem.get().isEmpty() && removable()) {
-      select(List.of());
-      carryOut(wanted);
-    }
+  }
+
+  /** Whether another number of a drone would be another drone to a fault. */
+  boolean faultNamesDrone() {
+    return scenario.scenario().config().rules().faults().faults().stream()
+        .anyMatch(fault -> fault.target().drone().isPresent());
   }
 
   /** Makes the last change undone. */
   void undo() {
-    history.undone(plan()).ifPresent(this::restore);
+    history
+        .undone(plan())
+        .filter(wanted -> !restored(wanted))
+        .ifPresent(wanted -> history.redone(wanted)); // as before
   }
 
   /** Does again what was undone last. */
   void redo() {
-    history.redone(plan()).ifPresent(this::restore);
+    history
+        .redone(plan())
+        .filter(wanted -> !restored(wanted))
+        .ifPresent(wanted -> history.undone(wanted)); // as before
   }
 
-  private void restore(FloorPlan wanted) {
+  private boolean restored(FloorPlan earlier) {
     held = Optional.empty();
-    problem.set(Optional.empty());
-    send(wanted.in(plan().arena()));
+    FloorPlan wanted = earlier.in(plan().arena());
+    problem.set(refusal(wanted));
+    boolean done = problem.get().isEmpty() && send(wanted);
     showHistory();
+    return done;
   }
 
   /** Carries a change of the selected items out, if all of them fit. */
-  private void tryOut(FloorPlan wanted) {
+  void tryOut(FloorPlan wanted) {
     problem.set(
         selection().stream()
             .flatMap(item -> PlacementProblem.problem(wanted, item).stream())
@@ -345,20 +240,56 @@ final class PlanEditor {
     }
   }
 
-  private void carryOut(FloorPlan wanted) {
+  void carryOut(FloorPlan wanted) {
+    carryOut(wanted, selection());
+  }
+
+  /** Says why something was not done. */
+  void refuse(PlacementProblem why) {
+    problem.set(Optional.of(why));
+  }
+
+  /** Selects items, and carries a change of them out: another window may go on from there. */
+  void carryOut(FloorPlan wanted, List<PlanItem> items) {
     FloorPlan before = plan();
     if (wanted.equals(before)) {
       return;
     }
-    problem.set(Optional.empty());
-    send(wanted);
+    problem.set(refusal(wanted));
+    if (problem.get().isPresent()) {
+      return;
+    }
+    List<PlanItem> selected = selection();
+    select(items);
     if (held.isEmpty()) {
       remember(before);
     }
+    if (!send(wanted)) {
+      select(selected); // those selected now may not be there
+      if (held.isEmpty()) {
+        history.drop();
+        showHistory();
+      }
+    }
   }
 
-  private void send(FloorPlan wanted) {
+  /** What keeps drones and goals from being other ones; empty if nothing does. */
+  private Optional<PlacementProblem> refusal(FloorPlan wanted) {
+    boolean others = !wanted.origins().equals(plan().origins());
+    if (!others && wanted.challenge().equals(plan().challenge())) {
+      return Optional.empty();
+    }
+    boolean flying =
+        simulation.snapshot().drones().stream().anyMatch(drone -> drone.state().phase().flying());
+    return flying ? Optional.of(PlacementProblem.WHILE_FLYING) : Optional.empty();
+  }
+
+  /** Carries it out; whether it was done. Other drones need a window that is opened anew. */
+  private boolean send(FloorPlan wanted) {
     FloorPlan before = plan();
+    if (!wanted.origins().equals(before.origins())) {
+      return scenario.actions().replan(wanted.arena(), wanted.drones(), wanted.challenge());
+    }
     if (!wanted.arena().equals(before.arena())) {
       actions.carryOut(new Control.Furnish(wanted.arena().obstacles(), wanted.arena().pads()));
     }
@@ -369,6 +300,22 @@ final class PlanEditor {
       }
     }
     show(wanted);
+    if (held.isEmpty()) {
+      ask(wanted.challenge());
+    }
+    return true;
+  }
+
+  /** Asks it of the drones, which go back to their starts if they have flown. */
+  private void ask(Challenge challenge) {
+    if (challenge.equals(scenario.challenge())) {
+      return;
+    }
+    boolean flown = scenario.progressProperty().get().elapsed() > 0;
+    scenario.ask(challenge);
+    if (flown) {
+      simulation.drones().forEach(drone -> actions.carryOut(new Control.Reset(drone.number())));
+    }
   }
 
   private void remember(FloorPlan before) {

@@ -19,12 +19,15 @@ import tellosimulator.math.Vec3;
 final class PlanGestures {
 
   /** Distance between the places at which things come to rest [m]. Decided: the 5 cm. */
-  private static final double RASTER = 0.05;
+  private static final double GRID_STEP = 0.05;
 
   private static final double FINE_RASTER = 0.01;
 
   private static final double TURN = Math.toRadians(15);
   private static final double FINE_TURN = Math.toRadians(1);
+
+  /** A mouse that has moved less clicks [px]. Decided: what a hand trembles. */
+  private static final double STILL = 4;
 
   /** By how much a notch of the wheel enlarges the plan, as a logarithm for each pixel. */
   private static final double ZOOM = 0.0025;
@@ -38,6 +41,8 @@ final class PlanGestures {
 
   private Vec3 measuredFrom = Vec3.ZERO;
   private boolean dragging;
+  private double pressedX;
+  private double pressedY;
   private double lastX;
   private double lastY;
 
@@ -70,6 +75,8 @@ final class PlanGestures {
 
   private void press(MouseEvent event) {
     view.requestFocus();
+    pressedX = event.getX();
+    pressedY = event.getY();
     lastX = event.getX();
     lastY = event.getY();
     Optional<PlanItem> item = view.item(event.getX(), event.getY());
@@ -109,10 +116,14 @@ final class PlanGestures {
     if (actions.measuring().get()) {
       Vec3 to = snapped(under(event), FINE_RASTER);
       view.show(Optional.of(new MeasuredDistance(measuredFrom, to)));
+    } else if (dragging && Math.hypot(event.getX() - pressedX, event.getY() - pressedY) < STILL) {
+      event.consume(); // the panel that opens moves the plan under the mouse
+      return;
     } else if (dragging && editor.selected().isPresent()) {
+      pressedX = Double.NEGATIVE_INFINITY;
       Placement placement = editor.plan().placement(editor.selected().get());
       editor.place(
-          placement.at(snapped(under(event).minus(grip), free(event) ? FINE_RASTER : RASTER)));
+          placement.at(snapped(under(event).minus(grip), free(event) ? FINE_RASTER : GRID_STEP)));
     } else {
       view.show(view.scale().dragged(event.getX() - lastX, event.getY() - lastY));
     }
@@ -159,7 +170,7 @@ final class PlanGestures {
     }
     switch (event.getCode()) {
       case Z -> editor.undo();
-      case D -> editor.duplicate();
+      case D -> new PlanAdditions(editor).duplicate();
       case A -> editor.select(editor.plan().items());
       default -> {
         return false;
@@ -169,7 +180,7 @@ final class PlanGestures {
   }
 
   private boolean key(KeyEvent event) {
-    double step = free(event) ? FINE_RASTER : RASTER;
+    double step = free(event) ? FINE_RASTER : GRID_STEP;
     switch (event.getCode()) {
       case DELETE, BACK_SPACE -> editor.remove();
       case R -> turn((event.isShiftDown() ? -1 : 1) * (free(event) ? FINE_TURN : TURN));

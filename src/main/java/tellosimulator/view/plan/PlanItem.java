@@ -23,4 +23,11 @@ sealed interface PlanItem {
    * @param index in the order of their numbers, from 0
    */
   record ObstacleItem(int index) implements PlanItem {}
+
+  /**
+   * A goal.
+   *
+   * @param index in the order of their numbers, from 0
+   */
+  record GoalItem(int index) implements PlanItem {}
 }

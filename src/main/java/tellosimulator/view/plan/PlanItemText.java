@@ -1,6 +1,7 @@
 package tellosimulator.view.plan;
 
 import tellosimulator.math.Frames;
+import tellosimulator.view.plan.PlanItem.GoalItem;
 import tellosimulator.view.plan.PlanItem.ObstacleItem;
 import tellosimulator.view.plan.PlanItem.Pad;
 import tellosimulator.view.text.Language;
@@ -28,6 +29,9 @@ final class PlanItemText {
           language.say(plan.pad(pad).surface().phrase()),
           cm(plan.pad(pad).along()),
           cm(plan.pad(pad).height()));
+    }
+    if (item instanceof GoalItem goal) {
+      return messages.now("piece-goal", goal.index() + 1, language.say(plan.goal(goal).phrase()));
     }
     return messages.now(
         "piece",

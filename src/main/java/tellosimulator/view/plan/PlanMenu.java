@@ -15,12 +15,14 @@ final class PlanMenu {
   private static final double QUARTER = Math.PI / 2;
 
   private final PlanEditor editor;
+  private final PlanAdditions additions;
   private final PlanView view;
   private final Messages messages;
   private final ContextMenu menu = new ContextMenu();
 
   private PlanMenu(PlanEditor editor, PlanView view, Messages messages) {
     this.editor = editor;
+    this.additions = new PlanAdditions(editor);
     this.view = view;
     this.messages = messages;
   }
@@ -47,7 +49,7 @@ final class PlanMenu {
     menu.getItems()
         .addAll(
             item("menu-edit", edit),
-            item("menu-duplicate", editor::duplicate),
+            item("menu-duplicate", additions::duplicate),
             item("menu-turn-left", () -> turn(QUARTER)),
             item("menu-turn-right", () -> turn(-QUARTER)),
             align,

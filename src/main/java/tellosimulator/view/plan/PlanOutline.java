@@ -21,7 +21,7 @@ record PlanOutline(double depth, double width, boolean round) {
   /** Thickness with which a hanging mission pad is drawn [m]. Decided: to be seen and caught. */
   static final double HANGING = 0.04;
 
-  private static PlanOutline circle(double radius) {
+  static PlanOutline circle(double radius) {
     return new PlanOutline(2 * radius, 2 * radius, true);
   }
 

@@ -14,6 +14,7 @@ import tellosimulator.math.Vec3;
 import tellosimulator.model.DroneSpec;
 import tellosimulator.scenery.overlay.ContactMark;
 import tellosimulator.view.drone.DroneColors;
+import tellosimulator.view.plan.PlanItem.GoalItem;
 import tellosimulator.view.plan.PlanItem.ObstacleItem;
 import tellosimulator.view.plan.PlanItem.Pad;
 import tellosimulator.view.plan.PlanItem.Start;
@@ -85,7 +86,9 @@ final class PlanPainter {
     paintWind(plan.arena().wind());
     marks.paintPlaces(remarks.goals, scale);
     for (PlanItem item : plan.items()) {
-      paint(plan, item);
+      if (!(item instanceof GoalItem)) { // those are among the remarks
+        paint(plan, item);
+      }
     }
     marks.paintSigns(remarks.goals, remarks.contacts, scale);
   }
@@ -204,7 +207,7 @@ final class PlanPainter {
 
   /** In the obstacle's frame: its x axis points up. */
   private void paint(Obstacle obstacle, PlanOutline outline) {
-    int rgb = obstacle.cover().rgb();
+    int rgb = obstacle.appearance().rgb();
     Color fill = Color.rgb(rgb >> 16 & 0xff, rgb >> 8 & 0xff, rgb & 0xff);
     pen.setFill(fill.deriveColor(0, 1, 1, obstacle.foot().z() > 0.01 ? 0.55 : 0.9));
     pen.setStroke(fill.darker());

@@ -1,32 +1,38 @@
 package tellosimulator.view.plan;
 
-import atlantafx.base.controls.Spacer;
 import atlantafx.base.theme.Styles;
+import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
+import java.util.function.IntFunction;
 import javafx.beans.binding.Bindings;
 import javafx.beans.binding.BooleanBinding;
 import javafx.beans.property.BooleanProperty;
 import javafx.beans.property.SimpleBooleanProperty;
 import javafx.beans.value.ObservableValue;
 import javafx.css.PseudoClass;
-import javafx.geometry.Orientation;
 import javafx.scene.control.Button;
 import javafx.scene.control.ButtonBase;
 import javafx.scene.control.Label;
-import javafx.scene.control.Separator;
+import javafx.scene.control.MenuButton;
+import javafx.scene.control.MenuItem;
 import javafx.scene.control.ToggleButton;
-import javafx.scene.control.ToolBar;
 import javafx.scene.layout.BorderPane;
+import javafx.scene.layout.FlowPane;
+import javafx.scene.layout.HBox;
+import javafx.scene.layout.Priority;
+import javafx.scene.paint.Color;
 import org.kordamp.ikonli.Ikon;
 import org.kordamp.ikonli.feather.Feather;
 import org.kordamp.ikonli.javafx.FontIcon;
+import tellosimulator.goal.GoalMark;
+import tellosimulator.goal.Progress;
 import tellosimulator.math.Vec3;
 import tellosimulator.view.drone.DroneColors;
 import tellosimulator.view.fx.Tooltips;
 import tellosimulator.view.model.ViewContext;
 import tellosimulator.view.text.Language;
 import tellosimulator.view.text.Messages;
-import tellosimulator.world.Arena;
 
 /**
  * The room from above, in which one places drones, mission pads and obstacles with the mouse: a
@@ -42,29 +48,26 @@ public final class PlanPane extends BorderPane {
   private final Language language;
   private final Messages messages;
   private final PlanEditor editor;
+  private final PlanAdditions additions;
   private final PlanView view;
   private final PlanItemText text;
   private final PlanProperties properties;
   private final BooleanProperty measuring = new SimpleBooleanProperty(this, "measuring");
-  private final ToolBar bar = new ToolBar();
+  private final FlowPane palette = new FlowPane();
+  private final HBox tools = new HBox();
   private final Label status = new Label();
 
   public PlanPane(ViewContext context) {
     this.context = context;
     language = context.language();
     messages = language.messages(PlanPane.class);
-    editor =
-        new PlanEditor(
-            context.simulation(),
-            context.actions(),
-            context.scenario().scenario().challenge().goals());
-    view =
-        new PlanView(
-            editor,
-            drone -> DroneColors.of(context.simulation().drones().get(drone - 1)),
-            messages.text("front"));
+    editor = new PlanEditor(context.simulation(), context.actions(), context.scenario());
+    additions = new PlanAdditions(editor);
+    IntFunction<Color> colors =
+        drone -> DroneColors.of(context.simulation().drones().get(drone - 1));
+    view = new PlanView(editor, colors, messages.text("front"));
     text = new PlanItemText(language, messages);
-    properties = new PlanProperties(editor, language);
+    properties = new PlanProperties(editor, language, colors);
     initializeSelf();
     initializeParts();
     layoutParts();
@@ -96,26 +99,33 @@ public final class PlanPane extends BorderPane {
     status.getStyleClass().add("plan-status");
     status.setMaxWidth(Double.MAX_VALUE);
     for (PaletteItem kind : PaletteItem.values()) {
-      bar.getItems().add(palette("add-" + kind.word(), () -> editor.add(kind, middle())));
+      palette.getChildren().add(palette("add-" + kind.word(), () -> additions.add(kind, middle())));
     }
-    Button pad = palette("add-pad", () -> editor.addPad(middle()));
+    Button pad = palette("add-pad", () -> additions.addPad(middle()));
     pad.disableProperty().bind(editor.planProperty().map(now -> now.freePadIds().isEmpty()));
-    bar.getItems()
+    palette
+        .getChildren()
+        .addAll(pad, goals(), palette("add-drone", () -> additions.addDrone(middle())));
+    tools
+        .getChildren()
         .addAll(
-            pad,
-            new Separator(Orientation.VERTICAL),
             tool("undo", Feather.CORNER_UP_LEFT, editor::undo, editor.undoableProperty().not()),
             tool("redo", Feather.CORNER_UP_RIGHT, editor::redo, editor.redoableProperty().not()),
-            tool("duplicate", Feather.COPY, editor::duplicate, nothingToRemove()),
+            tool("duplicate", Feather.COPY, additions::duplicate, nothingSelected()),
             tool("remove", Feather.TRASH_2, editor::remove, nothingToRemove()),
             ruler(),
             tool("whole", Feather.MAXIMIZE_2, view::showWhole, never),
-            new Spacer(),
             tool("leave", Feather.X, () -> shown.set(false), never));
   }
 
   private void layoutParts() {
-    setTop(bar);
+    palette.getStyleClass().add("palette");
+    tools.getStyleClass().add("tools");
+    tools.setMinWidth(USE_PREF_SIZE);
+    HBox top = new HBox(palette, tools);
+    top.getStyleClass().add("plan-top");
+    HBox.setHgrow(palette, Priority.ALWAYS);
+    setTop(top);
     setCenter(view);
     setRight(properties);
     setBottom(status);
@@ -147,9 +157,28 @@ public final class PlanPane extends BorderPane {
   private void advance() {
     if (shown.get()) {
       editor.advance();
-      Arena arena = context.simulation().snapshot().arena();
-      view.advance(context.marks().goals(arena), context.marks().contacts());
+      view.advance(goalMarks(), context.marks().contacts());
     }
+  }
+
+  /** The goals as they are planned, which the drones hear of when the mouse lets go. */
+  private List<GoalMark> goalMarks() {
+    FloorPlan plan = editor.plan();
+    Progress now = context.scenario().progressProperty().get();
+    boolean asked = now.challenge().equals(plan.challenge());
+    return GoalMark.of(asked ? now : Progress.start(plan.challenge()), plan.arena());
+  }
+
+  /** What it remembers, for a plan that goes on with it. */
+  public PlanEditorState memory() {
+    return new PlanEditorState(editor.history(), editor.selection(), view.part());
+  }
+
+  /** Goes on with what another plan remembers. */
+  public void goOn(PlanEditorState memory) {
+    editor.goOn(memory.history(), memory.selection());
+    memory.part().ifPresent(view::show);
+    view.requestFocus();
   }
 
   private String sentence() {
@@ -171,9 +200,35 @@ public final class PlanPane extends BorderPane {
     return Bindings.createBooleanBinding(() -> !editor.removable(), editor.selectionProperty());
   }
 
+  private BooleanBinding nothingSelected() {
+    return Bindings.createBooleanBinding(
+        () -> editor.selection().isEmpty(), editor.selectionProperty());
+  }
+
   /** What is in the middle of the plan, where new things go. */
   private Vec3 middle() {
     return view.scale().place(view.getWidth() / 2, view.getHeight() / 2);
+  }
+
+  /** The kinds of goals. */
+  private MenuButton goals() {
+    MenuButton button = new MenuButton("", new FontIcon(Feather.PLUS));
+    button.textProperty().bind(messages.text("add-goal"));
+    button.getStyleClass().add(Styles.SMALL);
+    for (GoalKind kind : GoalKind.values()) {
+      MenuItem item = new MenuItem();
+      item.setId("plan-add-" + kind.word());
+      item.textProperty().bind(messages.text("add-" + kind.word()));
+      item.setOnAction(
+          chosen -> {
+            additions.addGoal(kind, middle());
+            view.requestFocus();
+          });
+      item.disableProperty()
+          .bind(editor.planProperty().map(now -> kind.goal(now, Optional.empty()).isEmpty()));
+      button.getItems().add(item);
+    }
+    return prepared(button, "add-goal", () -> {});
   }
 
   private Button palette(String id, Runnable action) {

@@ -8,6 +8,8 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.function.IntFunction;
+import java.util.stream.IntStream;
 import javafx.scene.Node;
 import javafx.scene.control.ColorPicker;
 import javafx.scene.control.ComboBox;
@@ -17,8 +19,10 @@ import javafx.scene.layout.GridPane;
 import javafx.scene.layout.VBox;
 import javafx.scene.paint.Color;
 import tellosimulator.view.controls.NumberField;
+import tellosimulator.view.plan.PlanItem.GoalItem;
 import tellosimulator.view.plan.PlanItem.ObstacleItem;
 import tellosimulator.view.plan.PlanItem.Pad;
+import tellosimulator.view.plan.PlanItem.Start;
 import tellosimulator.view.text.Language;
 import tellosimulator.view.text.Messages;
 import tellosimulator.world.Obstacle;
@@ -30,19 +34,28 @@ import tellosimulator.world.Obstacle;
 final class PlanProperties extends VBox {
 
   private final PlanEditor editor;
+  private final PropertyEdits edits;
   private final Messages messages;
   private final TextField name = new TextField();
-  private final ComboBox<Integer> padId = new ComboBox<>();
+  private final ComboBox<Integer> number = new ComboBox<>();
   private final ColorPicker color = new ColorPicker();
   private final Map<ItemProperty, NumberField> numbers = new EnumMap<>(ItemProperty.class);
   private final Map<Node, List<Node>> rows = new LinkedHashMap<>();
   private final GridPane grid = new GridPane();
+  private final GoalFields goal;
+  private final IntFunction<Color> colors;
 
   /** Whether the controls change because they show something. */
   private boolean showing;
 
-  PlanProperties(PlanEditor editor, Language language) {
+  /**
+   * @param colors gives that of the drone of a number
+   */
+  PlanProperties(PlanEditor editor, Language language, IntFunction<Color> colors) {
+    this.colors = colors;
     this.editor = editor;
+    this.edits = new PropertyEdits(editor);
+    this.goal = new GoalFields(edits, language);
     this.messages = language.messages(PlanProperties.class);
     for (ItemProperty property : ItemProperty.values()) {
       numbers.put(property, new NumberField(id(property), property.range(), language));
@@ -59,18 +72,19 @@ final class PlanProperties extends VBox {
     getStyleClass().add("plan-properties");
     grid.getStyleClass().add("rows");
     name.setId("property-name");
-    padId.setId("property-pad");
+    number.setId("property-number");
     color.setId("property-color");
-    padId.setMaxWidth(Double.MAX_VALUE);
+    number.setMaxWidth(Double.MAX_VALUE);
     color.setMaxWidth(Double.MAX_VALUE);
   }
 
   private void layoutParts() {
     addRow(name);
-    addRow(padId);
+    addRow(number);
+    goal.choices().forEach(this::addRow);
     numbers.values().forEach(this::addRow);
     addRow(color);
-    getChildren().add(grid);
+    getChildren().addAll(grid, goal.rules());
   }
 
   private void addRow(Node control) {
@@ -96,24 +110,24 @@ final class PlanProperties extends VBox {
                 rename();
               }
             });
-    padId.setOnAction(
+    number.setOnAction(
         chosen -> {
-          if (!showing && padId.getValue() != null) {
-            editor.renumber(padId.getValue());
+          if (!showing && number.getValue() != null) {
+            edits.renumber(number.getValue());
             show();
           }
         });
     color.setOnAction(
         chosen -> {
           if (!showing) {
-            editor.paint(rgb(color.getValue()));
+            edits.paint(rgb(color.getValue()));
           }
         });
     numbers.forEach(
         (property, field) ->
             field.onNumber(
                 value -> {
-                  editor.change(property, value);
+                  edits.change(property, value);
                   show(); // what it has become, or still is
                 }));
   }
@@ -133,7 +147,7 @@ final class PlanProperties extends VBox {
   private void rename() {
     String wanted = name.getText().strip();
     if (!wanted.isEmpty() && !showing) {
-      editor.rename(wanted);
+      edits.rename(wanted);
     }
     show();
   }
@@ -154,28 +168,49 @@ final class PlanProperties extends VBox {
         });
     showObstacle(
         item instanceof ObstacleItem body ? Optional.of(plan.obstacle(body)) : Optional.empty());
-    setShown(padId, item instanceof Pad);
-    if (item instanceof Pad pad) {
-      List<Integer> ids = new ArrayList<>(plan.freePadIds());
-      ids.add(pad.id());
-      ids.sort(null);
-      padId.getItems().setAll(ids);
-      padId.setValue(pad.id());
-    }
+    showNumber(plan, item);
+    showColor(plan, item);
+    goal.show(plan, item, this::setShown);
     showing = false;
   }
 
   private void showObstacle(Optional<Obstacle> obstacle) {
     setShown(name, obstacle.isPresent());
-    setShown(color, obstacle.isPresent());
-    obstacle.ifPresent(
-        shown -> {
-          if (!name.getText().equals(shown.name())) {
-            name.setText(shown.name());
-          }
-          int rgb = shown.cover().rgb();
-          color.setValue(Color.rgb(rgb >> 16 & 0xff, rgb >> 8 & 0xff, rgb & 0xff));
-        });
+    obstacle
+        .filter(shown -> !name.getText().equals(shown.name()))
+        .ifPresent(shown -> name.setText(shown.name()));
+  }
+
+  private void showNumber(FloorPlan plan, PlanItem item) {
+    List<Integer> all = new ArrayList<>();
+    int now = 0;
+    if (item instanceof Pad pad) {
+      now = pad.id();
+      all.addAll(plan.freePadIds());
+      all.add(now);
+      all.sort(null);
+    } else if (item instanceof GoalItem numbered) {
+      now = numbered.index() + 1;
+      all.addAll(IntStream.rangeClosed(1, plan.goals().size()).boxed().toList());
+    } else if (item instanceof Start start) {
+      now = start.drone();
+      all.addAll(IntStream.rangeClosed(1, plan.drones().size()).boxed().toList());
+    }
+    setShown(number, !all.isEmpty());
+    if (!all.equals(number.getItems())) {
+      number.getItems().setAll(all);
+    }
+    number.setValue(now);
+  }
+
+  private void showColor(FloorPlan plan, PlanItem item) {
+    setShown(color, item instanceof ObstacleItem || item instanceof Start);
+    if (item instanceof ObstacleItem body) {
+      int rgb = plan.obstacle(body).appearance().rgb();
+      color.setValue(Color.rgb(rgb >> 16 & 0xff, rgb >> 8 & 0xff, rgb & 0xff));
+    } else if (item instanceof Start start) {
+      color.setValue(colors.apply(start.drone()));
+    }
   }
 
   private void setShown(Node control, boolean shown) {

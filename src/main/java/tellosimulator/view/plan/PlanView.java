@@ -8,9 +8,11 @@ import javafx.scene.AccessibleRole;
 import javafx.scene.canvas.Canvas;
 import javafx.scene.layout.Region;
 import javafx.scene.paint.Color;
+import tellosimulator.goal.Goal;
 import tellosimulator.goal.GoalMark;
 import tellosimulator.math.Vec3;
 import tellosimulator.scenery.overlay.ContactMark;
+import tellosimulator.view.plan.PlanItem.GoalItem;
 
 /** The plan itself: all that is in the room, seen from above. For the JavaFX thread. */
 final class PlanView extends Region {
@@ -79,6 +81,11 @@ final class PlanView extends Region {
     }
   }
 
+  /** The part of the room that is shown; empty for all of it. */
+  Optional<PlanViewport> part() {
+    return whole ? Optional.empty() : Optional.of(scale);
+  }
+
   PlanViewport scale() {
     return scale;
   }
@@ -104,11 +111,20 @@ final class PlanView extends Region {
   /** The uppermost item at a point of the screen. */
   Optional<PlanItem> item(double x, double y) {
     FloorPlan plan = editor.plan();
+    Optional<PlanItem> tagged =
+        MarkPainter.tagged(remarks.goals(), scale, x, y)
+            .map(mark -> (PlanItem) new GoalItem(mark.number() - 1))
+            .filter(plan::has);
+    if (tagged.isPresent()) {
+      return tagged;
+    }
     Vec3 place = scale.place(x, y);
     List<PlanItem> items = plan.items();
     for (int i = items.size() - 1; i >= 0; i--) {
       PlanItem item = items.get(i);
-      if (plan.outline(item).covers(place, plan.placement(item), scale.meters(CATCH))) {
+      boolean named = item instanceof GoalItem goal && !(plan.goal(goal) instanceof Goal.InRegion);
+      if (!named // the gate or pad is there itself
+          && plan.outline(item).covers(place, plan.placement(item), scale.meters(CATCH))) {
         return Optional.of(item);
       }
     }

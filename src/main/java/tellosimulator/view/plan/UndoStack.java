@@ -22,6 +22,11 @@ final class UndoStack {
     }
   }
 
+  /** Forgets the change that was remembered last, as it was not carried out. */
+  void drop() {
+    before.poll();
+  }
+
   /**
    * How it was before the last change that is not undone.
    *

@@ -11,8 +11,8 @@ import tellosimulator.math.Vec3;
 import tellosimulator.sim.Control;
 import tellosimulator.sim.DroneSetup;
 import tellosimulator.sim.SimConfig;
-import tellosimulator.sim.SimConfig.Outlets;
 import tellosimulator.sim.SimConfig.Product;
+import tellosimulator.sim.SimConfig.StreamPorts;
 import tellosimulator.testing.SteppedDrone;
 
 /** The window's yaw is that of the state line, from power-on and from reset. */
@@ -22,7 +22,7 @@ class FxDroneModelTest {
   private final SteppedDrone drone =
       SteppedDrone.of(
           SimConfig.DEFAULT.withDrones(
-              List.of(DroneSetup.at(start, Product.DEFAULT, Outlets.DEFAULT))));
+              List.of(DroneSetup.at(start, Product.DEFAULT, StreamPorts.DEFAULT))));
   private final FxDroneModel model = new FxDroneModel(drone.snapshot());
 
   @BeforeEach

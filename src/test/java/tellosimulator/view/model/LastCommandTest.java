@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
+import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import tellosimulator.command.Peer;
 import tellosimulator.command.Reply;
@@ -27,10 +28,12 @@ class LastCommandTest {
     assertThat(last.newest()).isEmpty();
 
     last.event(new SimEvent.CommandReceived(SimTime.ZERO, 2, PEER, "forward 100"));
-    assertThat(last.newest()).contains(new Shown(2, "forward 100", Outcome.RUNNING, ""));
+    assertThat(last.newest())
+        .contains(new Shown(2, "forward 100", Outcome.RUNNING, "", Optional.empty()));
 
     last.event(new SimEvent.ReplySent(SimTime.ZERO, 2, PEER, "forward 100", Reply.OK));
-    assertThat(last.newest()).contains(new Shown(2, "forward 100", Outcome.DONE, "ok"));
+    assertThat(last.newest())
+        .contains(new Shown(2, "forward 100", Outcome.DONE, "ok", Optional.empty()));
 
     last.clear();
     assertThat(last.newest()).isEmpty();
@@ -46,14 +49,31 @@ class LastCommandTest {
   }
 
   @Test
+  void whatWasSentBeforeEndsUnnoticedIfItSucceeds() {
+    Phrase reason = Phrase.of("because");
+    Shown refused = new Shown(1, "flip f", Outcome.FAILED, "error", Optional.of(reason));
+    last.event(new SimEvent.CommandReceived(SimTime.ZERO, 1, PEER, "forward 60"));
+    last.event(
+        new SimEvent.CommandRefused(SimTime.ZERO, 1, PEER, "flip f", Reply.line("error"), reason));
+
+    last.event(new SimEvent.ReplySent(SimTime.ZERO, 1, PEER, "forward 60", Reply.OK));
+    assertThat(last.newest()).contains(refused);
+
+    last.event(new SimEvent.CommandFailed(SimTime.ZERO, 1, PEER, "forward 60", Reply.OK, reason));
+    assertThat(last.newest().map(Shown::text)).contains("forward 60");
+  }
+
+  @Test
   void whatIsRefusedOrIgnoredFailed() {
     Phrase reason = Phrase.of("because");
 
     last.event(
         new SimEvent.CommandRefused(SimTime.ZERO, 1, PEER, "up 9", Reply.OUT_OF_RANGE, reason));
-    assertThat(last.newest()).contains(new Shown(1, "up 9", Outcome.FAILED, "out of range"));
+    assertThat(last.newest())
+        .contains(new Shown(1, "up 9", Outcome.FAILED, "out of range", Optional.of(reason)));
 
     last.event(new SimEvent.CommandIgnored(SimTime.ZERO, 1, PEER, "up 20", reason));
-    assertThat(last.newest()).contains(new Shown(1, "up 20", Outcome.FAILED, ""));
+    assertThat(last.newest())
+        .contains(new Shown(1, "up 20", Outcome.FAILED, "", Optional.of(reason)));
   }
 }

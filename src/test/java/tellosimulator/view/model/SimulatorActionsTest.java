@@ -22,7 +22,7 @@ import tellosimulator.network.AddressPlan;
 import tellosimulator.network.OnlineSimulation;
 import tellosimulator.sim.Control;
 import tellosimulator.sim.SimConfig;
-import tellosimulator.sim.SimConfig.Outlets;
+import tellosimulator.sim.SimConfig.StreamPorts;
 import tellosimulator.sim.SimListener;
 import tellosimulator.sim.SimSnapshot;
 import tellosimulator.testing.CapturedLog;
@@ -38,7 +38,7 @@ class SimulatorActionsTest {
   private final BlockingQueue<Boolean> answered = new LinkedBlockingQueue<>();
   private final OnlineSimulation simulation =
       new OnlineSimulation(
-          SimConfig.DEFAULT.withOutlets(new Outlets(9, 9)),
+          SimConfig.DEFAULT.withStreamPorts(new StreamPorts(9, 9)),
           AddressPlan.portPerDrone(1, LOOPBACK, 0),
           OptionalInt.empty(),
           List.of(new Busy()));

@@ -20,7 +20,7 @@ class AlignmentTest {
 
   /** A box of 40 by 60 cm with its middle at (1, 1), and one of 20 by 20 cm at (-1, 0). */
   private static final FloorPlan PLAN =
-      new FloorPlan(Arena.DEFAULT, List.of(new Pose(Vec3.ZERO, Attitude.LEVEL)))
+      FloorPlans.of(Arena.DEFAULT, List.of(new Pose(Vec3.ZERO, Attitude.LEVEL)))
           .with(box("large", 0.4, 0.6, new Vec3(1, 1, 0)))
           .with(box("small", 0.2, 0.2, new Vec3(-1, 0, 0)));
 

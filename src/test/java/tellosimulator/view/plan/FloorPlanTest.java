@@ -4,12 +4,16 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import java.util.List;
+import java.util.OptionalInt;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import tellosimulator.goal.Goal;
+import tellosimulator.goal.GoalRegion;
 import tellosimulator.math.Attitude;
 import tellosimulator.math.Pose;
 import tellosimulator.math.Vec3;
+import tellosimulator.view.plan.PlanItem.GoalItem;
 import tellosimulator.view.plan.PlanItem.ObstacleItem;
 import tellosimulator.view.plan.PlanItem.Pad;
 import tellosimulator.view.plan.PlanItem.Start;
@@ -27,8 +31,13 @@ class FloorPlanTest {
       new Obstacle(
           "box 1", new Shape.Box(0.4, 1, 0.5), new Vec3(1, 0, 0), 0, ObstacleAppearance.DEFAULT);
 
+  private static final Goal.Reach REACH =
+      new Goal.Reach(OptionalInt.empty(), new GoalRegion(new Vec3(1, 0, 1), 0.3));
+  private static final Goal.Land LAND =
+      new Goal.Land(OptionalInt.empty(), new GoalRegion(new Vec3(0, 1, 0), 0.3));
+
   private final FloorPlan plan =
-      new FloorPlan(
+      FloorPlans.of(
           Arena.DEFAULT
               .withObstacles(List.of(BOX))
               .withPads(
@@ -84,10 +93,70 @@ class FloorPlanTest {
   }
 
   @Test
-  void piecesAreTakenAwayButNoStart() {
+  void piecesAreTakenAway() {
     assertThat(plan.without(new ObstacleItem(0)).arena().obstacles()).isEmpty();
     assertThat(plan.without(new Pad(1)).has(new Pad(1))).isFalse();
-    assertThat(plan.without(new Start(1))).isEqualTo(plan);
+    assertThat(plan.without(List.of(new ObstacleItem(0), new Pad(3))).items())
+        .containsExactly(new Pad(1), new Start(1));
+  }
+
+  @Test
+  void goalsAreMovedNumberedAndTakenAway() {
+    FloorPlan asked = plan.with(REACH).with(LAND);
+
+    FloorPlan moved = asked.with(new GoalItem(0), new Placement(new Vec3(2, -1, 1.2), 0.7));
+    assertThat(moved.goal(new GoalItem(0)))
+        .as("as high as before, as it is the placement that says it")
+        .isEqualTo(REACH.at(new GoalRegion(new Vec3(2, -1, 1.2), 0.3)));
+    assertThat(asked.renumbered(new GoalItem(1), 1).goals()).containsExactly(LAND, REACH);
+    assertThat(asked.without(new GoalItem(0)).goals()).containsExactly(LAND);
+    assertThat(asked.items()).startsWith(new GoalItem(0), new GoalItem(1), new Pad(1));
+  }
+
+  @Test
+  void aGoalIsAtTheGateOrPadThatItNames() {
+    Obstacle near = gate("near", new Vec3(1, 1, 0));
+    Obstacle far = gate("far", new Vec3(-2, -2, 0));
+    Goal pass = new Goal.Pass(OptionalInt.empty(), "near", Goal.Direction.ALONG);
+    Goal landOn = new Goal.LandOn(OptionalInt.empty(), 1);
+    FloorPlan asked = plan.with(near).with(far).with(pass).with(landOn);
+
+    assertThat(asked.placement(new GoalItem(0)).place()).isEqualTo(near.foot());
+    assertThat(asked.placement(new GoalItem(1)).place()).isEqualTo(new Vec3(0.5, -1, 0));
+    assertThat(asked.with(new GoalItem(0), new Placement(far.foot(), 0))).isEqualTo(asked);
+    assertThat(GoalPlacement.renamed(pass, new Vec3(-1, -1, 0), asked))
+        .isEqualTo(new Goal.Pass(OptionalInt.empty(), "far", Goal.Direction.ALONG));
+    assertThat(GoalPlacement.renamed(landOn, Vec3.ZERO, asked))
+        .as("the other pad hangs at a wall")
+        .isEqualTo(landOn);
+  }
+
+  private static Obstacle gate(String name, Vec3 foot) {
+    return new Obstacle(name, new Shape.Ring(0.4, 0.05, 1), foot, 0, ObstacleAppearance.DEFAULT);
+  }
+
+  /** Of drones 1, 2 and 3, the third one becomes the first: 3, 1, 2. */
+  @Test
+  void dronesKeepTheirGoalsWithOtherNumbers() {
+    FloorPlan three =
+        FloorPlans.of(Arena.DEFAULT, List.of(at(0), at(1), at(2)))
+            .with(REACH.forDrone(OptionalInt.of(1)))
+            .with(REACH.forDrone(OptionalInt.of(3)))
+            .with(LAND);
+
+    FloorPlan turned = three.renumbered(new Start(3), 1);
+
+    assertThat(turned.starts()).containsExactly(at(2), at(0), at(1));
+    assertThat(turned.goals())
+        .extracting(Goal::drone)
+        .containsExactly(OptionalInt.of(2), OptionalInt.of(1), OptionalInt.empty());
+    FloorPlan two = three.without(List.of(new GoalItem(0), new Start(1)));
+    assertThat(two.starts()).containsExactly(at(1), at(2));
+    assertThat(two.goals().get(0).drone()).as("once the third").hasValue(2);
+  }
+
+  private static Pose at(double x) {
+    return new Pose(new Vec3(x, 0, 0), Attitude.LEVEL);
   }
 
   @Test

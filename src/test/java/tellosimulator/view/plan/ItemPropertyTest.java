@@ -25,7 +25,7 @@ import tellosimulator.world.Surface;
 class ItemPropertyTest {
 
   private static final FloorPlan PLAN =
-      new FloorPlan(Arena.DEFAULT, List.of(new Pose(Vec3.ZERO, Attitude.LEVEL)))
+      FloorPlans.of(Arena.DEFAULT, List.of(new Pose(Vec3.ZERO, Attitude.LEVEL)))
           .with(obstacle("box", new Shape.Box(0.4, 0.6, 0.5)))
           .with(obstacle("cylinder", new Shape.Cylinder(0.2, 1)))
           .with(obstacle("ring", new Shape.Ring(0.4, 0.05, 0.6)))

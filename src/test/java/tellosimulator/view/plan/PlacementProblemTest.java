@@ -1,15 +1,23 @@
 package tellosimulator.view.plan;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static tellosimulator.view.plan.PlacementProblem.LAST_DRONE;
+import static tellosimulator.view.plan.PlacementProblem.NAMED_BY_FAULT;
+import static tellosimulator.view.plan.PlacementProblem.NAMED_BY_GOAL;
+import static tellosimulator.view.plan.PlacementProblem.OUTSIDE;
 
 import java.util.List;
+import java.util.OptionalInt;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import tellosimulator.goal.Goal;
+import tellosimulator.goal.GoalRegion;
 import tellosimulator.math.Attitude;
 import tellosimulator.math.Pose;
 import tellosimulator.math.Vec3;
 import tellosimulator.model.DroneSpec;
+import tellosimulator.view.plan.PlanItem.GoalItem;
 import tellosimulator.view.plan.PlanItem.ObstacleItem;
 import tellosimulator.view.plan.PlanItem.Pad;
 import tellosimulator.view.plan.PlanItem.Start;
@@ -17,13 +25,14 @@ import tellosimulator.world.Arena;
 import tellosimulator.world.MissionPad;
 import tellosimulator.world.Obstacle;
 import tellosimulator.world.ObstacleAppearance;
+import tellosimulator.world.Room;
 import tellosimulator.world.Shape;
 
 class PlacementProblemTest {
 
   /** Two drones in the default room, from -2.5 to 2.5 m, with a table of 40 by 100 cm. */
   private static final FloorPlan LAYOUT =
-      new FloorPlan(
+      FloorPlans.of(
           Arena.DEFAULT
               .withObstacles(List.of(item(new Shape.Box(0.4, 1, 0.5), new Vec3(1, 0, 0))))
               .withPads(List.of(MissionPad.onFloor(1, new Vec3(0, 1, 0), 0))),
@@ -106,5 +115,34 @@ class PlacementProblemTest {
   private static PlacementProblem problem(PlanItem item, double x, double y) {
     Placement placement = new Placement(new Vec3(x, y, 0), 0);
     return PlacementProblem.problem(LAYOUT.with(item, placement), item).orElse(null);
+  }
+
+  @Test
+  void aGoalStaysInTheRoomAndWhatItNamesStaysThere() {
+    Goal outside =
+        new Goal.Reach(
+            OptionalInt.empty(), new GoalRegion(new Vec3(0, 0, Room.DEFAULT.height() + 1), 1));
+    FloorPlan wrong = LAYOUT.with(outside);
+    assertThat(PlacementProblem.problem(wrong, new GoalItem(0))).contains(OUTSIDE);
+
+    FloorPlan asked = LAYOUT.with(new Goal.LandOn(OptionalInt.empty(), 1));
+    assertThat(PlacementProblem.problemWithGoals(asked, asked.without(new Pad(1))))
+        .contains(NAMED_BY_GOAL);
+    FloorPlan both = asked.without(List.of(new Pad(1), new GoalItem(0)));
+    assertThat(PlacementProblem.problemWithGoals(asked, both)).isEmpty();
+  }
+
+  @Test
+  void aDroneStaysThatIsTheLastOneOrHasAGoalOrMaybeAFault() {
+    Goal goal = new Goal.Land(OptionalInt.of(2), new GoalRegion(Vec3.ZERO, 0.3));
+    FloorPlan asked = LAYOUT.with(goal);
+    List<PlanItem> first = List.of(new Start(1));
+    List<PlanItem> second = List.of(new Start(2));
+
+    assertThat(PlacementProblem.problemWithout(asked, first, false)).isEmpty();
+    assertThat(PlacementProblem.problemWithout(asked, second, false)).contains(NAMED_BY_GOAL);
+    assertThat(PlacementProblem.problemWithout(asked, first, true)).contains(NAMED_BY_FAULT);
+    assertThat(PlacementProblem.problemWithout(LAYOUT, List.of(new Start(1), new Start(2)), false))
+        .contains(LAST_DRONE);
   }
 }

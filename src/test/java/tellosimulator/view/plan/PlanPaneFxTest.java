@@ -5,7 +5,13 @@ import static org.assertj.core.api.Assertions.within;
 import static tellosimulator.view.testing.WindowFixture.onFxThread;
 import static tellosimulator.view.testing.WindowFixture.waitUntil;
 
+import java.io.IOException;
+import java.net.DatagramPacket;
+import java.net.DatagramSocket;
+import java.net.InetAddress;
+import java.nio.charset.StandardCharsets;
 import java.util.List;
+import java.util.OptionalInt;
 import javafx.geometry.Point2D;
 import javafx.geometry.VerticalDirection;
 import javafx.scene.control.Button;
@@ -16,11 +22,14 @@ import javafx.scene.input.KeyCode;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.extension.RegisterExtension;
 import org.testfx.api.FxRobot;
+import tellosimulator.goal.Goal;
+import tellosimulator.goal.GoalMark;
+import tellosimulator.goal.GoalState;
 import tellosimulator.math.Pose;
 import tellosimulator.math.Vec3;
 import tellosimulator.sim.Control;
 import tellosimulator.sim.SimConfig;
-import tellosimulator.sim.SimConfig.Outlets;
+import tellosimulator.sim.SimConfig.StreamPorts;
 import tellosimulator.sim.Swarm;
 import tellosimulator.view.model.ViewContext;
 import tellosimulator.view.testing.WindowFixture;
@@ -36,7 +45,7 @@ class PlanPaneFxTest {
   private static final SimConfig TWO_DRONES =
       SimConfig.DEFAULT
           .withRoom(Room.DEFAULT, Swarm.row(2, Vec3.ZERO, Room.DEFAULT))
-          .withOutlets(new Outlets(9, 9));
+          .withStreamPorts(new StreamPorts(9, 9));
 
   @RegisterExtension
   final WindowFixture window = new WindowFixture(TWO_DRONES, PlanPaneFxTest::pane);
@@ -239,6 +248,92 @@ class PlanPaneFxTest {
     robot().clickOn("#plan").type(KeyCode.ESCAPE);
     assertThat(window.find("plan-ruler", ToggleButton.class).isSelected()).isFalse();
     assertThat(window.view(PlanPane.class).shownProperty().get()).isTrue();
+  }
+
+  @Test
+  void whileADroneFliesGoalsStayAsTheyAre() throws IOException {
+    addGoal("land");
+    assertThat(goals()).hasSize(1);
+    onFxThread(
+        () -> {
+          window.context().actions().switchPower(1, true);
+          return true;
+        });
+    window.snapshot();
+    takeOff();
+
+    addGoal("reach");
+    assertThat(status()).startsWith("A drone is flying");
+    robot().clickOn("#plan-remove");
+
+    assertThat(goals()).hasSize(1);
+  }
+
+  @Test
+  void aGoalThroughAGateIsDraggedToAnotherGate() {
+    robot().clickOn("#plan-add-ring").clickOn("#plan-add-frame");
+    addGoal("pass");
+    assertThat(goals()).extracting(Goal::task).hasToString("[fly through the gate frame 1]");
+    Vec3 ring = obstacles().get(0).foot();
+    Vec3 frame = obstacles().get(1).foot();
+
+    Point2D tag = at(frame).subtract(0, 6);
+    robot().drag(tag).moveTo(at(ring.plus(frame).times(0.5))).dropTo(at(ring));
+
+    assertThat(goals()).extracting(Goal::task).hasToString("[fly through the gate ring 1]");
+    assertThat(obstacles()).extracting(Obstacle::foot).containsExactly(ring, frame);
+    robot().clickOn(at(ring.plus(new Vec3(0, 0.3, 0)))).type(KeyCode.DELETE);
+    assertThat(status()).startsWith("A goal names this");
+  }
+
+  /** Nobody opens another simulation for the pane of this test. */
+  @Test
+  void aDroneThatCannotBeAddedIsNotSelected() {
+    robot().clickOn("#plan-add-box");
+    Vec3 box = obstacles().get(0).foot();
+
+    robot().clickOn("#plan-add-drone").type(KeyCode.UP);
+
+    assertThat(obstacles().get(0).foot().x()).isCloseTo(box.x() + 0.05, within(1e-9));
+    control(KeyCode.Z);
+    control(KeyCode.Z);
+    assertThat(obstacles()).isEmpty();
+  }
+
+  @Test
+  void numbersOfGoalsAtTheEdgeAreSeenWhole() {
+    PlanViewport scale = PlanViewport.whole(Room.DEFAULT, 400, 400).zoomed(3, 200, 200);
+    Vec3 front = new Vec3(2.4, 0, 1);
+    GoalMark mark =
+        new GoalMark(1, OptionalInt.empty(), GoalState.ACTIVE, new GoalMark.Ball(front, 0.3));
+
+    Point2D tag = MarkPainter.tags(List.of(mark), scale).get(0);
+
+    assertThat(scale.screenY(front)).as("above the picture").isNegative();
+    assertThat(tag.getY()).as("with half its height and its rim").isGreaterThanOrEqualTo(9);
+    assertThat(MarkPainter.tagged(List.of(mark), scale, tag.getX(), tag.getY())).contains(mark);
+  }
+
+  private void takeOff() throws IOException {
+    try (DatagramSocket operator = new DatagramSocket(0, InetAddress.getLoopbackAddress())) {
+      for (String command : List.of("command", "takeoff")) {
+        byte[] bytes = command.getBytes(StandardCharsets.US_ASCII);
+        operator.send(
+            new DatagramPacket(bytes, bytes.length, window.simulation().addresses(1).get(0)));
+      }
+    }
+    waitUntil(
+        () -> window.context().simulation().snapshot().drones().get(0).state().phase().flying());
+  }
+
+  private void addGoal(String kind) {
+    robot().clickOn("#plan-add-goal");
+    waitUntil(() -> robot().lookup("#plan-add-" + kind).tryQuery().isPresent());
+    robot().clickOn("#plan-add-" + kind);
+  }
+
+  private List<Goal> goals() {
+    return window.context().scenario().challenge().goals();
   }
 
   private void type(String field, String text) {
