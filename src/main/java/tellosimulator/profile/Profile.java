@@ -45,8 +45,8 @@ public enum Profile {
    * Whether an unknown command is echoed by its first word only, rather than whole. Measured: logs
    * of white Tellos (DJITelloPy issues 144 and 219); of an EDU: FHNW report 2020.
    */
-  public boolean echoesFirstWord(Behavior behaviour) {
-    return this == TELLO && behaviour == Behavior.MEASURED;
+  public boolean echoesFirstWord(Behavior behavior) {
+    return this == TELLO && behavior == Behavior.MEASURED;
   }
 
   /** The word that chooses it on the command line. */

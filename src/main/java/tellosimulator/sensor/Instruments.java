@@ -67,11 +67,11 @@ public final class Instruments {
    * @param wrong what becomes of right readings
    */
   public Instruments(
-      Behavior behaviour, SeededNoise noise, Echoes echoes, UnaryOperator<SensorReadings> wrong) {
+      Behavior behavior, SeededNoise noise, Echoes echoes, UnaryOperator<SensorReadings> wrong) {
     this.echoes = echoes;
     this.wrong = wrong;
-    this.boardRange = behaviour.boardRange();
-    this.noisy = behaviour.noisySensors();
+    this.boardRange = behavior.boardRange();
+    this.noisy = behavior.noisySensors();
     this.noise = noise;
   }
 

@@ -52,7 +52,7 @@ final class VideoConnection implements AutoCloseable {
         throws IOException;
   }
 
-  private final Ticker metronome;
+  private final Ticker ticker;
   private final Runnable unreachable;
   private final Connector connector;
   private final VideoFaults faults;
@@ -72,22 +72,19 @@ final class VideoConnection implements AutoCloseable {
    * @param tapped lets somebody see what is sent through a port
    */
   VideoConnection(
-      Ticker metronome,
-      Runnable unreachable,
-      VideoFaults faults,
-      UnaryOperator<DatagramPort> tapped) {
-    this(metronome, unreachable, faults, tapped, UdpPort::connect);
+      Ticker ticker, Runnable unreachable, VideoFaults faults, UnaryOperator<DatagramPort> tapped) {
+    this(ticker, unreachable, faults, tapped, UdpPort::connect);
   }
 
   VideoConnection(
-      Ticker metronome,
+      Ticker ticker,
       Runnable unreachable,
       VideoFaults faults,
       UnaryOperator<DatagramPort> tapped,
       Connector connector) {
     this.tapped = tapped;
     this.faults = faults;
-    this.metronome = metronome;
+    this.ticker = ticker;
     this.unreachable = unreachable;
     this.connector = connector;
   }
@@ -105,17 +102,17 @@ final class VideoConnection implements AutoCloseable {
       return;
     }
     gone = false;
-    long begun = metronome.nanos();
+    long begun = ticker.nanos();
     for (int i = 0; i < packets.size() && !gone; i++) {
       if (i == 1 && untried) {
         untried = false;
         begun += ANSWER;
       }
       if (i > 0) {
-        metronome.pauseUntil(begun + nanos * i / (packets.size() - 1));
+        ticker.pauseUntil(begun + nanos * i / (packets.size() - 1));
       }
-      faults.deliver(metronome.nanos());
-      faults.send(from.get(), route.to(), packets.get(i), metronome.nanos());
+      faults.deliver(ticker.nanos());
+      faults.send(from.get(), route.to(), packets.get(i), ticker.nanos());
     }
   }
 
@@ -123,7 +120,7 @@ final class VideoConnection implements AutoCloseable {
     InetAddress address = route.from();
     if (port.isEmpty() || !route.equals(opened)) {
       close();
-      if (address.equals(refused) && metronome.nanos() < retryNanos) {
+      if (address.equals(refused) && ticker.nanos() < retryNanos) {
         return port;
       }
       opened = route;
@@ -141,7 +138,7 @@ final class VideoConnection implements AutoCloseable {
       LOG.warn("There is no socket for video at {}, so no video is sent", address);
     }
     refused = address;
-    retryNanos = metronome.nanos() + RETRY;
+    retryNanos = ticker.nanos() + RETRY;
   }
 
   /** A connected socket to another machine, which can say that nothing receives there. */

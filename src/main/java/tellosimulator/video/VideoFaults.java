@@ -47,7 +47,7 @@ final class VideoFaults {
   private SimTime before = SimTime.ZERO;
 
   VideoFaults(int drone) {
-    channel = new LinkChannel<>(new SeededNoise(0, drone), LinkDirection.VIDEO, new Outlet());
+    channel = new LinkChannel<>(new SeededNoise(0, drone), LinkDirection.VIDEO, new Delivery());
   }
 
   /** Whether a drone sends no pictures though it says so. */
@@ -119,7 +119,7 @@ final class VideoFaults {
     channel.forget();
   }
 
-  private static final class Outlet implements LinkChannel.Receiver<Packet> {
+  private static final class Delivery implements LinkChannel.Receiver<Packet> {
 
     @Override
     public void arrived(Packet packet) {

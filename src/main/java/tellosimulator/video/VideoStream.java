@@ -55,8 +55,8 @@ public final class VideoStream implements AutoCloseable {
   private final int drone;
   private final Supplier<SimSnapshot> snapshots;
   private final Supplier<Film> films;
-  private final Ticker metronome = new Ticker();
-  private final Reachability reachability = new Reachability(metronome::nanos);
+  private final Ticker ticker = new Ticker();
+  private final Reachability reachability = new Reachability(ticker::nanos);
   private final VideoFaults faults;
   private final VideoConnection connection;
   private final VideoMeter meter = new VideoMeter();
@@ -118,7 +118,7 @@ public final class VideoStream implements AutoCloseable {
     this.films = films;
     this.faults = new VideoFaults(drone);
     UnaryOperator<DatagramPort> tapped = port -> new TappedPort(drone, port, taps);
-    this.connection = new VideoConnection(metronome, reachability::unreachable, faults, tapped);
+    this.connection = new VideoConnection(ticker, reachability::unreachable, faults, tapped);
     this.worker = Worker.start("video-" + drone, new Filming());
   }
 
@@ -148,7 +148,7 @@ public final class VideoStream implements AutoCloseable {
 
   /** Lets it look at once whether something has changed. */
   void wake() {
-    metronome.wake();
+    ticker.wake();
   }
 
   private final class Filming implements Agent {
@@ -164,7 +164,7 @@ public final class VideoStream implements AutoCloseable {
 
     @Override
     public void idle() {
-      metronome.rest();
+      ticker.rest();
     }
 
     @Override
@@ -196,15 +196,15 @@ public final class VideoStream implements AutoCloseable {
       if (!reachability.triesAgain(now.link())) {
         return false;
       }
-      metronome.pauseUntil(metronome.nanos() + LOOK_PERIOD);
+      ticker.pauseUntil(ticker.nanos() + LOOK_PERIOD);
       return true;
     }
     if ((wish.encoded && !last.encoded) || wish.start != last.start) {
       meter.restart();
-      metronome.restart();
+      ticker.restart();
     }
     VideoFormat format = VideoFormat.of(now.state().video());
-    if (metronome.awaitTick(wish.encoded ? format.period() : PREVIEW_PERIOD)) {
+    if (ticker.awaitTick(wish.encoded ? format.period() : PREVIEW_PERIOD)) {
       film(snapshots.get());
     }
     return true;
@@ -223,7 +223,7 @@ public final class VideoStream implements AutoCloseable {
     forgetIfAnew();
     DroneSnapshot now = drone(newest);
     faults.set(now.faults());
-    faults.deliver(metronome.nanos());
+    faults.deliver(ticker.nanos());
     Wish wish = wish(now);
     VideoFormat format = VideoFormat.of(now.state().video());
     SimSnapshot filmed = faults.shown(newest);
@@ -255,14 +255,14 @@ public final class VideoStream implements AutoCloseable {
 
   private void picture(SimSnapshot snapshot, Wish wish, VideoFormat format) {
     Film film = film();
-    long start = metronome.nanos();
+    long start = ticker.nanos();
     Picture picture = film.shoot(snapshot, format);
-    long filmed = metronome.nanos();
+    long filmed = ticker.nanos();
     Optional<AccessUnit> encoded = Optional.empty();
     if (wish.encoded) {
       encoded = Optional.of(film.encode(start, !wish.equals(last)));
     }
-    long done = metronome.nanos();
+    long done = ticker.nanos();
     last = wish;
     int bytes = encoded.map(AccessUnit::size).orElse(0);
     VideoFigures figures =
@@ -293,7 +293,7 @@ public final class VideoStream implements AutoCloseable {
   }
 
   private long spread(int packets) {
-    long free = Math.round((metronome.due() - metronome.nanos()) * SPREAD_SHARE);
+    long free = Math.round((ticker.due() - ticker.nanos()) * SPREAD_SHARE);
     return Math.min(SPREAD, Math.max(free, packets * LEAST_SPREAD));
   }
 
@@ -318,7 +318,7 @@ public final class VideoStream implements AutoCloseable {
   /** Ends the thread soon. */
   void end() {
     worker.end();
-    metronome.wake();
+    ticker.wake();
   }
 
   /** Ends the thread and waits until it has ended. */

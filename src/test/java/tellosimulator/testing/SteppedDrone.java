@@ -75,8 +75,8 @@ public final class SteppedDrone {
   }
 
   /** In the middle of the default room, on an ideal link. */
-  public static SteppedDrone of(Profile profile, Behavior behaviour) {
-    return of(SimConfig.DEFAULT.withProduct(profile, behaviour).withLink(LinkPreset.IDEAL));
+  public static SteppedDrone of(Profile profile, Behavior behavior) {
+    return of(SimConfig.DEFAULT.withProduct(profile, behavior).withLink(LinkPreset.IDEAL));
   }
 
   /** The first drone of a configuration. */

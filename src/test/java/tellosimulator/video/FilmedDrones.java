@@ -20,8 +20,8 @@ import tellosimulator.profile.Profile;
 import tellosimulator.sim.Control;
 import tellosimulator.sim.DroneSetup;
 import tellosimulator.sim.SimConfig;
-import tellosimulator.sim.SimConfig.Outlets;
 import tellosimulator.sim.SimConfig.Product;
+import tellosimulator.sim.SimConfig.StreamPorts;
 import tellosimulator.sim.Swarm;
 import tellosimulator.video.camera.FrameSource;
 import tellosimulator.video.codec.H264Encoder;
@@ -55,14 +55,14 @@ final class FilmedDrones implements AutoCloseable {
 
   /** Each drone's video goes to a port of its own. */
   FilmedDrones(Profile profile, int... videoPorts) throws IOException {
-    List<Outlets> outlets =
-        IntStream.of(videoPorts).mapToObj(port -> new Outlets(9, port)).toList();
+    List<StreamPorts> streamPorts =
+        IntStream.of(videoPorts).mapToObj(port -> new StreamPorts(9, port)).toList();
     Product product = new Product(profile, Behavior.REPORT);
     List<Pose> starts = Swarm.row(videoPorts.length, Vec3.ZERO, Room.DEFAULT);
     SimConfig config =
         SimConfig.DEFAULT.withDrones(
             IntStream.range(0, starts.size())
-                .mapToObj(i -> DroneSetup.at(starts.get(i), product, outlets.get(i)))
+                .mapToObj(i -> DroneSetup.at(starts.get(i), product, streamPorts.get(i)))
                 .toList());
     AddressPlan plan =
         AddressPlan.portPerDrone(videoPorts.length, List.of(InetAddress.getLoopbackAddress()), 0);

@@ -60,8 +60,8 @@ final class FurnishedRoom {
   }
 
   /** Turned a little. */
-  private static Obstacle thing(Shape shape, Vec3 foot, ObstacleAppearance cover) {
-    return new Obstacle("thing", shape, foot, 0.3, cover);
+  private static Obstacle thing(Shape shape, Vec3 foot, ObstacleAppearance appearance) {
+    return new Obstacle("thing", shape, foot, 0.3, appearance);
   }
 
   /** Two rows of four. */

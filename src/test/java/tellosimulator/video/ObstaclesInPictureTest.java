@@ -134,8 +134,8 @@ class ObstaclesInPictureTest {
     assertThat(rgb(hidden, other.position())).isEqualTo(rgb(alone, other.position()));
   }
 
-  private static Obstacle at(Shape shape, Vec3 foot, ObstacleAppearance cover) {
-    return new Obstacle("thing", shape, foot, 0, cover);
+  private static Obstacle at(Shape shape, Vec3 foot, ObstacleAppearance appearance) {
+    return new Obstacle("thing", shape, foot, 0, appearance);
   }
 
   private static Still take(Obstacle... obstacles) {

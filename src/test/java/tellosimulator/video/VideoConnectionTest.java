@@ -31,9 +31,9 @@ class VideoConnectionTest {
 
   private static final List<byte[]> TEN = Collections.nCopies(10, new byte[] {0, 0, 0, 1, 1});
 
-  private final Ticker metronome = new Ticker();
+  private final Ticker ticker = new Ticker();
   private final VideoConnection connection =
-      new VideoConnection(metronome, () -> {}, new VideoFaults(1), port -> port);
+      new VideoConnection(ticker, () -> {}, new VideoFaults(1), port -> port);
   private VideoReceiver receiver;
 
   @BeforeEach
@@ -58,10 +58,10 @@ class VideoConnectionTest {
 
   @Test
   void aPictureIsSpreadOverItsTime() throws IOException {
-    long begun = metronome.nanos();
+    long begun = ticker.nanos();
     connection.send(TEN, link(DRONE), 20_000_000);
 
-    assertThat(metronome.nanos() - begun).isGreaterThanOrEqualTo(20_000_000);
+    assertThat(ticker.nanos() - begun).isGreaterThanOrEqualTo(20_000_000);
     for (int i = 0; i < TEN.size(); i++) {
       assertThat(receiver.unit()).hasSize(5);
     }
@@ -115,7 +115,7 @@ class VideoConnectionTest {
 
     try (VideoConnection tried =
         new VideoConnection(
-            metronome, told::incrementAndGet, new VideoFaults(1), port -> port, silent)) {
+            ticker, told::incrementAndGet, new VideoFaults(1), port -> port, silent)) {
       tried.send(TEN, route, 0);
       assertThat(sent).hasSize(1);
       assertThat(told).hasValue(1);
@@ -123,11 +123,11 @@ class VideoConnectionTest {
       assertThat(sent).hasSize(2);
 
       receives.set(true);
-      long begun = metronome.nanos();
+      long begun = ticker.nanos();
       tried.send(TEN, route, 0);
       assertThat(sent).hasSize(12);
       assertThat(told).hasValue(2);
-      assertThat(metronome.nanos() - begun)
+      assertThat(ticker.nanos() - begun)
           .as("waits for the answer to the first one")
           .isGreaterThanOrEqualTo(20_000_000);
     }

@@ -23,7 +23,7 @@ import tellosimulator.math.Vec3;
 import tellosimulator.scenery.Scene;
 import tellosimulator.sim.Control;
 import tellosimulator.sim.SimConfig;
-import tellosimulator.sim.SimConfig.Outlets;
+import tellosimulator.sim.SimConfig.StreamPorts;
 import tellosimulator.sim.SimSnapshot;
 import tellosimulator.sim.Simulation;
 import tellosimulator.testing.CapturedLog;
@@ -42,7 +42,7 @@ class VideoStreamTest {
 
   private static final String RESTS = "The video of drone 1 rests until the next streamon: ";
 
-  private static final SimConfig CONFIG = SimConfig.DEFAULT.withOutlets(new Outlets(9, 9));
+  private static final SimConfig CONFIG = SimConfig.DEFAULT.withStreamPorts(new StreamPorts(9, 9));
 
   private final Simulation simulation =
       new Simulation(CONFIG, drone -> (peer, text) -> {}, report -> {}, List.of());

@@ -10,7 +10,7 @@ import tellosimulator.profile.Profile;
  * @param place file and line
  * @param fact the id of the fact that it shows, see {@link FactIndex}
  * @param profile the drone's
- * @param behaviour the drone's
+ * @param behavior the drone's
  * @param before steps that lead to the situation
  * @param input what is sent
  * @param replies what must come back, in this order, and nothing else
@@ -21,7 +21,7 @@ record WireRow(
     String place,
     String fact,
     Profile profile,
-    Behavior behaviour,
+    Behavior behavior,
     List<String> before,
     String input,
     List<ExpectedReply> replies,
@@ -31,6 +31,6 @@ record WireRow(
   /** For the report of the tests. */
   String title() {
     return "%s: `%s`, %s, %s (%s)"
-        .formatted(fact, input, profile.option(), behaviour.option(), place);
+        .formatted(fact, input, profile.option(), behavior.option(), place);
   }
 }

@@ -39,7 +39,7 @@ final class WireRun {
 
   WireRun(WireRow row) {
     this.row = row;
-    this.drone = SteppedDrone.of(row.profile(), row.behaviour());
+    this.drone = SteppedDrone.of(row.profile(), row.behavior());
     this.checks = new StateChecks(drone);
   }
 

@@ -80,13 +80,13 @@ final class WireTable {
                 .toList();
     List<WireRow> rows = new ArrayList<>();
     for (Profile profile : chosen(place, cells.get(1), Profile.values())) {
-      for (Behavior behaviour : chosen(place, cells.get(2), Behavior.values())) {
+      for (Behavior behavior : chosen(place, cells.get(2), Behavior.values())) {
         rows.add(
             new WireRow(
                 place,
                 cells.get(0),
                 profile,
-                behaviour,
+                behavior,
                 parts(cells.get(3), "; "),
                 cells.get(4),
                 replies,

@@ -26,10 +26,10 @@ class WireTest {
   @Test
   void everyProfileAndBehaviourHasRows() {
     for (Profile profile : Profile.values()) {
-      for (Behavior behaviour : Behavior.values()) {
+      for (Behavior behavior : Behavior.values()) {
         assertThat(rows)
-            .as("rows of %s, %s", profile.option(), behaviour.option())
-            .anyMatch(row -> row.profile() == profile && row.behaviour() == behaviour);
+            .as("rows of %s, %s", profile.option(), behavior.option())
+            .anyMatch(row -> row.profile() == profile && row.behavior() == behavior);
       }
     }
   }

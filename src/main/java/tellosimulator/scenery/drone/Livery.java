@@ -17,7 +17,7 @@ import tellosimulator.sim.SimSnapshot.DroneSnapshot;
  */
 public record Livery(Rgb cover, Rgb color) {
 
-  /** ObstacleAppearance of a real Tello. Assumed: by eye, from pictures. */
+  /** Cover of a real Tello. Assumed: by eye, from pictures. */
   private static final Rgb WHITE_COVER = Rgb.of(0xeceded);
 
   private static final List<Rgb> COLORS =

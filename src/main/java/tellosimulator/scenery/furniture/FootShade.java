@@ -51,7 +51,7 @@ final class FootShade {
   static List<Instance> of(List<Obstacle> obstacles) {
     FootShade shade = new FootShade();
     for (Obstacle obstacle : obstacles) {
-      if (obstacle.foot().z() < STANDING && obstacle.cover().pictures().isEmpty()) {
+      if (obstacle.foot().z() < STANDING && obstacle.appearance().pictures().isEmpty()) {
         shade.add(obstacle.shape(), obstacle.pose());
       }
     }

@@ -18,7 +18,7 @@ import tellosimulator.world.Shape;
 public final class Furniture {
 
   /** All that decides what an obstacle looks like. */
-  private record Look(Shape shape, ObstacleAppearance cover) {}
+  private record Look(Shape shape, ObstacleAppearance appearance) {}
 
   private final ImageCache images = new ImageCache();
   private FurnitureBuilder builder = new FurnitureBuilder(images, PatternTexture.forCount(0));
@@ -55,7 +55,7 @@ public final class Furniture {
 
   private List<Part> parts(Look look) {
     List<Part> known = made.get(look);
-    return known == null ? builder.parts(look.shape, look.cover) : known;
+    return known == null ? builder.parts(look.shape, look.appearance) : known;
   }
 
   private List<Instance> place(Obstacle obstacle) {
@@ -65,6 +65,6 @@ public final class Furniture {
   }
 
   private static Look look(Obstacle obstacle) {
-    return new Look(obstacle.shape(), obstacle.cover());
+    return new Look(obstacle.shape(), obstacle.appearance());
   }
 }

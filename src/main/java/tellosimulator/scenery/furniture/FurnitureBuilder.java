@@ -41,12 +41,12 @@ final class FurnitureBuilder {
    */
   private record Paint(Pattern pattern, int rgb, Finishing finishing) {
 
-    static Paint of(Shape shape, ObstacleAppearance cover) {
+    static Paint of(Shape shape, ObstacleAppearance appearance) {
       return new Paint(
-          cover.pattern(),
-          cover.rgb(),
-          cover.pattern() == Pattern.PLAIN
-              ? Finishing.of(shape, Rgb.of(cover.rgb()))
+          appearance.pattern(),
+          appearance.rgb(),
+          appearance.pattern() == Pattern.PLAIN
+              ? Finishing.of(shape, Rgb.of(appearance.rgb()))
               : Finishing.PAINT);
     }
 
@@ -88,42 +88,42 @@ final class FurnitureBuilder {
 
   private static Set<Paint> paints(Collection<Obstacle> obstacles) {
     return obstacles.stream()
-        .map(obstacle -> Paint.of(obstacle.shape(), obstacle.cover()))
+        .map(obstacle -> Paint.of(obstacle.shape(), obstacle.appearance()))
         .collect(Collectors.toSet());
   }
 
   /** The parts of an obstacle. */
-  List<Part> parts(Shape shape, ObstacleAppearance cover) {
+  List<Part> parts(Shape shape, ObstacleAppearance appearance) {
     if (shape instanceof Shape.Box box) {
-      return box(box, cover);
+      return box(box, appearance);
     }
     if (shape instanceof Shape.Cylinder cylinder) {
-      return cylinder(cylinder, cover);
+      return cylinder(cylinder, appearance);
     }
     if (shape instanceof Shape.Ring ring) {
-      return ring(ring, paint(shape, cover));
+      return ring(ring, paint(shape, appearance));
     }
-    boolean segments = cover.pattern() == Pattern.PLAIN;
-    return frame((Shape.Frame) shape, paint(shape, cover), segments);
+    boolean segments = appearance.pattern() == Pattern.PLAIN;
+    return frame((Shape.Frame) shape, paint(shape, appearance), segments);
   }
 
-  private TextureMapping paint(Shape shape, ObstacleAppearance cover) {
+  private TextureMapping paint(Shape shape, ObstacleAppearance appearance) {
     return paints.computeIfAbsent(
-        Paint.of(shape, cover),
+        Paint.of(shape, appearance),
         paint ->
             TextureMapping.repeating(
                 patterns.of(paint.pattern, Rgb.of(paint.rgb), paint.finishing), paint.period()));
   }
 
-  private List<Part> box(Shape.Box shape, ObstacleAppearance cover) {
+  private List<Part> box(Shape.Box shape, ObstacleAppearance appearance) {
     Box box = new Box(Vec3.ZERO, new Vec3(shape.depth(), shape.width(), shape.height()));
-    TexturedMeshBuilder painted = new TexturedMeshBuilder(paint(shape, cover));
-    painted.box(box, cover.pictures().keySet());
+    TexturedMeshBuilder painted = new TexturedMeshBuilder(paint(shape, appearance));
+    painted.box(box, appearance.pictures().keySet());
     List<Part> parts = new ArrayList<>(matte(painted));
     for (Side side : Side.values()) { // in this order, as that of the map is not always the same
-      if (cover.pictures().containsKey(side)) {
+      if (appearance.pictures().containsKey(side)) {
         Quad quad = box.side(side);
-        TexturedMeshBuilder image = image(cover, side, quad.right().norm(), quad.up().norm());
+        TexturedMeshBuilder image = image(appearance, side, quad.right().norm(), quad.up().norm());
         image.quad(quad, 0, 0);
         parts.add(image.build(Shading.UNLIT));
       }
@@ -131,22 +131,22 @@ final class FurnitureBuilder {
     return parts;
   }
 
-  private List<Part> cylinder(Shape.Cylinder shape, ObstacleAppearance cover) {
+  private List<Part> cylinder(Shape.Cylinder shape, ObstacleAppearance appearance) {
     double radius = shape.radius();
     double height = shape.height();
     double around = TURN * radius;
-    TexturedMeshBuilder painted = new TexturedMeshBuilder(paint(shape, cover));
+    TexturedMeshBuilder painted = new TexturedMeshBuilder(paint(shape, appearance));
     CurvedSurfaces.disc(painted, radius, 0, false);
     List<Part> images = new ArrayList<>();
-    if (cover.pictures().containsKey(Side.TOP)) {
-      TexturedMeshBuilder top = image(cover, Side.TOP, 2 * radius, 2 * radius);
+    if (appearance.pictures().containsKey(Side.TOP)) {
+      TexturedMeshBuilder top = image(appearance, Side.TOP, 2 * radius, 2 * radius);
       CurvedSurfaces.disc(top, radius, height, true);
       images.add(top.build(Shading.UNLIT));
     } else {
       CurvedSurfaces.disc(painted, radius, height, true);
     }
-    if (cover.pictures().containsKey(Side.FRONT)) {
-      TexturedMeshBuilder wrapped = image(cover, Side.FRONT, around, height);
+    if (appearance.pictures().containsKey(Side.FRONT)) {
+      TexturedMeshBuilder wrapped = image(appearance, Side.FRONT, around, height);
       CurvedSurfaces.tube(wrapped, radius, height, around);
       images.add(wrapped.build(Shading.UNLIT));
     } else {
@@ -195,8 +195,8 @@ final class FurnitureBuilder {
   }
 
   private TexturedMeshBuilder image(
-      ObstacleAppearance cover, Side side, double width, double height) {
-    Texture image = images.get(cover.pictures().get(side)).texture();
+      ObstacleAppearance appearance, Side side, double width, double height) {
+    Texture image = images.get(appearance.pictures().get(side)).texture();
     return new TexturedMeshBuilder(TextureMapping.stretched(image, width, height));
   }
 

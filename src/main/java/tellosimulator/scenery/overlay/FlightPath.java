@@ -19,8 +19,8 @@ final class FlightPath {
   /** Sides of the tube that shows it. */
   static final int SIDES = 3;
 
-  /** Half the thickness of that tube [m]. Decided: one or two pixels across a room. */
-  private static final double HALF_WIDTH = 0.0045;
+  /** Half the thickness of that tube [m]. Decided: two or three pixels across a room. */
+  private static final double HALF_WIDTH = 0.007;
 
   private final int capacity;
   private final List<Vec3> points = new ArrayList<>();

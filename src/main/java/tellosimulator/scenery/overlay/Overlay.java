@@ -6,7 +6,6 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import tellosimulator.goal.GoalMark;
-import tellosimulator.math.Pose;
 import tellosimulator.math.Vec3;
 import tellosimulator.scenery.drone.Livery;
 import tellosimulator.scenery.mesh.Instance;
@@ -15,9 +14,9 @@ import tellosimulator.sim.SimSnapshot;
 import tellosimulator.sim.SimSnapshot.DroneSnapshot;
 
 /**
- * The overlay of a scene as one window shows it: trails, plumb lines and, where there are several
- * drones, number tags; goals, the way to the next one, and where drones touched something. It
- * follows the drones from snapshot to snapshot. For one thread at a time.
+ * The overlay of a scene as one window shows it: trails, plumb lines and drone tags; goals, the way
+ * to the next one, and where drones touched something. It follows the drones from snapshot to
+ * snapshot. For one thread at a time.
  */
 public final class Overlay {
 
@@ -25,7 +24,6 @@ public final class Overlay {
   private static final double MIDDLE = 0.02;
 
   private final List<Trail> trails = new ArrayList<>();
-  private final List<PlumbLine> plumbLines = new ArrayList<>();
   private final List<DroneTag> tags = new ArrayList<>();
   private final Map<Integer, Rgb> colors = new HashMap<>();
   private final GoalMarkers goalMarkers = new GoalMarkers();
@@ -45,10 +43,10 @@ public final class Overlay {
       Livery livery = Livery.of(drone);
       colors.put(drone.state().drone(), livery.color());
       trails.add(new Trail(drone));
-      plumbLines.add(new PlumbLine(livery));
-      if (first.drones().size() > 1) {
-        tags.add(new DroneTag(drone.state().drone(), livery));
-      }
+      tags.add(
+          first.drones().size() > 1
+              ? DroneTag.number(drone.state().drone(), livery)
+              : DroneTag.arrowhead(livery));
     }
   }
 
@@ -95,11 +93,10 @@ public final class Overlay {
     }
     List<DroneSnapshot> drones = snapshot.drones();
     Vec3 camera = eye.pose().position();
-    for (int i = 0; i < plumbLines.size(); i++) {
-      Pose pose = drones.get(i).state().motion().pose();
-      plumbLines.get(i).from(pose.position(), camera).ifPresent(instances::add);
+    for (DroneSnapshot drone : drones) {
+      PlumbLine.from(drone.state().motion().position(), camera).ifPresent(instances::add);
       if (goalLineShown) {
-        addGoalLine(instances, drones.get(i), camera);
+        addGoalLine(instances, drone, camera);
       }
     }
     markers(drones, eye).stream()
@@ -123,7 +120,9 @@ public final class Overlay {
     }
     for (int i = 0; i < tags.size(); i++) {
       Vec3 drone = drones.get(i).state().motion().position();
-      markers.add(Marker.at(drone, tags.get(i).above(drone, eye.pose()), eye));
+      tags.get(i)
+          .above(drone, eye.pose())
+          .ifPresent(tag -> markers.add(Marker.at(drone, tag, eye)));
     }
     Map<Vec3, Integer> at = new HashMap<>();
     for (GoalMark mark : goals) {

@@ -15,8 +15,10 @@ import tellosimulator.scenery.texture.StrokeFont;
 import tellosimulator.world.Room;
 
 /**
- * Ticks and numbers along the edges of the floor, in metres of the room frame: y along the front
- * and the back edge, x along the sides. One mesh with one texture.
+ * Ticks each metre or more along the edges of the floor, and their places in centimetres, as
+ * commands and scenarios count: y along the front and the back edge, x along the sides. All numbers
+ * stand as on a plan, upright for someone who looks along x, as in the start view. One mesh with
+ * one texture.
  */
 final class MeterMarks {
 
@@ -30,8 +32,24 @@ final class MeterMarks {
   /** The cell that is filled, for the ticks. */
   private static final int FULL = 15;
 
+  private static final int CM_PER_METER = 100;
+
+  /** The direction in which all numbers are read, and the one that is up for them, room frame. */
+  private static final Vec3 RIGHT = new Vec3(0, -1, 0);
+
+  private static final Vec3 UP = new Vec3(1, 0, 0);
+
   /** Height of a number, as a part of the distance from mark to mark. Decided: by eye. */
   private static final double NUMBER_HEIGHT = 0.19;
+
+  /** From one digit to the next, as a part of their height. */
+  private static final double ADVANCE = 0.62;
+
+  /** From the edge to a number, as a part of its height. Decided: clear of the tick. */
+  private static final double GAP = 0.75;
+
+  /** From a corner to the last number, in the same: beside those of the other edge. */
+  private static final double CLEARANCE = GAP + 1.5;
 
   /** The same, as a part of the room's shorter edge. Decided: by eye. */
   private static final double LARGEST_NUMBER = 0.07;
@@ -75,19 +93,19 @@ final class MeterMarks {
   /**
    * Marks along an edge.
    *
-   * @param middle of the edge; the numbers stand upright for who looks towards it from inside
+   * @param middle of the edge
    * @param halfLength of the edge [m]
    */
   private void addEdge(Vec3 middle, double halfLength) {
     Vec3 out = middle.normalized();
     Vec3 right = out.cross(Vec3.UP);
     boolean alongX = Math.abs(right.x()) > 0.5;
-    int most = (int) Math.floor((halfLength - size) / step);
+    int most = (int) Math.floor((halfLength - CLEARANCE * size) / step);
     for (int i = -most; i <= most; i++) {
       Vec3 along = alongX ? new Vec3(1, 0, 0) : new Vec3(0, 1, 0);
       Vec3 mark = middle.plusScaled(along, i * step);
       addTick(mark, right, out);
-      addNumber(Math.round(i * step), mark.plusScaled(out, -1.75 * size), right, out);
+      addNumber(Math.round(i * step * CM_PER_METER), mark, out);
     }
   }
 
@@ -97,12 +115,21 @@ final class MeterMarks {
     mesh.quad(new Quad(corner, right.times(width), out.times(0.5 * size)), inside(FULL));
   }
 
-  private void addNumber(long value, Vec3 foot, Vec3 right, Vec3 up) {
+  /**
+   * A number beside its mark.
+   *
+   * @param out from the room through the edge
+   */
+  private void addNumber(long value, Vec3 mark, Vec3 out) {
     String text = Long.toString(value);
-    double advance = 0.62 * size;
+    double advance = ADVANCE * size;
+    double width = text.length() * advance;
+    double extent = Math.abs(out.dot(RIGHT)) * width + Math.abs(out.dot(UP)) * size;
+    Vec3 middle = mark.plusScaled(out, -(GAP * size + extent / 2));
+    Vec3 foot = middle.plusScaled(UP, -size / 2).plusScaled(RIGHT, -width / 2);
     for (int i = 0; i < text.length(); i++) {
-      double left = (i - text.length() / 2.0) * advance - (size - advance) / 2;
-      Quad quad = new Quad(foot.plusScaled(right, left), right.times(size), up.times(size));
+      double left = i * advance - (size - advance) / 2;
+      Quad quad = new Quad(foot.plusScaled(RIGHT, left), RIGHT.times(size), UP.times(size));
       mesh.quad(quad, cell(CHARACTERS.indexOf(text.charAt(i))));
     }
   }

@@ -56,6 +56,7 @@ final class RecordingPlayers {
 
   private void show(ReplayFlight flight) {
     Stage stage = new Stage();
+    AppIcon.show(stage);
     Appearance own =
         new Appearance(appearance.language().linked(), appearance.theme(), appearance.optics());
     ReplayWindow window = new ReplayWindow(stage, flight, own);

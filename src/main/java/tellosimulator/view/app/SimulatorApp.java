@@ -11,12 +11,15 @@ import java.util.function.Predicate;
 import java.util.function.UnaryOperator;
 import javafx.application.Platform;
 import javafx.stage.Stage;
+import tellosimulator.goal.Challenge;
 import tellosimulator.network.AddressPlan;
 import tellosimulator.network.PortTakenException;
 import tellosimulator.recording.RecordingFolder;
 import tellosimulator.scenario.Diagnostic;
+import tellosimulator.scenario.EditedScenario;
 import tellosimulator.scenario.Gallery;
 import tellosimulator.scenario.OpenedScenario;
+import tellosimulator.scenario.PlannedDrone;
 import tellosimulator.scenario.Scenario;
 import tellosimulator.scenario.ScenarioDocument;
 import tellosimulator.scenario.ScenarioException;
@@ -35,10 +38,12 @@ import tellosimulator.view.log.LogLevel;
 import tellosimulator.view.log.LogQueue;
 import tellosimulator.view.model.ScenarioActions;
 import tellosimulator.view.model.StartSettings;
+import tellosimulator.view.plan.PlanEditorState;
 import tellosimulator.view.replay.ReplayWindow.Appearance;
 import tellosimulator.view.settings.Settings;
 import tellosimulator.view.settings.WindowPlacement;
 import tellosimulator.view.text.Language;
+import tellosimulator.world.Arena;
 
 /** The program with a window, in which one scenario after the other can be opened. */
 public final class SimulatorApp implements AutoCloseable, ScenarioActions {
@@ -101,7 +106,7 @@ public final class SimulatorApp implements AutoCloseable, ScenarioActions {
     this.optics = optics;
     report = new LastFlightReport(rules.recordings.folder(), logQueue, reportOpener);
     AddressPlan plan = rules.plan.apply(first.scenario());
-    running = new ScenarioSession(first, wireOf(plan), optics, logQueue);
+    running = new ScenarioSession(EditedScenario.of(first), wireOf(plan), optics, logQueue);
   }
 
   /** How another scenario is reached: from where the present one is. */
@@ -246,7 +251,7 @@ public final class SimulatorApp implements AutoCloseable, ScenarioActions {
       replaceBy(OpenedScenario.of(ScenarioFile.open(file), file));
       recent.add(file);
     } catch (ScenarioException e) {
-      complain(e.mistakes().stream().map(SimulatorApp::saying).toList());
+      complain(e.diagnostics().stream().map(SimulatorApp::saying).toList());
     }
   }
 
@@ -283,7 +288,30 @@ public final class SimulatorApp implements AutoCloseable, ScenarioActions {
     OpenedScenario opened = running.asItBegins();
     Scenario scenario = opened.scenario();
     OpenedScenario next = opened.with(scenario.withConfig(settings.appliedTo(scenario.config())));
-    begin(next, wire(next.scenario()));
+    begin(EditedScenario.of(next), wire(next.scenario()));
+  }
+
+  @Override
+  public boolean replan(Arena arena, List<PlannedDrone> drones, Challenge challenge) {
+    EditedScenario next = running.present().planned(arena, drones, challenge);
+    Optional<Wire> wire = wireOrComplaint(next.opened(), next.present());
+    wire.ifPresent(
+        reached -> {
+          PlanEditorState planned = running.planned();
+          begin(next, reached);
+          running.goOn(planned);
+        });
+    return wire.isPresent();
+  }
+
+  /** How drones are reached; empty if they cannot be, which is told in the window. */
+  private Optional<Wire> wireOrComplaint(OpenedScenario opened, Scenario scenario) {
+    try {
+      return Optional.of(wire(scenario));
+    } catch (IllegalArgumentException e) {
+      complain(List.of(language -> title(opened, language) + ": " + e.getMessage()));
+      return Optional.empty();
+    }
   }
 
   /** Does something, at once or after somebody has said what becomes of unsaved edits. */
@@ -363,11 +391,11 @@ public final class SimulatorApp implements AutoCloseable, ScenarioActions {
       complain(List.of(language -> title(chosen, language) + ": " + e.getMessage()));
       return;
     }
-    begin(next, wire);
+    begin(EditedScenario.of(next), wire);
   }
 
   /** Ends what is flown and begins something else, in the same stage. */
-  private void begin(OpenedScenario next, Wire wire) {
+  private void begin(EditedScenario next, Wire wire) {
     boolean on = running.on();
     running.leave();
     running.forget();
@@ -376,7 +404,9 @@ public final class SimulatorApp implements AutoCloseable, ScenarioActions {
     logQueue.say(
         LogLevel.INFO,
         language ->
-            language.messages(SimulatorApp.class).now("scenario-opened", title(next, language)));
+            language
+                .messages(SimulatorApp.class)
+                .now("scenario-opened", title(next.opened(), language)));
     show(running);
     if (on) {
       running.switchOn();
@@ -390,13 +420,13 @@ public final class SimulatorApp implements AutoCloseable, ScenarioActions {
         .orElseGet(() -> opened.scenario().description().name().in(language.locale()));
   }
 
-  private static Function<Language, String> saying(Diagnostic mistake) {
-    return language -> mistake.in(language.translation());
+  private static Function<Language, String> saying(Diagnostic diagnostic) {
+    return language -> diagnostic.in(language.translation());
   }
 
-  private void complain(List<Function<Language, String>> mistakes) {
-    mistakes.forEach(mistake -> logQueue.say(LogLevel.ERROR, mistake));
-    running.show(mistakes);
+  private void complain(List<Function<Language, String>> diagnostics) {
+    diagnostics.forEach(diagnostic -> logQueue.say(LogLevel.ERROR, diagnostic));
+    running.show(diagnostics);
   }
 
   @Override

@@ -23,6 +23,7 @@ import tellosimulator.math.Frames;
 import tellosimulator.sim.Control;
 import tellosimulator.view.controls.ContactHint;
 import tellosimulator.view.controls.DroneList;
+import tellosimulator.view.controls.LastCommandRow;
 import tellosimulator.view.controls.NetworkControls;
 import tellosimulator.view.controls.SimulatorControls;
 import tellosimulator.view.fx.CommonStyles;
@@ -46,6 +47,7 @@ import tellosimulator.view.model.FxScenario;
 import tellosimulator.view.model.ScenarioActions;
 import tellosimulator.view.model.ViewContext;
 import tellosimulator.view.pilot.PilotControls;
+import tellosimulator.view.plan.PlanEditorState;
 import tellosimulator.view.plan.PlanPane;
 import tellosimulator.view.projector.ProjectorPane;
 import tellosimulator.view.settings.SettingCodec;
@@ -204,7 +206,12 @@ public final class SimulatorWindow implements AutoCloseable {
     return new SimulatorPane(
         new SimulatorPane.Parts(
             bar,
-            new SimulatorPane.Middle(world, new VBox(ASIDE_GAP, hint, goals, drones), pilot, plan),
+            new SimulatorPane.Middle(
+                world,
+                new VBox(ASIDE_GAP, hint, goals, drones),
+                new LastCommandRow(context, "last-command", true),
+                pilot,
+                plan),
             simulatorControls,
             networkControls,
             log),
@@ -291,7 +298,10 @@ public final class SimulatorWindow implements AutoCloseable {
     drones.managedProperty().bind(drones.visibleProperty());
     world.setCovers(
         Stream.concat(Stream.of(goals, drones, pilot), projector.boxes().stream()).toList());
-    world.setGoals(context.scenario().scenario().challenge().goals());
+    context
+        .scenario()
+        .challengeProperty()
+        .subscribe(challenge -> world.setGoals(challenge.goals()));
     world.camera().reducedMotionProperty().bind(state.reducedMotionProperty());
     log.foldedProperty().bindBidirectional(state.logFoldedProperty());
     simulatorControls.availableHeightProperty().bind(pane.sideHeight());
@@ -313,10 +323,11 @@ public final class SimulatorWindow implements AutoCloseable {
             camera -> simulatorControls.droneCameraProperty().set(camera == ViewCamera.DRONE));
   }
 
-  /** Leaves nothing of those who flew before: drones, batteries, paths, log and clock. */
+  /** Leaves nothing of those who flew before: operators, drones, batteries, paths, log, clock. */
   private void nextGroup() {
     for (FxDroneModel drone : context.simulation().drones()) {
       context.actions().carryOut(new Control.Reset(drone.number()));
+      context.actions().carryOut(new Control.Release(drone.number()));
       context.actions().carryOut(new Control.SetBattery(drone.number(), 100));
     }
     context
@@ -412,9 +423,19 @@ public final class SimulatorWindow implements AutoCloseable {
     }
   }
 
+  /** What was planned here, for a window that goes on with it. */
+  PlanEditorState planned() {
+    return plan.memory();
+  }
+
+  /** Goes on with what was planned in another window. */
+  void goOn(PlanEditorState planned) {
+    plan.goOn(planned);
+  }
+
   /** Says what is wrong with a scenario. */
-  void show(List<Function<Language, String>> mistakes) {
-    pages.show(mistakes);
+  void show(List<Function<Language, String>> diagnostics) {
+    pages.show(diagnostics);
   }
 
   /** Lets somebody choose what to fly in, or closes that page. */

@@ -75,6 +75,7 @@ public final class Toolkit {
         () -> {
           try {
             Stage stage = new Stage();
+            AppIcon.show(stage);
             stage.addEventHandler( // later, as other handlers of this event save what is to be kept
                 WindowEvent.WINDOW_HIDDEN, hidden -> Platform.runLater(closed::countDown));
             show.accept(stage);

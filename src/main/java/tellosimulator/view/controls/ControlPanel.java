@@ -83,8 +83,8 @@ public abstract class ControlPanel extends ScrollPane {
 
   private void fold() {
     folding = false;
-    if (getScene() == null) {
-      return;
+    if (!isShown()) {
+      return; // there are no styles to measure with
     }
     cards.forEach(card -> card.setRoom(true));
     applyCss();
@@ -94,6 +94,12 @@ public abstract class ControlPanel extends ScrollPane {
       }
       card.setRoom(false);
     }
+  }
+
+  private boolean isShown() {
+    return getScene() != null
+        && getScene().getWindow() != null
+        && getScene().getWindow().isShowing();
   }
 
   private double height() {

@@ -37,7 +37,7 @@ final class FaultPanel extends Card {
   private final SimulatorActions actions;
   private final ChoiceBox<LinkPreset> link = new ChoiceBox<>();
   private final TextField text = new TextField();
-  private final Label mistake = new Label();
+  private final Label diagnostic = new Label();
   private final Label running = new Label();
   private final Button clear = new Button();
   private final ObjectProperty<Optional<Phrase>> wrong =
@@ -66,16 +66,16 @@ final class FaultPanel extends Card {
     text.promptTextProperty().bind(messages.text("faults.text.prompt"));
     Tooltips.install(text, messages.text("faults.text.hint"));
     text.accessibleTextProperty().bind(messages.text("faults.text"));
-    mistake.setId("fault-error");
-    mistake.getStyleClass().addAll("sentence", "danger");
-    mistake
+    diagnostic.setId("fault-error");
+    diagnostic.getStyleClass().addAll("sentence", "danger");
+    diagnostic
         .textProperty()
         .bind(
             Bindings.createStringBinding(
                 () -> wrong.get().map(language::say).orElse(""), wrong, language.localeProperty()));
     running.setId("faults-running");
     running.getStyleClass().addAll("sentence", "warning");
-    for (Label label : List.of(mistake, running)) {
+    for (Label label : List.of(diagnostic, running)) {
       label.setWrapText(true);
       label.setMaxWidth(Double.MAX_VALUE);
       label.setMinHeight(USE_PREF_SIZE);
@@ -91,7 +91,7 @@ final class FaultPanel extends Card {
     HBox.setHgrow(link, Priority.ALWAYS);
     HBox row = new HBox(link, clear);
     row.getStyleClass().add("fault-row");
-    layoutCard(row, text, mistake, running);
+    layoutCard(row, text, diagnostic, running);
   }
 
   private void setupEventHandlers() {

@@ -7,10 +7,8 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import javafx.scene.control.Button;
-import javafx.scene.control.ToggleButton;
 import javafx.scene.layout.HBox;
 import javafx.scene.layout.Priority;
-import javafx.scene.layout.VBox;
 import javafx.stage.FileChooser;
 import javafx.stage.FileChooser.ExtensionFilter;
 import org.kordamp.ikonli.feather.Feather;
@@ -33,7 +31,7 @@ import tellosimulator.world.Walls;
  * What one seldom changes: the selected drone's battery, the looks of the walls, and what a flight
  * begins with. Folded until somebody wants it. For the JavaFX thread.
  */
-final class MorePanel extends VBox {
+final class MorePanel extends Card {
 
   private static final NumberRange PERCENT = new NumberRange(0, 100, 1);
 
@@ -45,15 +43,14 @@ final class MorePanel extends VBox {
   private final FxSimulation simulation;
   private final SimulatorActions actions;
   private final Messages messages;
-  private final ToggleButton fold = new ToggleButton();
   private final NumberSlider battery;
   private final SegmentedButton<Walls> walls;
   private final Button hang = new Button("", new FontIcon(Feather.IMAGE));
   private final Button takeDown = new Button("", new FontIcon(Feather.TRASH_2));
-  private final MessageLabel mistake;
-  private final VBox details = new VBox();
+  private final MessageLabel diagnostic;
 
   MorePanel(ViewContext context) {
+    super("more", context.language().messages(MorePanel.class).text("more"));
     simulation = context.simulation();
     actions = context.actions();
     Language language = context.language();
@@ -64,12 +61,12 @@ final class MorePanel extends VBox {
             "walls",
             List.of(walls(Walls.AUTO), walls(Walls.TEXTURED), walls(Walls.PLAIN)),
             this::paper);
-    mistake = new MessageLabel(messages, "poster-error", "danger");
+    diagnostic = new MessageLabel(messages, "poster-error", "danger");
     initializeParts();
     layoutParts(new StartPanel(context));
     setupEventHandlers();
     context.pulse().onBeat(nanos -> beat());
-    unfold(false);
+    foldingProperty().set(Folding.FOLDED);
   }
 
   private SegmentedButton.Option<Walls> walls(Walls value) {
@@ -82,11 +79,6 @@ final class MorePanel extends VBox {
   }
 
   private void initializeParts() {
-    getStyleClass().addAll("panel-section", "more-panel");
-    fold.setId("more");
-    fold.getStyleClass().add("fold");
-    fold.textProperty().bind(messages.text("more"));
-    fold.setMaxWidth(Double.MAX_VALUE);
     hang.setId("poster-hang");
     hang.textProperty().bind(messages.text("poster.hang"));
     hang.setMaxWidth(Double.MAX_VALUE);
@@ -94,28 +86,19 @@ final class MorePanel extends VBox {
     takeDown.setId("poster-take-down");
     takeDown.accessibleTextProperty().bind(messages.text("poster.take-down"));
     Tooltips.install(takeDown, messages.text("poster.take-down"));
-    details.getStyleClass().add("details");
   }
 
   private void layoutParts(StartPanel start) {
     HBox.setHgrow(hang, Priority.ALWAYS);
     HBox posters = new HBox(hang, takeDown);
     posters.getStyleClass().add("row");
-    details.getChildren().addAll(battery, walls, posters, mistake, start);
-    getChildren().addAll(fold, details);
+    layoutCard(battery, walls, posters, diagnostic, start);
   }
 
   private void setupEventHandlers() {
-    fold.selectedProperty().subscribe(this::unfold);
     hang.setOnAction(pressed -> choosePoster());
     takeDown.setOnAction(pressed -> takeDown());
     simulation.selectedProperty().addListener(changed -> battery.forgetTyped());
-  }
-
-  private void unfold(boolean open) {
-    details.setVisible(open);
-    details.setManaged(open);
-    fold.setGraphic(new FontIcon(open ? Feather.CHEVRON_UP : Feather.CHEVRON_DOWN));
   }
 
   /** What the simulation does not have yet is not shown as it was before. */
@@ -151,10 +134,10 @@ final class MorePanel extends VBox {
     try {
       ImageFile.read(picture);
     } catch (IOException e) {
-      mistake.say(Optional.of(Message.of("poster.unreadable", picture)));
+      diagnostic.say(Optional.of(Message.of("poster.unreadable", picture)));
       return;
     }
-    mistake.say(Optional.empty());
+    diagnostic.say(Optional.empty());
     List<Poster> posters = new ArrayList<>(decor().posters());
     posters.add(new Poster(Surface.FRONT_WALL, 0, POSTER_HEIGHT, POSTER_WIDTH, picture));
     actions.carryOut(new Control.Decorate(decor().withPosters(posters)));

@@ -5,7 +5,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import tellosimulator.network.AddressPlan;
-import tellosimulator.sim.SimConfig.Outlets;
+import tellosimulator.sim.SimConfig.StreamPorts;
 import tellosimulator.view.text.Message;
 
 /** Which ports of a drone and of an operator go together. */
@@ -18,17 +18,17 @@ final class PortRules {
   private static final int OPERATORS_PORT = 8889;
 
   private static final Set<Integer> LISTENING_PORTS =
-      Set.of(Outlets.DEFAULT.statePort(), Outlets.DEFAULT.videoPort());
+      Set.of(StreamPorts.DEFAULT.statePort(), StreamPorts.DEFAULT.videoPort());
 
   private PortRules() {}
 
   /** State and video go to the same host, so they need different ports. */
-  static Optional<Message> outlet(double port, int otherOutlet) {
+  static Optional<Message> streamPort(double port, int otherStreamPort) {
     if (port != Math.rint(port)) {
       return Optional.of(Message.of("port.whole"));
     }
-    return port == otherOutlet
-        ? Optional.of(Message.of("port.same", Integer.toString(otherOutlet)))
+    return port == otherStreamPort
+        ? Optional.of(Message.of("port.same", Integer.toString(otherStreamPort)))
         : Optional.empty();
   }
 
@@ -54,14 +54,14 @@ final class PortRules {
   }
 
   /** What is possible, but works only if the operator program runs on another machine. */
-  static Optional<Message> warning(int command, Outlets outlets) {
+  static Optional<Message> warning(int command, StreamPorts streamPorts) {
     if (command == OPERATORS_PORT) {
       return Optional.of(Message.of("port.operators", Integer.toString(command)));
     }
     boolean listening =
         LISTENING_PORTS.contains(command)
-            || command == outlets.statePort()
-            || command == outlets.videoPort();
+            || command == streamPorts.statePort()
+            || command == streamPorts.videoPort();
     return listening
         ? Optional.of(Message.of("port.listening", Integer.toString(command)))
         : Optional.empty();

@@ -8,7 +8,7 @@ import javafx.scene.control.Label;
 import javafx.scene.layout.HBox;
 import javafx.scene.layout.Priority;
 import tellosimulator.sim.Control;
-import tellosimulator.sim.SimConfig.Outlets;
+import tellosimulator.sim.SimConfig.StreamPorts;
 import tellosimulator.sim.SimSnapshot.DroneSnapshot;
 import tellosimulator.view.fx.Tooltips;
 import tellosimulator.view.model.FxDroneModel;
@@ -60,8 +60,8 @@ final class PortsPanel extends Card {
 
   private void initializeParts() {
     command.setRule(port -> PortRules.command(port, addresses(drone()), addressesOfOthers()));
-    state.setRule(port -> PortRules.outlet(port, (int) video.number()));
-    video.setRule(port -> PortRules.outlet(port, (int) state.number()));
+    state.setRule(port -> PortRules.streamPort(port, (int) video.number()));
+    video.setRule(port -> PortRules.streamPort(port, (int) state.number()));
   }
 
   private void layoutParts() {
@@ -103,9 +103,9 @@ final class PortsPanel extends Card {
     reach.refresh();
     int commandPort = own.get(0).getPort();
     command.show(commandPort);
-    state.show(outlets().statePort());
-    video.show(outlets().videoPort());
-    warning.say(PortRules.warning(commandPort, outlets()));
+    state.show(streamPorts().statePort());
+    video.show(streamPorts().videoPort());
+    warning.say(PortRules.warning(commandPort, streamPorts()));
   }
 
   private void restore() {
@@ -117,9 +117,9 @@ final class PortsPanel extends Card {
   }
 
   private void configure() {
-    Outlets outlets = new Outlets((int) state.number(), (int) video.number());
+    StreamPorts streamPorts = new StreamPorts((int) state.number(), (int) video.number());
     DroneSnapshot snapshot = drone().snapshotProperty().get();
-    actions.carryOut(new Control.Configure(drone().number(), snapshot.product(), outlets));
+    actions.carryOut(new Control.Configure(drone().number(), snapshot.product(), streamPorts));
     changed.run();
   }
 
@@ -132,9 +132,9 @@ final class PortsPanel extends Card {
     return simulation.selected();
   }
 
-  private Outlets outlets() {
+  private StreamPorts streamPorts() {
     DroneSnapshot snapshot = drone().snapshotProperty().get();
-    return new Outlets(snapshot.link().statePort(), snapshot.link().videoPort());
+    return new StreamPorts(snapshot.link().statePort(), snapshot.link().videoPort());
   }
 
   private List<InetSocketAddress> addresses(FxDroneModel drone) {

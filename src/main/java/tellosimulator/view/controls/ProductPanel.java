@@ -8,8 +8,8 @@ import tellosimulator.command.Link;
 import tellosimulator.profile.Behavior;
 import tellosimulator.profile.Profile;
 import tellosimulator.sim.Control;
-import tellosimulator.sim.SimConfig.Outlets;
 import tellosimulator.sim.SimConfig.Product;
+import tellosimulator.sim.SimConfig.StreamPorts;
 import tellosimulator.sim.SimSnapshot.DroneSnapshot;
 import tellosimulator.view.model.FxDroneModel;
 import tellosimulator.view.model.FxSimulation;
@@ -27,7 +27,7 @@ final class ProductPanel extends Card {
   private final SimulatorActions actions;
   private final Messages messages;
   private final SegmentedButton<Profile> profile;
-  private final SegmentedButton<Behavior> behaviour;
+  private final SegmentedButton<Behavior> behavior;
 
   ProductPanel(ViewContext context) {
     super("product", context.language().messages(ProductPanel.class).text("heading.product"));
@@ -38,13 +38,13 @@ final class ProductPanel extends Card {
         new SegmentedButton<>(
             "profile",
             Arrays.stream(Profile.values()).map(this::option).toList(),
-            chosen -> configure(old -> new Product(chosen, old.behaviour())));
-    behaviour =
+            chosen -> configure(old -> new Product(chosen, old.behavior())));
+    behavior =
         new SegmentedButton<>(
             "behaviour",
             Arrays.stream(Behavior.values()).map(this::option).toList(),
             chosen -> configure(old -> new Product(old.profile(), chosen)));
-    layoutCard(profile, behaviour);
+    layoutCard(profile, behavior);
     setupBindings();
   }
 
@@ -55,14 +55,14 @@ final class ProductPanel extends Card {
     product.addListener((property, before, now) -> show(now));
     show(product.getValue());
     ObservableValue<Boolean> on = simulation.selectedProperty().flatMap(FxDroneModel::onProperty);
-    for (SegmentedButton<?> choice : List.of(profile, behaviour)) {
+    for (SegmentedButton<?> choice : List.of(profile, behavior)) {
       choice.disableProperty().bind(on);
     }
   }
 
   private void show(Product product) {
     profile.show(product.profile());
-    behaviour.show(product.behaviour());
+    behavior.show(product.behavior());
   }
 
   private void configure(UnaryOperator<Product> change) {
@@ -73,7 +73,7 @@ final class ProductPanel extends Card {
         new Control.Configure(
             drone.number(),
             change.apply(snapshot.product()),
-            new Outlets(link.statePort(), link.videoPort())));
+            new StreamPorts(link.statePort(), link.videoPort())));
   }
 
   private SegmentedButton.Option<Profile> option(Profile value) {

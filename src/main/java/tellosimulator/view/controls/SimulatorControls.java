@@ -71,7 +71,7 @@ public final class SimulatorControls extends ControlPanel {
     setFitToHeight(true);
     VBox.setVgrow(charts, Priority.ALWAYS);
     layoutPanel(choice, flight, buttons, charts, room, more);
-    foldInOrder(charts, room);
+    foldInOrder(more, charts, room);
   }
 
   private void setupEventHandlers() {

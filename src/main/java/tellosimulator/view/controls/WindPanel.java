@@ -1,6 +1,7 @@
 package tellosimulator.view.controls;
 
 import java.util.List;
+import javafx.scene.control.Label;
 import tellosimulator.math.Frames;
 import tellosimulator.math.Vec3;
 import tellosimulator.sim.Control;
@@ -34,15 +35,19 @@ final class WindPanel extends Card {
 
   private final FxSimulation simulation;
   private final SimulatorActions actions;
+  private final Messages messages;
   private final NumberSlider towards;
   private final NumberSlider speed;
   private final NumberSlider gusts;
+
+  /** What is seen of it while it is folded. */
+  private final Label now = new Label();
 
   WindPanel(ViewContext context) {
     super("wind", context.language().messages(WindPanel.class).text("wind.heading"));
     simulation = context.simulation();
     actions = context.actions();
-    Messages messages = context.language().messages(WindPanel.class);
+    messages = context.language().messages(WindPanel.class);
     towards =
         new NumberSlider(
             "wind-towards", messages.text("wind-towards"), TOWARDS, context.language());
@@ -51,6 +56,9 @@ final class WindPanel extends Card {
     List.of(speed, gusts).forEach(slider -> slider.setFieldRange(FIELD));
     Tooltips.install(towards, messages.text("wind-towards.hint"));
     Tooltips.install(gusts, messages.text("wind-gusts.hint"));
+    now.setId("wind-now");
+    now.getStyleClass().add("number");
+    layoutHead(now);
     layoutCard(towards, speed, gusts);
     towards.show(0);
     show(wind());
@@ -79,6 +87,8 @@ final class WindPanel extends Card {
       towards.show(tidy(degrees));
     }
     speed.show(tidy(Frames.centimeters(mean)));
+    now.setText(messages.now("wind.now", Math.round(Frames.centimeters(mean))));
+    now.setVisible(mean > CALM);
     gusts.show(tidy(Frames.centimeters(wind.gusts())));
   }
 

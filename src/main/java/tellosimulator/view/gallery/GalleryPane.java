@@ -4,6 +4,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Consumer;
+import javafx.application.Platform;
 import javafx.scene.Node;
 import javafx.scene.control.Label;
 import javafx.scene.control.ScrollPane;
@@ -50,7 +51,7 @@ public final class GalleryPane extends VBox {
     CardGrid grid = new CardGrid(cards);
     ScrollPane scroll = new ScrollPane(grid);
     grid.heightProperty() // without it, as high as if the cards were narrow
-        .subscribe(height -> scroll.setPrefViewportHeight(height.doubleValue()));
+        .subscribe(() -> Platform.runLater(() -> fit(scroll, grid)));
     scroll.setFitToWidth(true);
     scroll.setHbarPolicy(ScrollPane.ScrollBarPolicy.NEVER);
     VBox.setVgrow(scroll, Priority.ALWAYS);
@@ -61,6 +62,11 @@ public final class GalleryPane extends VBox {
       Label heading = messages.label("recent", "heading");
       getChildren().addAll(heading, new RecentList(language, recent, choice.file()));
     }
+  }
+
+  /** Not at once: the height changes while everything is laid out, and nobody would look again. */
+  private static void fit(ScrollPane scroll, CardGrid grid) {
+    scroll.setPrefViewportHeight(grid.getHeight());
   }
 
   private static ScenarioCard card(

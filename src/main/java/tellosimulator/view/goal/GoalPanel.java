@@ -4,6 +4,7 @@ import atlantafx.base.controls.Spacer;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.OptionalDouble;
+import javafx.beans.binding.Bindings;
 import javafx.beans.value.ObservableValue;
 import javafx.css.PseudoClass;
 import javafx.scene.control.Button;
@@ -20,10 +21,11 @@ import tellosimulator.goal.Goal;
 import tellosimulator.goal.GoalState;
 import tellosimulator.goal.Progress;
 import tellosimulator.goal.Progress.Status;
+import tellosimulator.scenario.Description;
 import tellosimulator.scenario.LocalizedText;
-import tellosimulator.scenario.Scenario;
 import tellosimulator.sim.Control;
 import tellosimulator.view.fx.Tooltips;
+import tellosimulator.view.model.FxScenario;
 import tellosimulator.view.model.FxSimulation;
 import tellosimulator.view.model.SimulatorActions;
 import tellosimulator.view.model.ViewContext;
@@ -31,13 +33,14 @@ import tellosimulator.view.text.Language;
 import tellosimulator.view.text.Messages;
 
 /**
- * What the scenario teaches, its goals with a tick and a time for each that is reached, the time,
- * and how it ended. Not there if nothing is asked for or said. For the JavaFX thread.
+ * What the scenario teaches, its goals with their numbers in the room and a time for each that is
+ * reached, the time, and how it ended. Not there if nothing is asked for or said. For the JavaFX
+ * thread.
  */
 public final class GoalPanel extends VBox {
 
-  /** Width of the panel [px]. Decided: that of the list of drones. */
-  private static final double WIDTH = 336;
+  /** Width of the panel [px]. Decided: a goal takes two lines at the most, and the room is seen. */
+  private static final double WIDTH = 280;
 
   private static final PseudoClass REACHED = PseudoClass.getPseudoClass("reached");
   private static final PseudoClass FAILED = PseudoClass.getPseudoClass("failed");
@@ -47,7 +50,7 @@ public final class GoalPanel extends VBox {
   private final Language language;
   private final Messages messages;
   private final ObservableValue<Progress> progress;
-  private final Scenario scenario;
+  private final FxScenario scenario;
   private final List<GoalRow> rows = new ArrayList<>();
   private final Label name = new Label();
   private final Label teaches = new Label();
@@ -59,14 +62,17 @@ public final class GoalPanel extends VBox {
   private final VBox details = new VBox();
   private final VBox goals = new VBox();
 
+  /** What is there only with goals. */
+  private List<Region> ofGoals = List.of();
+
   public GoalPanel(ViewContext context) {
     simulation = context.simulation();
     actions = context.actions();
     language = context.language();
     messages = language.messages(GoalPanel.class);
     progress = context.scenario().progressProperty();
-    scenario = context.scenario().scenario();
-    initializeSelf(!scenario.description().teaches().isEmpty() || !challenge().goals().isEmpty());
+    scenario = context.scenario();
+    initializeSelf();
     initializeParts();
     layoutParts();
     setupEventHandlers();
@@ -78,7 +84,7 @@ public final class GoalPanel extends VBox {
     simulation.drones().forEach(drone -> actions.carryOut(new Control.Reset(drone.number())));
   }
 
-  private void initializeSelf(boolean wanted) {
+  private void initializeSelf() {
     setId("goal-panel");
     getStyleClass().add("goal-panel");
     getStylesheets().add(GoalPanel.class.getResource("goal.css").toExternalForm());
@@ -86,13 +92,13 @@ public final class GoalPanel extends VBox {
     setPrefWidth(WIDTH);
     setMaxWidth(WIDTH);
     setMinHeight(USE_PREF_SIZE);
-    setVisible(wanted);
-    setManaged(wanted);
   }
 
   private void initializeParts() {
     name.setId("scenario-name");
     name.getStyleClass().add("name");
+    name.setWrapText(true);
+    name.setMinHeight(USE_PREF_SIZE);
     name.setMaxWidth(Double.MAX_VALUE);
     HBox.setHgrow(name, Priority.ALWAYS);
     teaches.setId("scenario-teaches");
@@ -115,10 +121,6 @@ public final class GoalPanel extends VBox {
     again.setMinWidth(USE_PREF_SIZE);
     fold.setId("goal-fold");
     fold.getStyleClass().add("fold");
-    for (int i = 0; i < challenge().goals().size(); i++) {
-      rows.add(new GoalRow(i, challenge().goals().get(i), language));
-    }
-    goals.getChildren().addAll(rows);
     goals.getStyleClass().add("goals");
     details.getStyleClass().add("details");
   }
@@ -128,16 +130,13 @@ public final class GoalPanel extends VBox {
     head.getStyleClass().add("head");
     ScrollPane scroll = new ScrollPane(goals);
     scroll.setFitToWidth(true);
+    scroll.prefViewportHeightProperty().bind(goals.heightProperty()); // with wrapped lines
     scroll.setHbarPolicy(ScrollPane.ScrollBarPolicy.NEVER);
     scroll.setFocusTraversable(false);
     HBox.setHgrow(rules, Priority.ALWAYS);
     HBox foot = new HBox(rules, new Spacer(), again);
     foot.getStyleClass().add("foot");
-    boolean asked = !rows.isEmpty();
-    for (Region part : List.of(scroll, foot, time)) {
-      part.setVisible(asked);
-      part.setManaged(asked);
-    }
+    ofGoals = List.of(scroll, foot, time);
     details.getChildren().addAll(teaches, scroll, foot);
     getChildren().addAll(head, banner, details);
   }
@@ -156,12 +155,17 @@ public final class GoalPanel extends VBox {
   }
 
   private void setupBindings() {
-    name.textProperty().bind(following(scenario.description().name()));
-    teaches.textProperty().bind(following(scenario.description().teaches()));
+    name.textProperty().bind(following(description().name()));
+    teaches.textProperty().bind(following(description().teaches()));
     again.textProperty().bind(messages.text("again"));
     Tooltips.install(again, messages.text("again.hint"));
     fold.accessibleTextProperty().bind(messages.text("fold"));
-    rules.textProperty().bind(language.localeProperty().map(locale -> rules()));
+    rules
+        .textProperty()
+        .bind(
+            Bindings.createStringBinding(
+                this::rules, language.localeProperty(), scenario.challengeProperty()));
+    scenario.challengeProperty().subscribe(this::showGoals);
     progress.addListener((property, before, now) -> show());
     language.localeProperty().addListener((property, before, now) -> show());
     show();
@@ -175,9 +179,31 @@ public final class GoalPanel extends VBox {
     return scenario.challenge();
   }
 
+  private Description description() {
+    return scenario.scenario().description();
+  }
+
+  /** Another row for each goal. */
+  private void showGoals(Challenge challenge) {
+    rows.clear();
+    for (int i = 0; i < challenge.goals().size(); i++) {
+      rows.add(new GoalRow(i, challenge.goals().get(i), language));
+    }
+    goals.getChildren().setAll(rows);
+    boolean asked = !rows.isEmpty();
+    ofGoals.forEach(part -> setShown(part, asked));
+    setShown(this, asked || !description().teaches().isEmpty());
+    show();
+  }
+
+  private static void setShown(Region part, boolean shown) {
+    part.setVisible(shown);
+    part.setManaged(shown);
+  }
+
   private String rules() {
     List<String> all = new ArrayList<>();
-    if (challenge().inOrder() && rows.size() > 1) {
+    if (challenge().inOrder() && challenge().goals().size() > 1) {
       all.add(messages.now("in-order"));
     }
     if (challenge().untouched()) {
@@ -188,6 +214,9 @@ public final class GoalPanel extends VBox {
 
   private void show() {
     Progress now = progress.getValue();
+    if (rows.size() != now.reached().size()) {
+      return; // the rows of other goals follow
+    }
     for (int i = 0; i < rows.size(); i++) {
       rows.get(i).show(now.reached().get(i), now.state(i) == GoalState.ACTIVE);
     }
@@ -216,14 +245,14 @@ public final class GoalPanel extends VBox {
     label.setMinHeight(USE_PREF_SIZE);
   }
 
-  /** A goal with its tick, and when it was reached. For the JavaFX thread. */
+  /** A goal with its number in the room, and when it was reached. For the JavaFX thread. */
   private static final class GoalRow extends HBox {
 
     private static final PseudoClass REACHED = PseudoClass.getPseudoClass("reached");
     private static final PseudoClass NEXT = PseudoClass.getPseudoClass("next");
 
     private final Language language;
-    private final FontIcon tick = new FontIcon(Feather.CIRCLE);
+    private final Label mark = new Label();
     private final Label task = new Label();
     private final Label time = new Label();
 
@@ -234,15 +263,22 @@ public final class GoalPanel extends VBox {
       this.language = language;
       setId("goal-" + (index + 1));
       getStyleClass().add("goal");
+      mark.setText(Integer.toString(index + 1));
+      mark.getStyleClass().add("mark");
+      mark.setMinSize(USE_PREF_SIZE, USE_PREF_SIZE);
+      time.setGraphic(new FontIcon(Feather.CHECK));
+      time.visibleProperty().bind(time.textProperty().isNotEmpty());
+      time.managedProperty().bind(time.visibleProperty());
       task.textProperty()
           .bind(language.localeProperty().map(locale -> language.say(goal.phrase())));
+      task.getStyleClass().add("task");
       task.setWrapText(true);
       task.setMaxWidth(Double.MAX_VALUE);
       task.setMinHeight(USE_PREF_SIZE);
       time.setMinWidth(USE_PREF_SIZE);
       time.getStyleClass().add("time");
       HBox.setHgrow(task, Priority.ALWAYS);
-      getChildren().addAll(tick, task, time);
+      getChildren().addAll(mark, task, time);
     }
 
     /**
@@ -253,7 +289,6 @@ public final class GoalPanel extends VBox {
      */
     void show(OptionalDouble reached, boolean next) {
       boolean done = reached.isPresent();
-      tick.setIconCode(done ? Feather.CHECK_CIRCLE : Feather.CIRCLE);
       time.setText(done ? String.format(language.locale(), "%.1f s", reached.getAsDouble()) : "");
       pseudoClassStateChanged(REACHED, done);
       pseudoClassStateChanged(NEXT, next);

@@ -2,6 +2,7 @@ package tellosimulator.view.layout;
 
 import atlantafx.base.theme.Styles;
 import javafx.beans.property.Property;
+import javafx.beans.value.ObservableValue;
 import javafx.scene.control.Button;
 import javafx.scene.control.ButtonBase;
 import javafx.scene.control.ContentDisplay;
@@ -11,7 +12,6 @@ import org.kordamp.ikonli.Ikon;
 import org.kordamp.ikonli.feather.Feather;
 import org.kordamp.ikonli.javafx.FontIcon;
 import tellosimulator.view.fx.Tooltips;
-import tellosimulator.view.model.FxMarks;
 import tellosimulator.view.text.Language;
 import tellosimulator.view.text.Messages;
 import tellosimulator.view.world.Simulator3DScene;
@@ -54,11 +54,15 @@ public final class BarButtons {
     return toggle("show-trail", Feather.ACTIVITY, scene.trailVisibleProperty());
   }
 
-  /** Shows the line to the next goal; only there if there are goals. */
-  public ToggleButton goalLine(Simulator3DScene scene, FxMarks marks) {
+  /**
+   * Shows the line to the next goal.
+   *
+   * @param asked whether there are goals; the button is there only then
+   */
+  public ToggleButton goalLine(Simulator3DScene scene, ObservableValue<Boolean> asked) {
     ToggleButton button = toggle("show-goal-line", Feather.TARGET, scene.goalLineVisibleProperty());
-    button.setVisible(marks.asked());
-    button.setManaged(marks.asked());
+    button.visibleProperty().bind(asked);
+    button.managedProperty().bind(asked);
     return button;
   }
 

@@ -13,26 +13,26 @@ import tellosimulator.view.text.Messages;
 /** All that is wrong with a scenario file, with line and column. For the JavaFX thread. */
 final class DiagnosticsPage extends Page {
 
-  /** Diagnostics that are shown; the log has all. Decided: more than somebody reads at once. */
+  /** Mistakes that are shown; the log has all. Decided: more than somebody reads at once. */
   private static final int MOST = 200;
 
-  DiagnosticsPage(ViewContext context, List<Function<Language, String>> mistakes) {
+  DiagnosticsPage(ViewContext context, List<Function<Language, String>> diagnostics) {
     super(
         "mistakes-page",
         "mistakes-page",
         context
             .language()
             .messages(DiagnosticsPage.class)
-            .text(mistakes.size() == 1 ? "mistakes-one" : "mistakes", mistakes.size()));
+            .text(diagnostics.size() == 1 ? "mistakes-one" : "mistakes", diagnostics.size()));
     Language language = context.language();
     Messages messages = language.messages(DiagnosticsPage.class);
     setMaxHeight(USE_PREF_SIZE);
     VBox lines = new VBox();
     lines.getStyleClass().add("lines");
-    for (Function<Language, String> mistake :
-        mistakes.subList(0, Math.min(MOST, mistakes.size()))) {
+    for (Function<Language, String> diagnostic :
+        diagnostics.subList(0, Math.min(MOST, diagnostics.size()))) {
       Label line = new Label();
-      line.textProperty().bind(language.localeProperty().map(locale -> mistake.apply(language)));
+      line.textProperty().bind(language.localeProperty().map(locale -> diagnostic.apply(language)));
       line.setWrapText(true);
       line.setMinHeight(Region.USE_PREF_SIZE);
       lines.getChildren().add(line);

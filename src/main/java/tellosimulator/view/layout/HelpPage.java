@@ -62,6 +62,7 @@ final class HelpPage extends Page {
   private void layoutParts() {
     VBox first = new VBox(steps(), table("mouse", MOUSE.stream().map(this::mouseRow)));
     VBox second = new VBox(table("window-keys", keys(key -> !key.looks())));
+    second.getStyleClass().add("keys"); // the longest, and so the widest
     VBox third =
         new VBox(table("steering-keys", Stream.of(SteeringKey.values()).map(this::steeringRow)));
     for (VBox column : List.of(first, second, third)) {

@@ -77,8 +77,8 @@ public final class PageOverlay extends StackPane {
   }
 
   /** Says what is wrong with a scenario. */
-  public void show(List<Function<Language, String>> mistakes) {
-    show(new DiagnosticsPage(context, mistakes));
+  public void show(List<Function<Language, String>> diagnostics) {
+    show(new DiagnosticsPage(context, diagnostics));
   }
 
   /** Asks something. */

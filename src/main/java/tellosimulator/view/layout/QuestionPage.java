@@ -14,7 +14,7 @@ public final class QuestionPage extends Page {
   QuestionPage(ViewContext context, Question question, Runnable close) {
     super(
         "question-page",
-        "mistakes-page",
+        "question-page",
         context.language().messages(QuestionPage.class).text(question.key(), question.subject()));
     Messages messages = context.language().messages(QuestionPage.class);
     setMaxHeight(USE_PREF_SIZE);

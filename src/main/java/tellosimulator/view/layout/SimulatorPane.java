@@ -36,10 +36,11 @@ public final class SimulatorPane extends BorderPane {
    * What is in the middle.
    *
    * @param aside lies over the scene, in its upper left corner
+   * @param notice lies over the scene, above {@code pilot}
    * @param pilot flies the drone; lies over the scene, at its lower edge
    * @param plan lies over all of them while it is visible
    */
-  public record Middle(Region scene, Region aside, Region pilot, Region plan) {}
+  public record Middle(Region scene, Region aside, Region notice, Region pilot, Region plan) {}
 
   private final Parts parts;
   private final WindowState state;
@@ -92,14 +93,19 @@ public final class SimulatorPane extends BorderPane {
   private void layoutFree() {
     Region aside = parts.middle().aside();
     Region pilot = parts.middle().pilot();
-    StackPane floating = new StackPane(aside, pilot);
+    VBox lower = new VBox(FLOATING_GAP, parts.middle().notice(), pilot);
+    lower.setAlignment(Pos.CENTER);
+    lower.setMaxHeight(USE_PREF_SIZE);
+    lower.setPickOnBounds(false);
+    StackPane floating = new StackPane(lower, aside);
     floating.setPickOnBounds(false);
     floating.setMinSize(0, 0);
     floating.setPadding(new Insets(FLOATING_GAP));
     StackPane.setAlignment(aside, Pos.TOP_LEFT);
-    StackPane.setAlignment(pilot, Pos.BOTTOM_CENTER);
+    StackPane.setAlignment(lower, Pos.BOTTOM_CENTER);
     aside.setMaxWidth(USE_PREF_SIZE);
     aside.setPickOnBounds(false);
+    parts.middle().notice().setMaxWidth(USE_PREF_SIZE);
     pilot.setMaxSize(USE_PREF_SIZE, USE_PREF_SIZE);
     pilot.getStyleClass().add("floating");
     free.getChildren().setAll(floating, parts.middle().plan());

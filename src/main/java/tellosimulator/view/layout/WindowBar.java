@@ -36,7 +36,9 @@ public final class WindowBar extends ToolBar {
             new Separator(Orientation.VERTICAL),
             buttons.inset(scene),
             buttons.trail(scene),
-            buttons.goalLine(scene, context.marks()),
+            buttons.goalLine(
+                scene,
+                context.scenario().challengeProperty().map(asked -> !asked.goals().isEmpty())),
             drones(context),
             buttons.toggle("show-plan", Feather.MAP, state.planShownProperty()),
             new Spacer(),

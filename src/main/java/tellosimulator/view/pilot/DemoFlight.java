@@ -172,7 +172,7 @@ public final class DemoFlight implements AutoCloseable {
     }
     DroneSnapshot now = drone.snapshotProperty().get();
     Room room = context.simulation().roomProperty().get();
-    tour = new DemoTour(room, now.product().behaviour(), now.state()).commands();
+    tour = new DemoTour(room, now.product().behavior(), now.state()).commands();
     steps.set(tour.size());
     stage.set(Stage.FLYING);
     command(1);

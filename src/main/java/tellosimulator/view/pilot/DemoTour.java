@@ -57,16 +57,16 @@ final class DemoTour {
   private static final int ENOUGH_FOR_FLIP = 58;
 
   private final Room room;
-  private final Behavior behaviour;
+  private final Behavior behavior;
   private final Pose pose;
   private final int batteryPercent;
 
   /**
    * @param drone which stands on the floor
    */
-  DemoTour(Room room, Behavior behaviour, DroneState drone) {
+  DemoTour(Room room, Behavior behavior, DroneState drone) {
     this.room = room;
-    this.behaviour = behaviour;
+    this.behavior = behavior;
     this.pose = drone.motion().pose();
     this.batteryPercent = drone.energy().battery().percent();
   }
@@ -74,7 +74,7 @@ final class DemoTour {
   /** From {@code command} to {@code land}. */
   List<String> commands() {
     FlightPlan route = new FlightPlan(pose.position(), pose.attitude().heading());
-    route.say("command").takeoff(behaviour.takeoffHeight() + behaviour.takeoffCreep());
+    route.say("command").takeoff(behavior.takeoffHeight() + behavior.takeoffCreep());
     double radius = Math.min(LARGEST_RADIUS, freeRadius(LONG_MARGIN));
     if (radius >= SMALLEST_LONG_RADIUS) {
       flyLong(route, radius);

@@ -42,6 +42,7 @@ final class DroneChip extends HBox {
         new Background(new BackgroundFill(color, new CornerRadii(50, true), Insets.EMPTY)));
     setId("projector-drone-" + drone.number());
     getStyleClass().add("chip");
+    setMinWidth(USE_PREF_SIZE);
     getChildren().add(number);
     if (worded) {
       getChildren().add(state);

@@ -4,7 +4,6 @@ import atlantafx.base.controls.Spacer;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
-import java.util.Optional;
 import javafx.css.PseudoClass;
 import javafx.scene.control.Label;
 import javafx.scene.layout.BorderPane;
@@ -15,8 +14,7 @@ import javafx.scene.layout.VBox;
 import tellosimulator.goal.Challenge;
 import tellosimulator.goal.Progress;
 import tellosimulator.goal.Progress.Status;
-import tellosimulator.view.model.LastCommand.Outcome;
-import tellosimulator.view.model.LastCommand.Shown;
+import tellosimulator.view.controls.LastCommandRow;
 import tellosimulator.view.model.ViewContext;
 import tellosimulator.view.text.Language;
 import tellosimulator.view.text.Messages;
@@ -53,16 +51,15 @@ public final class ProjectorPane extends BorderPane {
   private final VBox goals = new VBox(goalRow, task);
   private final Label clock = new Label();
   private final FlowPane droneRow = new FlowPane();
-  private final Label command = new Label();
-  private final Label outcome = new Label();
-  private final HBox commandRow = new HBox(command, outcome);
-  private final VBox bottom = new VBox(droneRow, commandRow);
+  private final LastCommandRow command;
+  private final VBox bottom = new VBox();
   private double begun;
 
   public ProjectorPane(ViewContext context) {
     this.context = context;
     language = context.language();
     messages = language.messages(ProjectorPane.class);
+    command = new LastCommandRow(context, "projector-command", false);
     boolean few = context.simulation().drones().size() <= FEW;
     drones =
         context.simulation().drones().stream()
@@ -102,36 +99,44 @@ public final class ProjectorPane extends BorderPane {
     clock.getStyleClass().add("clock");
     clock.setMinWidth(USE_PREF_SIZE);
     droneRow.getStyleClass().add("row");
-    command.setId("projector-command");
-    command.getStyleClass().add("command");
-    outcome.setId("projector-outcome");
-    outcome.getStyleClass().add("outcome");
-    outcome.setMinWidth(USE_PREF_SIZE);
-    commandRow.setId("projector-command-row");
-    commandRow.getStyleClass().add("row");
-    commandRow.setMaxWidth(USE_PREF_SIZE);
+    command.getStyleClass().add("row");
+    command.setMaxWidth(USE_PREF_SIZE);
     goals.setMaxHeight(USE_PREF_SIZE);
-    List.of(goals, clock, droneRow, commandRow).forEach(box -> box.getStyleClass().add("box"));
-    for (int i = 0; i < challenge().goals().size(); i++) {
-      Label mark = new Label(String.valueOf(i + 1));
-      mark.setId("projector-goal-" + (i + 1));
-      mark.getStyleClass().add("mark");
-      marks.add(mark);
-    }
+    List.of(goals, clock, command).forEach(box -> box.getStyleClass().add("box"));
+    drones.forEach(chip -> chip.getStyleClass().add("box"));
   }
 
   private void layoutParts() {
-    goalRow.getChildren().setAll(marks);
-    goals.setVisible(!marks.isEmpty());
-    droneRow.getChildren().setAll(drones);
     HBox top = new HBox(goals, new Spacer(), clock);
     top.getStyleClass().add("edge");
+    if (drones.size() == 1) { // in one row, which leaves more of the picture free
+      HBox row = new HBox(drones.get(0), command);
+      row.getStyleClass().add("row");
+      bottom.getChildren().setAll(row);
+    } else {
+      droneRow.getChildren().setAll(drones);
+      bottom.getChildren().setAll(droneRow, command);
+    }
     bottom.getStyleClass().add("edge");
     setTop(top);
     setBottom(bottom);
   }
 
+  /** A mark for each goal. */
+  private void showMarks(Challenge challenge) {
+    marks.clear();
+    for (int i = 1; i <= challenge.goals().size(); i++) {
+      Label mark = new Label(String.valueOf(i));
+      mark.setId("projector-goal-" + i);
+      mark.getStyleClass().add("mark");
+      marks.add(mark);
+    }
+    goalRow.getChildren().setAll(marks);
+    goals.setVisible(!marks.isEmpty());
+  }
+
   private void setupBindings() {
+    context.scenario().challengeProperty().subscribe(this::showMarks);
     heightProperty()
         .subscribe(
             height ->
@@ -150,7 +155,6 @@ public final class ProjectorPane extends BorderPane {
       showGoals(progress);
       clock.setText(clock(progress));
       drones.forEach(DroneChip::refresh);
-      showCommand(context.lastCommand().newest());
     }
   }
 
@@ -188,27 +192,7 @@ public final class ProjectorPane extends BorderPane {
     return String.format(Locale.ROOT, "%d:%02d", whole / 60, whole % 60);
   }
 
-  private void showCommand(Optional<Shown> newest) {
-    commandRow.setVisible(newest.isPresent());
-    newest.ifPresent(
-        shown -> {
-          String who = drones.size() > 1 ? messages.now("drone", shown.drone()) + "  " : "";
-          command.setText(who + shown.text());
-          outcome.setText(outcome(shown));
-          outcome.pseudoClassStateChanged(REACHED, shown.outcome() == Outcome.DONE);
-          outcome.pseudoClassStateChanged(FAILED, shown.outcome() == Outcome.FAILED);
-        });
-  }
-
-  private String outcome(Shown shown) {
-    return switch (shown.outcome()) {
-      case RUNNING -> "…";
-      case DONE -> shown.reply();
-      case FAILED -> shown.reply().isEmpty() ? messages.now("no-answer") : shown.reply();
-    };
-  }
-
   private Challenge challenge() {
-    return context.scenario().scenario().challenge();
+    return context.scenario().challenge();
   }
 }

@@ -2,6 +2,7 @@ package tellosimulator.view.replay;
 
 import atlantafx.base.controls.Spacer;
 import javafx.beans.property.Property;
+import javafx.beans.property.SimpleBooleanProperty;
 import javafx.geometry.Orientation;
 import javafx.scene.control.Separator;
 import javafx.scene.control.ToolBar;
@@ -69,7 +70,7 @@ final class ReplayPane extends BorderPane {
             buttons.follow(world),
             buttons.inset(world),
             buttons.trail(world),
-            buttons.goalLine(world, context.marks()),
+            buttons.goalLine(world, new SimpleBooleanProperty(context.marks().asked())),
             new Spacer(),
             buttons.theme(looks.theme()),
             new Separator(Orientation.VERTICAL),

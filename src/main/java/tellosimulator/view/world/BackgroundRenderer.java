@@ -54,7 +54,7 @@ final class BackgroundRenderer implements AutoCloseable {
   private record Job(Scene scene, PinholeCamera camera) {}
 
   private final SoftwareCamera camera = new SoftwareCamera(new RenderCache(ColorSpace.RGB));
-  private final Ticker metronome = new Ticker();
+  private final Ticker ticker = new Ticker();
   private final AtomicReference<Optional<Job>> next = new AtomicReference<>(Optional.empty());
   private final AtomicReference<Optional<Rendered>> rendered =
       new AtomicReference<>(Optional.empty());
@@ -84,7 +84,7 @@ final class BackgroundRenderer implements AutoCloseable {
     settled = false;
     busy = true;
     next.set(Optional.of(new Job(scene, viewpoint)));
-    metronome.wake();
+    ticker.wake();
   }
 
   /** The newest frame, if nobody has taken it; valid until the next one is rendered. */
@@ -109,7 +109,7 @@ final class BackgroundRenderer implements AutoCloseable {
 
     @Override
     public void idle() {
-      metronome.rest();
+      ticker.rest();
     }
 
     @Override
@@ -151,6 +151,6 @@ final class BackgroundRenderer implements AutoCloseable {
   @Override
   public void close() {
     worker.end();
-    metronome.wake();
+    ticker.wake();
   }
 }

@@ -16,7 +16,7 @@ import tellosimulator.math.Vec3;
  */
 record PictureArea(Dimension2D size, Insets aside, List<Rectangle2D> covered) {
 
-  /** What is left free at all edges [px]. Decided: half a number tag. */
+  /** What is left free at all edges [px]. Decided: half a drone tag. */
   static final double MARGIN = 14;
 
   /** Shortest edge of a part in which one shows something [px]. Decided: a drone can be told. */

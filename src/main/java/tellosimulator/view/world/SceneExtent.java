@@ -2,7 +2,6 @@ package tellosimulator.view.world;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Optional;
 import tellosimulator.goal.Goal;
 import tellosimulator.goal.GoalRegion;
 import tellosimulator.math.Attitude;
@@ -42,24 +41,17 @@ final class SceneExtent {
       places.add(place);
       places.add(place.withZ(Math.min(room.height(), place.z() + TAKEOFF)));
     }
-    goals.forEach(goal -> spot(goal).ifPresent(spot -> addBall(places, spot)));
+    for (Goal goal : goals) {
+      if (goal instanceof Goal.InRegion at) { // gates and mission pads are there already
+        addBall(places, at.region());
+      }
+    }
     return places;
   }
 
-  /** Gates and mission pads are there already. */
-  private static Optional<GoalRegion> spot(Goal goal) {
-    if (goal instanceof Goal.Reach reach) {
-      return Optional.of(reach.spot());
-    }
-    if (goal instanceof Goal.Hover hover) {
-      return Optional.of(hover.spot());
-    }
-    return goal instanceof Goal.Land land ? Optional.of(land.spot()) : Optional.empty();
-  }
-
-  private static void addBall(List<Vec3> places, GoalRegion spot) {
-    Vec3 middle = spot.place();
-    for (double side : new double[] {-spot.radius(), spot.radius()}) {
+  private static void addBall(List<Vec3> places, GoalRegion region) {
+    Vec3 middle = region.place();
+    for (double side : new double[] {-region.radius(), region.radius()}) {
       places.add(middle.plus(new Vec3(side, 0, 0)));
       places.add(middle.plus(new Vec3(0, side, 0)));
       places.add(middle.withZ(Math.max(0, middle.z() + side)));

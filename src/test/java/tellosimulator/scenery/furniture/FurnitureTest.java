@@ -97,13 +97,13 @@ class FurnitureTest {
 
   @Test
   void sidesWithPicturesAreAsBrightAsTheirFilesAndTheOthersArePainted() {
-    ObstacleAppearance cover =
+    ObstacleAppearance appearance =
         new ObstacleAppearance(
             0x0000ff,
             Pattern.PLAIN,
             Map.of(Side.FRONT, "examples/marker.png", Side.TOP, "no/such.png"));
 
-    List<Part> parts = parts(BOX, cover);
+    List<Part> parts = parts(BOX, appearance);
 
     assertThat(parts)
         .extracting(part -> part.material().shading())
@@ -119,9 +119,9 @@ class FurnitureTest {
 
   @Test
   void aPictureGoesAroundACylinderAndIsUprightFromTheFront() {
-    ObstacleAppearance cover =
+    ObstacleAppearance appearance =
         new ObstacleAppearance(0, Pattern.PLAIN, Map.of(Side.FRONT, "examples/marker.png"));
-    Mesh around = parts(new Shape.Cylinder(0.3, 1), cover).get(1).mesh();
+    Mesh around = parts(new Shape.Cylinder(0.3, 1), appearance).get(1).mesh();
     float[] texCoords = around.texCoordArray();
 
     for (int i = 0; i < around.positions(); i++) {
@@ -169,7 +169,7 @@ class FurnitureTest {
     List<Obstacle> many =
         IntStream.range(0, 1000)
             .mapToObj(i -> new ObstacleAppearance(17 * i, Pattern.BRICKS, Map.of()))
-            .map(cover -> new Obstacle("thing", BOX, Vec3.ZERO, 0, cover))
+            .map(appearance -> new Obstacle("thing", BOX, Vec3.ZERO, 0, appearance))
             .toList();
 
     assertThat(furniture.instances(many.subList(0, 16)).get(0).part().material().texture().width())
@@ -184,8 +184,10 @@ class FurnitureTest {
     return new ObstacleAppearance(0x2040e0, pattern, Map.of());
   }
 
-  private List<Part> parts(Shape shape, ObstacleAppearance cover) {
-    return furniture.instances(List.of(new Obstacle("thing", shape, Vec3.ZERO, 0, cover))).stream()
+  private List<Part> parts(Shape shape, ObstacleAppearance appearance) {
+    return furniture
+        .instances(List.of(new Obstacle("thing", shape, Vec3.ZERO, 0, appearance)))
+        .stream()
         .map(Instance::part)
         .filter(part -> part.material().shading() != Shading.TRANSLUCENT)
         .toList();

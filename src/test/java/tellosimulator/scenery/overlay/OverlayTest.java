@@ -85,6 +85,16 @@ class OverlayTest {
     assertThat(new Overlay(snapshot).instances(snapshot, CAMERA)).hasSize(3);
   }
 
+  @Test
+  void aDroneAloneIsPointedAtFromAfar() {
+    Eye far = new Eye(new Pose(new Vec3(-4, 0, 1), Attitude.LEVEL), 0.1);
+
+    List<Instance> instances = overlay.instances(snapshot(), far);
+
+    assertThat(instances).hasSize(1);
+    assertThat(instances.get(0).pose().position().z()).as("above it").isGreaterThan(0);
+  }
+
   /** Takes off, and moves up by 150 cm. */
   private void fly() {
     simulation.control(new Control.Power(1, true));

@@ -159,9 +159,9 @@ class SoftwareCameraTest {
   @Test
   void aDecalCoversCoplanarSurfacesButNotWhatStandsOnThem() {
     Quad floor = new Quad(new Vec3(0, 5, -1), new Vec3(0, -10, 0), new Vec3(10, 0, 0));
-    Quad spot = new Quad(new Vec3(1, 0.5, -1), new Vec3(0, -1, 0), new Vec3(4, 0, 0));
+    Quad region = new Quad(new Vec3(1, 0.5, -1), new Vec3(0, -1, 0), new Vec3(4, 0, 0));
     Quad post = new Quad(new Vec3(2, 0.25, -1), new Vec3(0, -0.5, 0), new Vec3(0, 0, 0.5));
-    Instance decal = new Instance(decal(RED, spot), TestScenes.ORIGIN);
+    Instance decal = new Instance(decal(RED, region), TestScenes.ORIGIN);
 
     RenderedFrame frame =
         RenderedFrame.of(painted(plain(GREEN), floor), decal, painted(plain(BLUE), post));

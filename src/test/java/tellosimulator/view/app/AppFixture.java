@@ -81,7 +81,7 @@ final class AppFixture implements BeforeEachCallback, AfterEachCallback {
     app =
         new SimulatorApp(
             OpenedScenario.once(
-                Scenario.of(SimConfig.DEFAULT.withOutlets(new SimConfig.Outlets(9, 10)))),
+                Scenario.of(SimConfig.DEFAULT.withStreamPorts(new SimConfig.StreamPorts(9, 10)))),
             new SimulatorApp.Rules(
                 UnaryOperator.identity(),
                 scenario ->

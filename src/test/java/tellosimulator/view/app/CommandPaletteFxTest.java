@@ -18,11 +18,8 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.testfx.api.FxRobot;
 import tellosimulator.math.Vec3;
-import tellosimulator.sim.SimConfig;
 import tellosimulator.sim.SimSnapshot;
-import tellosimulator.sim.Swarm;
 import tellosimulator.view.layout.Theme;
-import tellosimulator.world.Room;
 
 /** What one types into the palette of commands is done. */
 class CommandPaletteFxTest {
@@ -33,10 +30,7 @@ class CommandPaletteFxTest {
 
   @BeforeEach
   void open() {
-    window =
-        WholeWindow.open(
-            SimConfig.DEFAULT.withRoom(Room.DEFAULT, Swarm.row(3, Vec3.ZERO, Room.DEFAULT)),
-            folder.resolve("settings"));
+    window = WholeWindow.ofDrones(3, folder);
   }
 
   @AfterEach

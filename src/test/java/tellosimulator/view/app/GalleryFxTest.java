@@ -8,10 +8,12 @@ import static tellosimulator.view.testing.WindowFixture.waitUntil;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import javafx.geometry.Bounds;
 import javafx.scene.Node;
 import javafx.scene.control.Menu;
 import javafx.scene.control.MenuButton;
 import javafx.scene.control.MenuItem;
+import javafx.scene.control.ScrollPane;
 import javafx.scene.image.ImageView;
 import javafx.scene.input.KeyCode;
 import javafx.stage.Stage;
@@ -19,6 +21,8 @@ import javafx.stage.StageStyle;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.extension.RegisterExtension;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.testfx.api.FxRobot;
 import tellosimulator.scenario.Gallery;
 
@@ -71,6 +75,40 @@ class GalleryFxTest {
 
     assertThat(window.stage().getTitle()).isEqualTo("Über die Mauer – Tello Simulator");
     assertThat(window.label("scenario-name")).isEqualTo("Über die Mauer");
+  }
+
+  /**
+   * On the smallest screens there is room for all scenarios, and none is left below them. A frame
+   * takes up to 28 pixels of the height.
+   */
+  @ParameterizedTest
+  @CsvSource({"1280, 772, en", "1280, 772, de", "1024, 740, en", "1024, 740, de"})
+  void allScenariosAreSeenWithoutScrolling(double width, double height, String language) {
+    change(() -> language("language-" + language).fire());
+    change(() -> size(width, height));
+    robot.clickOn("#scenarios");
+    for (String name : Gallery.NAMES) {
+      ImageView picture = (ImageView) robot.lookup("#scenario-" + name).query().lookup("ImageView");
+      waitUntil(() -> picture.getImage() != null);
+    }
+    ScrollPane scroll = robot.lookup("#gallery .scroll-pane").queryAs(ScrollPane.class);
+
+    double view = onFxThread(() -> scroll.getViewportBounds().getHeight());
+    double cards = onFxThread(() -> scroll.getContent().getLayoutBounds().getHeight());
+    assertThat(cards).isBetween(view - 2, view + 0.5);
+    Bounds last = onFxThread(() -> inScene("scenario-swarm-stage"));
+    Bounds button = onFxThread(() -> inScene("gallery-close"));
+    assertThat(button.getMinY() - last.getMaxY()).as("the empty strip").isLessThan(40);
+  }
+
+  private void size(double width, double height) {
+    window.stage().setWidth(width);
+    window.stage().setHeight(height);
+  }
+
+  private Bounds inScene(String id) {
+    Node node = robot.lookup("#" + id).query();
+    return node.localToScene(node.getLayoutBounds());
   }
 
   @Test

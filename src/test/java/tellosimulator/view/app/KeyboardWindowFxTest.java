@@ -22,11 +22,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.testfx.api.FxRobot;
-import tellosimulator.math.Vec3;
 import tellosimulator.profile.Profile;
-import tellosimulator.sim.SimConfig;
-import tellosimulator.sim.Swarm;
-import tellosimulator.world.Room;
 
 /** Everything in the window can be reached, and is named for those who hear it. */
 class KeyboardWindowFxTest {
@@ -40,10 +36,7 @@ class KeyboardWindowFxTest {
 
   @BeforeEach
   void open() {
-    window =
-        WholeWindow.open(
-            SimConfig.DEFAULT.withRoom(Room.DEFAULT, Swarm.row(2, Vec3.ZERO, Room.DEFAULT)),
-            folder.resolve("settings"));
+    window = WholeWindow.ofDrones(2, folder);
   }
 
   @AfterEach

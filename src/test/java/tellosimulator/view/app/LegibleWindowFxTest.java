@@ -30,11 +30,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.testfx.api.FxRobot;
-import tellosimulator.math.Vec3;
-import tellosimulator.sim.SimConfig;
-import tellosimulator.sim.Swarm;
 import tellosimulator.view.layout.Theme;
-import tellosimulator.world.Room;
 
 /**
  * Each text of the window can be read, in both themes: it is large enough, and its color has
@@ -61,10 +57,7 @@ class LegibleWindowFxTest {
 
   @BeforeEach
   void open() {
-    window =
-        WholeWindow.open(
-            SimConfig.DEFAULT.withRoom(Room.DEFAULT, Swarm.row(3, Vec3.ZERO, Room.DEFAULT)),
-            folder.resolve("settings"));
+    window = WholeWindow.ofDrones(3, folder);
   }
 
   @AfterEach

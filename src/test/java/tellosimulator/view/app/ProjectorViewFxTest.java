@@ -5,6 +5,8 @@ import static tellosimulator.view.testing.WindowFixture.onFxThread;
 import static tellosimulator.view.testing.WindowFixture.waitUntil;
 
 import java.nio.file.Path;
+import javafx.geometry.Bounds;
+import javafx.scene.Node;
 import javafx.scene.control.Label;
 import javafx.scene.input.KeyCode;
 import org.junit.jupiter.api.AfterEach;
@@ -62,12 +64,37 @@ class ProjectorViewFxTest {
     project();
 
     window.fly("command", "takeoff");
-    waitUntil(() -> window.text("projector-command").equals("takeoff"));
-    waitUntil(() -> window.text("projector-outcome").equals("ok"));
+    waitUntil(() -> window.text("projector-command-text").equals("takeoff"));
+    waitUntil(() -> window.text("projector-command-outcome").equals("ok"));
     window.tell(1, "up 9999");
     String refusal = window.reply(1);
-    waitUntil(() -> window.text("projector-command").equals("up 9999"));
-    waitUntil(() -> window.text("projector-outcome").equals(refusal));
+    waitUntil(() -> window.text("projector-command-text").equals("up 9999"));
+    waitUntil(() -> window.text("projector-command-outcome").equals(refusal));
+
+    project();
+    assertThat(window.text("last-command-text")).isEqualTo("up 9999");
+    assertThat(window.text("last-command-outcome")).isEqualTo(refusal);
+    assertThat(window.text("last-command-reason")).contains("9999");
+  }
+
+  @Test
+  void oneDroneAndTheLastCommandShareARow() {
+    window.switchOn();
+    project();
+    window.fly("command", "takeoff");
+    waitUntil(() -> window.text("projector-command-outcome").equals("ok"));
+
+    Bounds drone = onFxThread(() -> bounds("projector-drone-1"));
+    Bounds command = onFxThread(() -> bounds("projector-command"));
+
+    assertThat(command.getMinX()).isGreaterThan(drone.getMaxX());
+    assertThat(command.getMinY()).isLessThan(drone.getMaxY());
+    assertThat(drone.getMaxX()).as("as wide as its text").isLessThan(640);
+  }
+
+  private Bounds bounds(String id) {
+    Node node = window.find(id, Node.class);
+    return node.localToScene(node.getLayoutBounds());
   }
 
   @Test
@@ -84,6 +111,22 @@ class ProjectorViewFxTest {
     assertThat(drone().state().motion().pose()).isEqualTo(start);
     assertThat(drone().state().energy().battery().percent()).isGreaterThan(99);
     waitUntil(() -> window.log().isEmpty());
+    assertThat(drone().link().operator()).as("who sends `command` next").isEmpty();
+  }
+
+  @Test
+  void theNextGroupHasTheClockAndTheCommandOfItsOwn() {
+    window.switchOn();
+    project();
+    window.fly("command", "takeoff");
+    waitUntil(() -> window.shows("projector-command"));
+    waitUntil(() -> !window.text("projector-clock").equals("0:00"));
+
+    robot.press(KeyCode.CONTROL, KeyCode.SHIFT).type(KeyCode.N);
+    robot.release(KeyCode.SHIFT, KeyCode.CONTROL);
+
+    waitUntil(() -> window.text("projector-clock").equals("0:00"));
+    waitUntil(() -> !window.shows("projector-command"));
   }
 
   private DroneSnapshot drone() {

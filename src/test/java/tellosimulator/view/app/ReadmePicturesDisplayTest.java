@@ -5,7 +5,6 @@ import static tellosimulator.view.testing.WindowFixture.onFxThread;
 import static tellosimulator.view.testing.WindowFixture.waitUntil;
 
 import java.awt.image.BufferedImage;
-import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -16,11 +15,6 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import javafx.scene.image.WritableImage;
 import javafx.scene.input.KeyCode;
-import javax.imageio.IIOImage;
-import javax.imageio.ImageIO;
-import javax.imageio.ImageWriteParam;
-import javax.imageio.ImageWriter;
-import javax.imageio.stream.ImageOutputStream;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -28,7 +22,10 @@ import org.testfx.api.FxRobot;
 import tellosimulator.math.Attitude;
 import tellosimulator.math.Pose;
 import tellosimulator.math.Vec3;
+import tellosimulator.scenario.Gallery;
+import tellosimulator.scenario.Scenario;
 import tellosimulator.sim.SimConfig;
+import tellosimulator.testing.CompressedImage;
 import tellosimulator.time.TimeFactor;
 import tellosimulator.view.layout.Theme;
 import tellosimulator.view.testing.NeedsDisplay;
@@ -71,13 +68,20 @@ class ReadmePicturesDisplayTest {
 
   @Test
   void theWindowInFlight() throws IOException {
-    open(SimConfig.DEFAULT);
-    window.fly("command", "takeoff", "up 30", "left 60", "curve 60 -60 20 120 0 40 30", "cw 20");
-    window.tell(1, "back 60");
+    open(Gallery.find("gate-race").orElseThrow());
+    window.fly("command", "speed 100", "takeoff", "up 70", "forward 150", "up 50", "forward 120");
+    window.tell(1, "forward 60");
     window.tell(1, "flip f");
     assertThat(window.reply(1)).isEqualTo("error Not joystick");
     assertThat(window.reply(1)).isEqualTo("ok");
     take("window.png");
+
+    window.change(() -> window.context().actions().togglePause());
+    window.change(() -> window.state().projectorProperty().set(true));
+    waitUntil(() -> window.shows("projector"));
+    take("projector.png");
+    window.change(() -> window.state().projectorProperty().set(false));
+    waitUntil(() -> !window.stage().isFullScreen());
 
     window.choose("language", "language-de");
     window.change(() -> window.state().themeProperty().set(Theme.DARK));
@@ -144,9 +148,14 @@ class ReadmePicturesDisplayTest {
   }
 
   private void open(SimConfig config) {
-    SimConfig fast = config.withTimeFactor(FAST);
-    Path settings = folder.resolve("settings");
-    window = UPDATE ? WholeWindow.open(fast, settings, PORT) : WholeWindow.open(fast, settings);
+    open(Scenario.of(config));
+  }
+
+  private void open(Scenario scenario) {
+    SimConfig config = scenario.config().withTimeFactor(FAST);
+    SimConfig fast = UPDATE ? config : config.withStreamPorts(WholeWindow.NOWHERE);
+    window =
+        WholeWindow.open(scenario.withConfig(fast), folder.resolve("settings"), UPDATE ? PORT : 0);
     window.switchOn();
     waitUntil(() -> window.stage().getWidth() == WIDTH && window.stage().getHeight() == HEIGHT);
     new FxRobot().moveTo("#scene-3d"); // where the pointer lights up no button
@@ -169,7 +178,7 @@ class ReadmePicturesDisplayTest {
     assertThat(picture.getWidth()).isEqualTo(WIDTH);
     assertThat(picture.getHeight()).isEqualTo(HEIGHT);
     assertThat(colors(picture)).as("colours in the middle").isGreaterThan(50);
-    byte[] file = png(picture);
+    byte[] file = CompressedImage.bytes(picture, "png", 0);
     assertThat(file.length).as("size of %s", name).isLessThan(LARGEST);
     if (UPDATE) {
       Files.createDirectories(IMAGES);
@@ -209,20 +218,5 @@ class ReadmePicturesDisplayTest {
       }
     }
     return image;
-  }
-
-  private static byte[] png(BufferedImage picture) throws IOException {
-    ImageWriter writer = ImageIO.getImageWritersByFormatName("png").next();
-    ImageWriteParam smallest = writer.getDefaultWriteParam();
-    smallest.setCompressionMode(ImageWriteParam.MODE_EXPLICIT);
-    smallest.setCompressionQuality(0);
-    ByteArrayOutputStream bytes = new ByteArrayOutputStream();
-    try (ImageOutputStream out = ImageIO.createImageOutputStream(bytes)) {
-      writer.setOutput(out);
-      writer.write(null, new IIOImage(picture, null, null), smallest);
-    } finally {
-      writer.dispose();
-    }
-    return bytes.toByteArray();
   }
 }

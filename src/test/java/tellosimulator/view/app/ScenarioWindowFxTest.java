@@ -218,6 +218,10 @@ class ScenarioWindowFxTest {
     waitUntil(() -> window.label("goal-banner").startsWith("Reached in "));
     assertThat(robot.lookup("#goal-banner").query().isVisible()).isTrue();
     assertThat(ticked()).isEqualTo(2);
+    assertThat(robot.lookup(".goal .mark").queryAllAs(Label.class))
+        .as("the numbers that they have in the room")
+        .extracting(Label::getText)
+        .containsExactlyInAnyOrder("1", "2");
 
     robot.clickOn("#goal-again");
     waitUntil(() -> ticked() == 0);
@@ -261,7 +265,7 @@ class ScenarioWindowFxTest {
     robot.type(KeyCode.DELETE);
 
     assertThat(window.label("plan-status"))
-        .isEqualTo("A goal names this: take the goal out of the scenario file first.");
+        .isEqualTo("A goal names this: take the goal away first.");
     change(() -> app.save(file));
     assertThat(ScenarioFile.read(file).challenge().goals()).hasSize(1);
 

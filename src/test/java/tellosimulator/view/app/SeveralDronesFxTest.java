@@ -9,10 +9,6 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.testfx.api.FxRobot;
-import tellosimulator.math.Vec3;
-import tellosimulator.sim.SimConfig;
-import tellosimulator.sim.Swarm;
-import tellosimulator.world.Room;
 
 /** What the window has for several drones. */
 class SeveralDronesFxTest {
@@ -23,10 +19,7 @@ class SeveralDronesFxTest {
 
   @BeforeEach
   void open() {
-    window =
-        WholeWindow.open(
-            SimConfig.DEFAULT.withRoom(Room.DEFAULT, Swarm.row(3, Vec3.ZERO, Room.DEFAULT)),
-            folder.resolve("settings"));
+    window = WholeWindow.ofDrones(3, folder);
   }
 
   @AfterEach

@@ -13,6 +13,7 @@ import java.net.InetSocketAddress;
 import java.net.SocketException;
 import java.nio.file.Path;
 import java.util.concurrent.atomic.AtomicInteger;
+import javafx.scene.Node;
 import javafx.scene.control.ToggleButton;
 import javafx.scene.input.KeyCode;
 import javafx.scene.input.MouseButton;
@@ -96,7 +97,13 @@ class SimulatorWindowFxTest {
     robot.type(KeyCode.ESCAPE);
     assertThat(window.shows("page-overlay")).isFalse();
 
-    robot.clickOn("#help").clickOn("#help-close");
+    robot.clickOn("#help");
+    Node help = window.find("help-page");
+    double lowest = onFxThread(() -> help.localToScene(help.getBoundsInLocal()).getMaxY());
+    assertThat(lowest)
+        .as("its lower edge")
+        .isLessThanOrEqualTo(window.stage().getScene().getHeight());
+    robot.clickOn("#help-close");
     assertThat(window.shows("page-overlay")).isFalse();
 
     robot.clickOn("#settings").clickOn("#about");

@@ -27,10 +27,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.testfx.api.FxRobot;
-import tellosimulator.math.Vec3;
 import tellosimulator.sim.SimConfig;
-import tellosimulator.sim.Swarm;
-import tellosimulator.world.Room;
 
 /** The window on the smallest screens: nothing is cut off, and what has no room is folded. */
 class SmallWindowFxTest {
@@ -41,10 +38,7 @@ class SmallWindowFxTest {
 
   @BeforeEach
   void open() {
-    window =
-        WholeWindow.open(
-            SimConfig.DEFAULT.withRoom(Room.DEFAULT, Swarm.row(3, Vec3.ZERO, Room.DEFAULT)),
-            folder.resolve("settings"));
+    window = WholeWindow.ofDrones(3, folder);
   }
 
   @AfterEach
@@ -87,6 +81,19 @@ class SmallWindowFxTest {
     window = WholeWindow.open(SimConfig.DEFAULT, folder.resolve("settings"));
     assertThat(window.shows("profile")).as("remembered").isFalse();
     assertThat(window.shows("wind-speed")).as("remembered").isTrue();
+  }
+
+  @Test
+  void whatIsSeldomChangedIsFoldedAtFirstAndThenAsItWasLeft() {
+    resize(1280, 800);
+    assertThat(isOpen("card-more")).isFalse();
+    robot.clickOn("#card-more");
+    assertThat(isOpen("card-more")).isTrue();
+
+    window.close();
+    window = WholeWindow.open(SimConfig.DEFAULT, folder.resolve("settings"));
+
+    assertThat(isOpen("card-more")).as("remembered").isTrue();
   }
 
   @Test

@@ -41,6 +41,7 @@ class TranslatedWindowFxTest {
           "X cm",
           "Y cm",
           "Z cm",
+          "Radius cm",
           "−60 s",
           "Pause",
           "Wind",

@@ -17,10 +17,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.OptionalInt;
-import java.util.concurrent.CountDownLatch;
-import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
-import javafx.animation.AnimationTimer;
 import javafx.scene.Node;
 import javafx.scene.control.Labeled;
 import javafx.scene.control.Menu;
@@ -31,17 +28,25 @@ import javafx.stage.Stage;
 import javafx.stage.StageStyle;
 import org.testfx.api.FxToolkit;
 import org.testfx.util.WaitForAsyncUtils;
+import tellosimulator.goal.GoalWatch;
+import tellosimulator.math.Vec3;
 import tellosimulator.network.AddressPlan;
 import tellosimulator.network.OnlineSimulation;
 import tellosimulator.network.PortTakenException;
+import tellosimulator.scenario.EditedScenario;
+import tellosimulator.scenario.OpenedScenario;
+import tellosimulator.scenario.Scenario;
 import tellosimulator.sim.Control;
 import tellosimulator.sim.SimConfig;
-import tellosimulator.sim.SimConfig.Outlets;
+import tellosimulator.sim.SimConfig.StreamPorts;
 import tellosimulator.sim.SimSnapshot;
+import tellosimulator.sim.Swarm;
 import tellosimulator.video.camera.DroneOptics;
 import tellosimulator.view.layout.WindowState;
 import tellosimulator.view.log.LogQueue;
 import tellosimulator.view.model.FxDroneModel;
+import tellosimulator.view.model.FxScenario;
+import tellosimulator.view.model.ScenarioActions;
 import tellosimulator.view.model.ViewContext;
 import tellosimulator.view.settings.Settings;
 import tellosimulator.view.settings.WindowPlacement;
@@ -50,6 +55,7 @@ import tellosimulator.view.text.Language;
 import tellosimulator.view.video.MediaFolder;
 import tellosimulator.view.video.WindowVideo;
 import tellosimulator.view.world.Simulator3DScene;
+import tellosimulator.world.Room;
 
 /**
  * The whole window as the program opens it, on a simulation whose drones listen at free ports of
@@ -61,10 +67,12 @@ final class WholeWindow implements AutoCloseable {
   /** Longest wait for a reply, or for a first window on a slow machine [ms]. */
   private static final int PATIENCE_MS = 30_000;
 
-  private static final Outlets NOWHERE = new Outlets(9, 9);
+  /** Where nobody takes what is sent. */
+  static final StreamPorts NOWHERE = new StreamPorts(9, 9);
 
   private final LogQueue logQueue = new LogQueue();
   private final Map<Integer, DatagramSocket> operators = new HashMap<>();
+  private final FxScenario flown;
   private final OnlineSimulation simulation;
   private final WindowVideo video;
   private final Settings settings;
@@ -73,16 +81,35 @@ final class WholeWindow implements AutoCloseable {
   private SimulatorWindow window;
   private Stage stage;
 
-  private WholeWindow(SimConfig config, Path file, int firstPort) {
+  private WholeWindow(Scenario scenario, Path file, int firstPort) {
     settings = Settings.load(file);
+    SimConfig config = scenario.config();
+    GoalWatch goals = new GoalWatch(scenario.challenge(), logQueue::event);
+    flown =
+        new FxScenario(
+            EditedScenario.of(OpenedScenario.once(scenario)),
+            goals,
+            goals::ask,
+            ScenarioActions.CLOSED);
     List<InetAddress> loopback = List.of(InetAddress.getLoopbackAddress());
     simulation =
         new OnlineSimulation(
             config,
             AddressPlan.portPerDrone(config.starts().size(), loopback, firstPort),
             OptionalInt.empty(),
-            List.of(logQueue));
+            List.of(logQueue, goals));
     video = WindowVideo.of(simulation, DroneOptics.DEFAULT, new MediaFolder(file.getParent()));
+  }
+
+  /**
+   * Opens it with drones in a row, in the default room, as if for the first time.
+   *
+   * @param folder for what is remembered
+   */
+  static WholeWindow ofDrones(int count, Path folder) {
+    return open(
+        SimConfig.DEFAULT.withRoom(Room.DEFAULT, Swarm.row(count, Vec3.ZERO, Room.DEFAULT)),
+        folder.resolve("settings"));
   }
 
   /**
@@ -91,7 +118,7 @@ final class WholeWindow implements AutoCloseable {
    * @param settings the file of what is remembered; need not be there
    */
   static WholeWindow open(SimConfig config, Path settings) {
-    return open(config.withOutlets(NOWHERE), settings, 0);
+    return open(config.withStreamPorts(NOWHERE), settings, 0);
   }
 
   /**
@@ -100,12 +127,17 @@ final class WholeWindow implements AutoCloseable {
    * @param firstPort the command port of the first drone; the next ones have the next ones
    */
   static WholeWindow open(SimConfig config, Path settings, int firstPort) {
+    return open(Scenario.of(config), settings, firstPort);
+  }
+
+  /** Opens it with the goals of a scenario. */
+  static WholeWindow open(Scenario scenario, Path settings, int firstPort) {
     try {
       FxToolkit.registerPrimaryStage();
     } catch (TimeoutException e) {
       throw new AssertionError("the toolkit does not start", e);
     }
-    WholeWindow whole = new WholeWindow(config, settings, firstPort);
+    WholeWindow whole = new WholeWindow(scenario, settings, firstPort);
     whole.change(whole::build);
     waitUntil(() -> whole.stage.getWidth() > 1 && whole.find("log-list").getScene() != null);
     return whole;
@@ -115,7 +147,7 @@ final class WholeWindow implements AutoCloseable {
     state = WindowState.remembered(settings);
     Language language = new Language(Locale.ENGLISH);
     settings.bind("language", language.localeProperty(), Language.codec());
-    context = ViewContext.of(simulation, language, video);
+    context = ViewContext.of(simulation, language, video, flown);
     stage = new Stage(StageStyle.UNDECORATED);
     window = new SimulatorWindow(stage, context, state, logQueue);
     WindowPlacement.remember(stage, settings);
@@ -272,24 +304,7 @@ final class WholeWindow implements AutoCloseable {
 
   /** Lets the window show some more frames. */
   void passFrames(int frames) {
-    CountDownLatch left = new CountDownLatch(frames);
-    AnimationTimer counter =
-        new AnimationTimer() {
-          @Override
-          public void handle(long nanos) {
-            left.countDown();
-          }
-        };
-    change(counter::start);
-    try {
-      if (!left.await(PATIENCE_MS, TimeUnit.MILLISECONDS)) {
-        throw new AssertionError("the toolkit shows no frames");
-      }
-    } catch (InterruptedException e) {
-      throw new AssertionError(e);
-    } finally {
-      change(counter::stop);
-    }
+    WindowFixture.passFrames(frames);
   }
 
   WritableImage picture() {

@@ -30,8 +30,8 @@ import tellosimulator.profile.Behavior;
 import tellosimulator.profile.Profile;
 import tellosimulator.sim.Control;
 import tellosimulator.sim.SimConfig;
-import tellosimulator.sim.SimConfig.Outlets;
 import tellosimulator.sim.SimConfig.Product;
+import tellosimulator.sim.SimConfig.StreamPorts;
 import tellosimulator.view.model.FxSimulation;
 import tellosimulator.view.video.VideoCapture;
 import tellosimulator.world.Room;
@@ -172,7 +172,7 @@ class WindowVideoFxTest {
   @Test
   void aRecordingEndsWhenItsPicturesHaveAnotherSize() throws IOException {
     window.carryOut(
-        new Control.Configure(1, new Product(Profile.TT, Behavior.REPORT), new Outlets(9, 9)));
+        new Control.Configure(1, new Product(Profile.TT, Behavior.REPORT), new StreamPorts(9, 9)));
     window.switchOn();
     robot.type(KeyCode.F12);
     awaitSomePictures();

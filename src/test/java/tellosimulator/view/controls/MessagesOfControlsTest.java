@@ -38,9 +38,9 @@ class MessagesOfControlsTest {
 
   @ParameterizedTest
   @EnumSource
-  void everyBehaviourHasAName(Behavior behaviour) {
-    assertThat(german.now("behaviour." + behaviour.option())).isNotBlank();
-    assertThat(german.now("behaviour." + behaviour.option() + ".hint")).isNotBlank();
+  void everyBehaviourHasAName(Behavior behavior) {
+    assertThat(german.now("behaviour." + behavior.option())).isNotBlank();
+    assertThat(german.now("behaviour." + behavior.option() + ".hint")).isNotBlank();
   }
 
   private static Set<String> keys(Locale locale) {

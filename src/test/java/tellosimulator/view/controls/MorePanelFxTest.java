@@ -47,14 +47,14 @@ class MorePanelFxTest {
   void itIsFoldedAtFirst(FxRobot robot) {
     assertThat(robot.lookup("#begin-anew").query().getParent().getParent().isVisible()).isFalse();
 
-    robot.clickOn("#more");
+    robot.clickOn("#card-more");
 
     assertThat(robot.lookup("#begin-anew").query().getParent().getParent().isVisible()).isTrue();
   }
 
   @Test
   void theBatteryOfTheSelectedDroneIsSetAndShown(FxRobot robot) {
-    robot.clickOn("#more");
+    robot.clickOn("#card-more");
     assertThat(window.typed("#battery-level-value")).isEqualTo("100");
 
     window.enter("#battery-level-value", "35");
@@ -67,7 +67,7 @@ class MorePanelFxTest {
 
   @Test
   void wallsAreChangedAndAScenarioThatChangesThemIsShown(FxRobot robot) {
-    robot.clickOn("#more").clickOn("#walls-plain");
+    robot.clickOn("#card-more").clickOn("#walls-plain");
 
     window.until(() -> window.snapshot().decor().walls() == Walls.PLAIN);
     window.until(() -> robot.lookup("#walls-plain").queryAs(ToggleButton.class).isSelected());
@@ -76,7 +76,7 @@ class MorePanelFxTest {
   @Test
   void aPictureHangsOnTheFrontWallUntilItIsTakenDown(FxRobot robot) throws IOException {
     Path picture = Files.copy(Path.of("docs/images/drone.png"), folder.resolve("drone.png"));
-    robot.clickOn("#more");
+    robot.clickOn("#card-more");
     assertThat(robot.lookup("#poster-take-down").queryAs(Button.class).isDisabled()).isTrue();
 
     robot.interact(() -> panel.hang(picture.toString()));
@@ -91,7 +91,7 @@ class MorePanelFxTest {
   @Test
   void whatIsNoPictureIsASentence(FxRobot robot) throws IOException {
     Path text = Files.writeString(folder.resolve("words.png"), "words");
-    robot.clickOn("#more");
+    robot.clickOn("#card-more");
 
     robot.interact(() -> panel.hang(text.toString()));
 
@@ -101,7 +101,7 @@ class MorePanelFxTest {
 
   @Test
   void onlyOtherNumbersCanBeBegunWith(FxRobot robot) {
-    robot.clickOn("#more");
+    robot.clickOn("#card-more");
     Button begin = robot.lookup("#begin-anew").queryAs(Button.class);
     assertThat(begin.isDisabled()).isTrue();
 

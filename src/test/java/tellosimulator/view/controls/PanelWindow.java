@@ -61,7 +61,7 @@ final class PanelWindow implements AutoCloseable {
         new OnlineSimulation(
             SimConfig.DEFAULT
                 .withRoom(Room.DEFAULT, Swarm.row(drones, Vec3.ZERO, Room.DEFAULT))
-                .withOutlets(new SimConfig.Outlets(UNUSED_PORT, UNUSED_PORT + 1)),
+                .withStreamPorts(new SimConfig.StreamPorts(UNUSED_PORT, UNUSED_PORT + 1)),
             AddressPlan.of(Collections.nCopies(drones, loopback), 0),
             OptionalInt.empty(),
             List.of());

@@ -8,16 +8,16 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import tellosimulator.sim.SimConfig.Outlets;
+import tellosimulator.sim.SimConfig.StreamPorts;
 import tellosimulator.view.text.Message;
 
 class PortRulesTest {
 
   @Test
   void stateAndVideoCannotShareAPort() {
-    assertThat(PortRules.outlet(11111, 11111)).hasValue(Message.of("port.same", "11111"));
-    assertThat(PortRules.outlet(11112, 11111)).isEmpty();
-    assertThat(PortRules.outlet(88.5, 11111)).hasValue(Message.of("port.whole"));
+    assertThat(PortRules.streamPort(11111, 11111)).hasValue(Message.of("port.same", "11111"));
+    assertThat(PortRules.streamPort(11112, 11111)).isEmpty();
+    assertThat(PortRules.streamPort(88.5, 11111)).hasValue(Message.of("port.whole"));
   }
 
   @Test
@@ -42,7 +42,7 @@ class PortRulesTest {
     "9001, port.listening"
   })
   void portsOfOperatorProgramsAreWarnedOf(int command, String key) {
-    assertThat(PortRules.warning(command, new Outlets(9000, 9001)).map(Message::key).orElse(""))
+    assertThat(PortRules.warning(command, new StreamPorts(9000, 9001)).map(Message::key).orElse(""))
         .isEqualTo(key);
   }
 }

@@ -70,6 +70,7 @@ class WindPanelFxTest {
     window.until(() -> window.typed("#wind-gusts-value").equals("25"));
     assertThat(window.typed("#wind-towards-value")).isEqualTo("135");
     assertThat(window.typed("#wind-speed-value")).isEqualTo("84.9"); // 60 times the root of 2
+    assertThat(window.text("#wind-now")).isEqualTo("85 cm/s");
   }
 
   @Test

@@ -157,7 +157,7 @@ class PageOverlayFxTest {
       assertThat(robot.lookup("#about-text").queryAs(TextArea.class).getText())
           .as("%s", documents.getItems().get(i))
           .hasSizeGreaterThan(500)
-          .containsPattern(i == 0 ? "OpenJFX" : "(?i)license|redistributions");
+          .containsPattern(i == 0 ? "OpenJFX" : "(?i)license|redistributions|third-party");
     }
     robot.clickOn("#about-close");
     assertThat(overlay.isVisible()).isFalse();

@@ -65,11 +65,11 @@ class DemoFlightTest {
           20,  TT,    MEASURED, max
           """)
   void fliesATourThroughTheRealPort(
-      double edge, Profile profile, Behavior behaviour, String factor) {
+      double edge, Profile profile, Behavior behavior, String factor) {
     double corner = edge / 2 - 0.1;
     Pose start = new Pose(new Vec3(-corner, corner, 0), Attitude.LEVEL);
     restart(
-        FAST.withProduct(profile, behaviour)
+        FAST.withProduct(profile, behavior)
             .withTimeFactor(
                 factor.equals("max") ? TimeFactor.MAX : new TimeFactor(Double.parseDouble(factor)))
             .withRoom(new Room(edge, edge, edge), List.of(start)));
@@ -99,8 +99,8 @@ class DemoFlightTest {
 
   @ParameterizedTest
   @CsvSource({"EDU, REPORT", "EDU, MEASURED", "TELLO, REPORT", "TELLO, MEASURED"})
-  void landsWhenItIsStoppedInAMove(Profile profile, Behavior behaviour) {
-    restart(FAST.withProduct(profile, behaviour));
+  void landsWhenItIsStoppedInAMove(Profile profile, Behavior behavior) {
+    restart(FAST.withProduct(profile, behavior));
     switchOnAndStart();
     window.beatUntil(() -> demo.commandProperty().get().startsWith("curve"));
 

@@ -66,11 +66,11 @@ class DemoTourTest {
             xShare * (depth / 2 - DroneSpec.COLLIDER.radius()),
             yShare * (width / 2 - DroneSpec.COLLIDER.radius()),
             0);
-    for (Behavior behaviour : Behavior.values()) {
+    for (Behavior behavior : Behavior.values()) {
       for (int seed = 1; seed <= 5; seed++) {
         start(
             SimConfig.DEFAULT
-                .withProduct(Profile.EDU, behaviour)
+                .withProduct(Profile.EDU, behavior)
                 .withRoom(room, List.of(new Pose(start, Attitude.ofHeading(heading))))
                 .withSeed(seed));
         flyAndWatch(tour());
@@ -146,7 +146,7 @@ class DemoTourTest {
   }
 
   private List<String> tour() {
-    return new DemoTour(room, config.drones().get(0).product().behaviour(), drone.state())
+    return new DemoTour(room, config.drones().get(0).product().behavior(), drone.state())
         .commands();
   }
 

@@ -15,7 +15,7 @@ import tellosimulator.network.OnlineSimulation;
 import tellosimulator.network.PortTakenException;
 import tellosimulator.sim.Control;
 import tellosimulator.sim.SimConfig;
-import tellosimulator.sim.SimConfig.Outlets;
+import tellosimulator.sim.SimConfig.StreamPorts;
 import tellosimulator.sim.SimEvent;
 import tellosimulator.sim.SimListener;
 import tellosimulator.video.camera.DroneOptics;
@@ -47,7 +47,7 @@ public final class FlownWindow implements AutoCloseable {
         };
     simulation =
         new OnlineSimulation(
-            config.withOutlets(new Outlets(DISCARD, DISCARD)),
+            config.withStreamPorts(new StreamPorts(DISCARD, DISCARD)),
             AddressPlan.portPerDrone(
                 config.starts().size(), List.of(address("127.0.0.1", 0).getAddress()), 0),
             OptionalInt.empty(),

@@ -5,6 +5,7 @@ import static org.testfx.util.WaitForAsyncUtils.waitFor;
 import static org.testfx.util.WaitForAsyncUtils.waitForFxEvents;
 
 import atlantafx.base.theme.PrimerLight;
+import java.util.List;
 import java.util.Locale;
 import java.util.concurrent.Callable;
 import java.util.concurrent.TimeUnit;
@@ -300,7 +301,8 @@ class PilotControlsFxTest {
   }
 
   private String lastCommand() {
-    return window.commands().get(window.commands().size() - 1);
+    List<String> commands = window.commands();
+    return commands.get(commands.size() - 1);
   }
 
   private static boolean lit(FxRobot robot, SteeringKey key) {

@@ -6,9 +6,11 @@ import java.util.List;
 import java.util.Locale;
 import java.util.OptionalInt;
 import java.util.concurrent.Callable;
+import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
 import java.util.function.Function;
+import javafx.animation.AnimationTimer;
 import javafx.application.Application;
 import javafx.scene.Node;
 import javafx.scene.Parent;
@@ -23,7 +25,7 @@ import org.testfx.util.WaitForAsyncUtils;
 import tellosimulator.network.AddressPlan;
 import tellosimulator.network.OnlineSimulation;
 import tellosimulator.sim.SimConfig;
-import tellosimulator.sim.SimConfig.Outlets;
+import tellosimulator.sim.SimConfig.StreamPorts;
 import tellosimulator.sim.SimSnapshot;
 import tellosimulator.video.camera.DroneOptics;
 import tellosimulator.view.model.ViewContext;
@@ -50,7 +52,7 @@ public final class WindowFixture implements BeforeEachCallback, AfterEachCallbac
   private static final List<InetAddress> LOOPBACK = List.of(InetAddress.getLoopbackAddress());
 
   /** Nobody listens there, so that test flights disturb nobody. */
-  private static final Outlets NOWHERE = new Outlets(9, 9);
+  private static final StreamPorts NOWHERE = new StreamPorts(9, 9);
 
   private final SimConfig config;
   private final Function<ViewContext, ? extends Parent> viewMaker;
@@ -67,7 +69,7 @@ public final class WindowFixture implements BeforeEachCallback, AfterEachCallbac
    * @param viewMaker builds the view, on the JavaFX thread
    */
   public WindowFixture(Function<ViewContext, ? extends Parent> viewMaker) {
-    this(SimConfig.DEFAULT.withOutlets(NOWHERE), viewMaker);
+    this(SimConfig.DEFAULT.withStreamPorts(NOWHERE), viewMaker);
   }
 
   /**
@@ -167,5 +169,27 @@ public final class WindowFixture implements BeforeEachCallback, AfterEachCallbac
       throw new AssertionError("not within " + PATIENCE_SECONDS + " s", e);
     }
     WaitForAsyncUtils.waitForFxEvents();
+  }
+
+  /** Waits until the toolkit has shown some more frames. */
+  public static void passFrames(int frames) {
+    CountDownLatch left = new CountDownLatch(frames);
+    AnimationTimer counter =
+        new AnimationTimer() {
+          @Override
+          public void handle(long nanos) {
+            left.countDown();
+          }
+        };
+    WaitForAsyncUtils.waitForAsyncFx(PATIENCE_SECONDS * 1000L, counter::start);
+    try {
+      if (!left.await(PATIENCE_SECONDS, TimeUnit.SECONDS)) {
+        throw new AssertionError("the toolkit shows no frames");
+      }
+    } catch (InterruptedException e) {
+      throw new AssertionError(e);
+    } finally {
+      WaitForAsyncUtils.waitForAsyncFx(PATIENCE_SECONDS * 1000L, counter::stop);
+    }
   }
 }

@@ -9,6 +9,7 @@ import javafx.scene.control.Label;
 import javafx.scene.layout.VBox;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.extension.RegisterExtension;
+import tellosimulator.model.FlightPhase;
 import tellosimulator.view.model.ViewContext;
 
 class WindowFixtureFxTest {
@@ -23,8 +24,8 @@ class WindowFixtureFxTest {
 
     window.robot().clickOn("#switch-on");
 
-    assertThat(window.simulation().snapshot().drones().get(0).state().phase().name())
-        .isNotEqualTo("OFF");
+    WindowFixture.waitUntil(
+        () -> window.simulation().snapshot().drones().get(0).state().phase() != FlightPhase.OFF);
     WindowFixture.waitUntil(() -> window.find("power", Label.class).getText().equals("on"));
   }
 

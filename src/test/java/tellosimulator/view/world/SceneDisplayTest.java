@@ -1,25 +1,20 @@
 package tellosimulator.view.world;
 
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.assertj.core.api.Assertions.within;
 import static tellosimulator.view.world.SceneFixture.HEIGHT;
 import static tellosimulator.view.world.SceneFixture.WIDTH;
 import static tellosimulator.view.world.SceneFixture.brightness;
 import static tellosimulator.view.world.SceneFixture.find;
 
-import java.util.OptionalInt;
-import javafx.geometry.Point2D;
 import javafx.scene.image.Image;
 import javafx.scene.paint.Color;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.extension.RegisterExtension;
-import tellosimulator.goal.Goal;
 import tellosimulator.math.Attitude;
 import tellosimulator.math.Pose;
 import tellosimulator.math.Vec3;
 import tellosimulator.model.FlightPhase;
-import tellosimulator.scenery.overlay.ContactMark;
 import tellosimulator.view.testing.NeedsDisplay;
 import tellosimulator.view.world.SceneFixture.GoalRegion;
 import tellosimulator.world.Walls;
@@ -215,42 +210,12 @@ class SceneDisplayTest {
 
   @Test
   void aGoalIsABallWhereItIsAndNotInTheDronesPicture() {
-    fly(new Vec3(-1, 0, 1));
-    fixture.change(() -> fixture.scene().camera().look(RoomView.CHASE));
-    Vec3 place = new Vec3(1, -0.4, 1.1);
-    Image before = fixture.settledPicture();
-    fixture.ask(
-        new Goal.Reach(OptionalInt.empty(), new tellosimulator.goal.GoalRegion(place, 0.3)));
-    Image after = fixture.settledPicture();
-
-    Point2D middle =
-        fixture.scene().camera().viewpoint().project(place, WIDTH, HEIGHT).orElseThrow();
-    Vec3 below = place.minus(new Vec3(0, 0, 0.4));
-    Point2D outside =
-        fixture.scene().camera().viewpoint().project(below, WIDTH, HEIGHT).orElseThrow();
-    assertThat(blueness(after, middle)).isGreaterThan(blueness(before, middle) + 0.1);
-    assertThat(blueness(after, outside)).isCloseTo(blueness(before, outside), within(0.02));
-    int shown = find(after, SceneDisplayTest::isBlue).count();
-    assertThat(shown).as("its number and lines").isGreaterThan(100);
-
-    fixture.change(() -> fixture.scene().viewCameraProperty().set(ViewCamera.DRONE));
-    assertThat(find(fixture.settledPicture(), SceneDisplayTest::isBlue).count())
-        .isLessThan(shown / 10);
+    OverlayPictures.assertGoalIsABall(fixture, fixture::settledPicture);
   }
 
   @Test
   void whereItTouchedSomethingIsRed() {
-    fly(new Vec3(0, 0, 1));
-    fixture.mark(new ContactMark(1, new Vec3(0.4, 0.4, 1), false));
-    int touch = find(fixture.settledPicture(), SceneDisplayTest::isContact).count();
-    fixture.mark(new ContactMark(1, new Vec3(0.4, 0.4, 1), true));
-    int crash = find(fixture.settledPicture(), SceneDisplayTest::isContact).count();
-    fixture.mark();
-
-    // 0.018 and 0.03 of the distance are 10 and 16 pixels of 360 at 38 degrees
-    assertThat(touch).isBetween(15, 90);
-    assertThat(crash).isGreaterThan(touch);
-    assertThat(find(fixture.settledPicture(), SceneDisplayTest::isContact).count()).isZero();
+    OverlayPictures.assertTouchIsRed(fixture, fixture::settledPicture);
   }
 
   private void fly(Vec3 position) {
@@ -284,20 +249,5 @@ class SceneDisplayTest {
   /** As only what belongs to the first drone is. */
   private static boolean isBlue(Color color) {
     return color.getBlue() > 0.5 && color.getBlue() > 2 * color.getRed();
-  }
-
-  private static boolean isContact(Color color) {
-    return color.getRed() > 0.6 && color.getGreen() < 0.4 && color.getBlue() < 0.4;
-  }
-
-  /** Of the pixels around a place of a picture. */
-  private static double blueness(Image picture, Point2D place) {
-    double sum = 0;
-    for (int i = -4; i <= 4; i++) {
-      Color color =
-          picture.getPixelReader().getColor((int) place.getX() + i, (int) place.getY() + 6);
-      sum += color.getBlue() - color.getRed();
-    }
-    return sum / 9;
   }
 }

@@ -1,7 +1,6 @@
 package tellosimulator.view.world;
 
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.assertj.core.api.Assertions.within;
 import static tellosimulator.view.world.SceneFixture.HEIGHT;
 import static tellosimulator.view.world.SceneFixture.WIDTH;
 import static tellosimulator.view.world.SceneFixture.brightness;
@@ -9,20 +8,16 @@ import static tellosimulator.view.world.SceneFixture.find;
 
 import java.util.List;
 import java.util.Map;
-import java.util.OptionalInt;
 import java.util.stream.IntStream;
-import javafx.geometry.Point2D;
 import javafx.scene.image.Image;
 import javafx.scene.paint.Color;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.extension.RegisterExtension;
-import tellosimulator.goal.Goal;
 import tellosimulator.math.Attitude;
 import tellosimulator.math.Pose;
 import tellosimulator.math.Vec3;
 import tellosimulator.model.FlightPhase;
-import tellosimulator.scenery.overlay.ContactMark;
 import tellosimulator.sim.SimConfig;
 import tellosimulator.view.world.SceneFixture.GoalRegion;
 import tellosimulator.world.Decor;
@@ -155,43 +150,12 @@ class SoftwareSceneViewFxTest {
 
   @Test
   void aGoalIsABallWhereItIsAndNotInTheDronesPicture() {
-    fly(new Vec3(-1, 0, 1));
-    fixture.change(() -> fixture.scene().camera().look(RoomView.CHASE));
-    Vec3 place = new Vec3(1, -0.4, 1.1);
-    Image before = fixture.softwarePicture();
-    fixture.ask(
-        new Goal.Reach(OptionalInt.empty(), new tellosimulator.goal.GoalRegion(place, 0.3)));
-    Image after = fixture.softwarePicture();
-
-    Point2D middle =
-        fixture.scene().camera().viewpoint().project(place, WIDTH, HEIGHT).orElseThrow();
-    Vec3 below = place.minus(new Vec3(0, 0, 0.4));
-    Point2D outside =
-        fixture.scene().camera().viewpoint().project(below, WIDTH, HEIGHT).orElseThrow();
-    assertThat(blueness(after, middle)).isGreaterThan(blueness(before, middle) + 0.1);
-    assertThat(blueness(after, outside)).isCloseTo(blueness(before, outside), within(0.02));
-    int shown = find(after, SoftwareSceneViewFxTest::isBlue).count();
-    assertThat(shown).as("its number and lines").isGreaterThan(100);
-
-    fixture.change(() -> fixture.scene().viewCameraProperty().set(ViewCamera.DRONE));
-    assertThat(find(fixture.softwarePicture(), SoftwareSceneViewFxTest::isBlue).count())
-        .isLessThan(shown / 10);
+    OverlayPictures.assertGoalIsABall(fixture, fixture::softwarePicture);
   }
 
   @Test
   void whereItTouchedSomethingIsRed() {
-    fly(new Vec3(0, 0, 1));
-    fixture.mark(new ContactMark(1, new Vec3(0.4, 0.4, 1), false));
-    int touch = find(fixture.softwarePicture(), SoftwareSceneViewFxTest::isContact).count();
-    fixture.mark(new ContactMark(1, new Vec3(0.4, 0.4, 1), true));
-    int crash = find(fixture.softwarePicture(), SoftwareSceneViewFxTest::isContact).count();
-    fixture.mark();
-
-    // 0.018 and 0.03 of the distance are 10 and 16 pixels of 360 at 38 degrees
-    assertThat(touch).isBetween(15, 90);
-    assertThat(crash).isGreaterThan(touch);
-    assertThat(find(fixture.softwarePicture(), SoftwareSceneViewFxTest::isContact).count())
-        .isZero();
+    OverlayPictures.assertTouchIsRed(fixture, fixture::softwarePicture);
   }
 
   private void fly(Vec3 position) {
@@ -222,20 +186,5 @@ class SoftwareSceneViewFxTest {
 
   private static boolean isRed(Color color) {
     return color.getRed() > 0.5 && color.getGreen() < 0.2 && color.getBlue() < 0.2;
-  }
-
-  private static boolean isContact(Color color) {
-    return color.getRed() > 0.6 && color.getGreen() < 0.4 && color.getBlue() < 0.4;
-  }
-
-  /** Of the pixels around a place of a picture. */
-  private static double blueness(Image picture, Point2D place) {
-    double sum = 0;
-    for (int i = -4; i <= 4; i++) {
-      Color color =
-          picture.getPixelReader().getColor((int) place.getX() + i, (int) place.getY() + 6);
-      sum += color.getBlue() - color.getRed();
-    }
-    return sum / 9;
   }
 }

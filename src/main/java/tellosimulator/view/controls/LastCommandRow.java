@@ -1,0 +1,82 @@
+package tellosimulator.view.controls;
+
+import java.util.Optional;
+import javafx.css.PseudoClass;
+import javafx.scene.control.Label;
+import javafx.scene.layout.HBox;
+import tellosimulator.view.model.LastCommand.Outcome;
+import tellosimulator.view.model.LastCommand.Shown;
+import tellosimulator.view.model.ViewContext;
+import tellosimulator.view.text.Language;
+import tellosimulator.view.text.Messages;
+
+/**
+ * The command that the drones were told last, and what became of it. Not there before the first
+ * one. Takes no mouse. For the JavaFX thread.
+ */
+public final class LastCommandRow extends HBox {
+
+  private static final PseudoClass REACHED = PseudoClass.getPseudoClass("reached");
+  private static final PseudoClass FAILED = PseudoClass.getPseudoClass("failed");
+
+  private final ViewContext context;
+  private final Language language;
+  private final Messages messages;
+  private final Label command = new Label();
+  private final Label outcome = new Label();
+  private final Label reason = new Label();
+
+  /**
+   * @param id that of the row; its labels have it with {@code -text}, {@code -outcome} and {@code
+   *     -reason}
+   * @param explained whether it says, too, why a command failed
+   */
+  public LastCommandRow(ViewContext context, String id, boolean explained) {
+    this.context = context;
+    language = context.language();
+    messages = language.messages(LastCommandRow.class);
+    setId(id);
+    getStyleClass().add("last-command");
+    setMouseTransparent(true);
+    managedProperty().bind(visibleProperty());
+    command.setId(id + "-text");
+    command.getStyleClass().add("command");
+    outcome.setId(id + "-outcome");
+    outcome.getStyleClass().add("outcome");
+    outcome.setMinWidth(USE_PREF_SIZE);
+    reason.setId(id + "-reason");
+    reason.getStyleClass().add("reason");
+    reason.setMinWidth(0);
+    getChildren().addAll(command, outcome);
+    if (explained) {
+      getChildren().add(reason);
+    }
+    show(Optional.empty());
+    context.pulse().onBeat(nanos -> show(context.lastCommand().newest()));
+  }
+
+  private void show(Optional<Shown> newest) {
+    setVisible(newest.isPresent());
+    newest.ifPresent(this::show);
+  }
+
+  private void show(Shown shown) {
+    boolean several = context.simulation().drones().size() > 1;
+    String who = several ? messages.now("last-command.drone", shown.drone()) + "  " : "";
+    command.setText(who + shown.text());
+    outcome.setText(outcome(shown));
+    outcome.pseudoClassStateChanged(REACHED, shown.outcome() == Outcome.DONE);
+    outcome.pseudoClassStateChanged(FAILED, shown.outcome() == Outcome.FAILED);
+    reason.setText(shown.reason().map(language::say).orElse(""));
+    reason.setManaged(shown.reason().isPresent());
+  }
+
+  private String outcome(Shown shown) {
+    return switch (shown.outcome()) {
+      case RUNNING -> "…";
+      case DONE -> shown.reply();
+      case FAILED ->
+          shown.reply().isEmpty() ? messages.now("last-command.no-answer") : shown.reply();
+    };
+  }
+}
