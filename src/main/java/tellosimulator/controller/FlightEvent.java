@@ -10,11 +10,6 @@ public sealed interface FlightEvent {
   /** For people: a clause about the drone, such as {@code took off}. */
   Phrase phrase();
 
-  /** The same in English. */
-  default String words() {
-    return phrase().english();
-  }
-
   /** It left the ground. */
   record TookOff() implements FlightEvent {
     @Override

@@ -11,111 +11,82 @@ import java.util.TreeMap;
 /** All faults that there are, with their parameters. The page {@code docs/faults.md} lists them. */
 public enum FaultKind {
   LOSS(
-      Group.LINK,
       "Datagrams never arrive, one by one or in bursts.",
       new Range(FaultParameter.SHARE, 0, 1, 0.2),
       new Range(FaultParameter.BURST, 1, 100, 1)),
   DELAY(
-      Group.LINK,
       "Datagrams take longer, without overtaking each other; log-normally spread.",
       new Range(FaultParameter.TIME, 0, 10, 0.1),
       new Range(FaultParameter.SPREAD, 0, 10, 0),
       new Range(FaultParameter.LEAST, 0, 10, 0),
       new Range(FaultParameter.MOST, 0, 10, 10)),
-  DUPLICATE(Group.LINK, "Datagrams arrive twice.", new Range(FaultParameter.SHARE, 0, 1, 0.2)),
+  DUPLICATE("Datagrams arrive twice.", new Range(FaultParameter.SHARE, 0, 1, 0.2)),
   REORDER(
-      Group.LINK,
       "Datagrams are late, and those after them overtake them.",
       new Range(FaultParameter.SHARE, 0, 1, 0.2),
       new Range(FaultParameter.TIME, 0, 10, 0.15)),
   CORRUPT(
-      Group.LINK,
-      "One to three bytes of a datagram are wrong.",
-      new Range(FaultParameter.SHARE, 0, 1, 0.2)),
+      "One to three bytes of a datagram are wrong.", new Range(FaultParameter.SHARE, 0, 1, 0.2)),
   BANDWIDTH(
-      Group.LINK,
       "The link is slow: datagrams wait for each other, and are lost after half a second.",
       new Range(FaultParameter.RATE, 1000, 1e8, 100_000)),
-  CUT(Group.LINK, "Nothing goes through."),
+  CUT("Nothing goes through."),
   LATE_REPLY(
-      Group.LINK,
       "Replies come after a program has given up waiting, and those after them overtake them.",
       new Range(FaultParameter.TIME, 0, 60, 10)),
   STRAY_BINARY(
-      Group.LINK,
       "The command socket sends binary datagrams of 12, 13 and 35 bytes that begin with CC.",
       new Range(FaultParameter.EVERY, 0.02, 60, 0.5)),
   STRANGER(
-      Group.LINK,
       "A program on another host sends `command`, and then `land` again and again.",
       new Range(FaultParameter.EVERY, 0.02, 60, 5)),
 
   NO_VALID_IMU(
-      Group.DRONE,
       "Moves, turns and flips answer `error No valid imu`; takeoff, land and rc work; it drifts.",
       new Range(FaultParameter.SPEED, 0, 1, 0.1)),
   DARK(
-      Group.DRONE,
       "The camera below sees nothing: it drifts, and after a while it is as with `no-valid-imu`.",
       new Range(FaultParameter.SPEED, 0, 1, 0.2),
       new Range(FaultParameter.TIME, 0, 60, 5)),
-  SENSOR_ERROR(Group.DRONE, "A takeoff answers `error`."),
+  SENSOR_ERROR("A takeoff answers `error`."),
   LOW_BATTERY(
-      Group.DRONE,
       "The battery falls to a level, at which it lands by itself; it stays there.",
       new Range(FaultParameter.LEVEL, 0, 1, 0.05)),
   OVERHEAT(
-      Group.DRONE,
       "It is hot: in the air it lands by itself, and a takeoff answers `error, high temp`.",
       new Range(FaultParameter.HEAT, 60, 120, 95)),
-  MOTOR_STOP(Group.DRONE, "Its motors stop in the air, and it falls."),
-  REBOOT(Group.DRONE, "It switches itself off, is silent for 8 s, and has forgotten SDK mode."),
-  SILENT_LAND(Group.DRONE, "It lands by itself, and who waits for an answer gets none."),
+  MOTOR_STOP("Its motors stop in the air, and it falls."),
+  REBOOT("It switches itself off, is silent for 8 s, and has forgotten SDK mode."),
+  SILENT_LAND("It lands by itself, and who waits for an answer gets none."),
   WEAK_TAKEOFF(
-      Group.DRONE,
       "A takeoff ends lower than usual, with `ok`.",
       new Range(FaultParameter.HEIGHT, 0.1, 1, 0.15)),
   NO_VIDEO_IN_STATION_MODE(
-      Group.DRONE, "`streamon` answers `ok`, but no picture comes, as in a network of others."),
+      "`streamon` answers `ok`, but no picture comes, as in a network of others."),
 
-  PAD_BLIND(Group.SENSOR, "It sees no mission pads."),
-  TOF_OUT(Group.SENSOR, "The distance sensor below has no echo: `tof` is 6553."),
-  BARO_JUMP(
-      Group.SENSOR, "The barometer is wrong by a step.", new Range(FaultParameter.STEP, 0, 100, 5)),
+  PAD_BLIND("It sees no mission pads."),
+  TOF_OUT("The distance sensor below has no echo: `tof` is 6553."),
+  BARO_JUMP("The barometer is wrong by a step.", new Range(FaultParameter.STEP, 0, 100, 5)),
   YAW_DRIFT(
-      Group.SENSOR,
       "The reported yaw turns away, and does not come back.",
       new Range(FaultParameter.TURN, 0, 90, 1)),
 
-  STATE_STUCK(Group.STATE, "All state lines are as the last one before."),
-  STATE_STOPPED(Group.STATE, "No state lines are sent."),
-  STATE_SLOW(
-      Group.STATE, "State lines are sent less often.", new Range(FaultParameter.EVERY, 0.1, 60, 1)),
+  STATE_STUCK("All state lines are as the last one before."),
+  STATE_STOPPED("No state lines are sent."),
+  STATE_SLOW("State lines are sent less often.", new Range(FaultParameter.EVERY, 0.1, 60, 1)),
 
-  VIDEO_FREEZE(Group.VIDEO, "The stream goes on, but all pictures are the same."),
+  VIDEO_FREEZE("The stream goes on, but all pictures are the same."),
   VIDEO_LOSS(
-      Group.VIDEO,
       "Datagrams of the pictures are lost.",
       new Range(FaultParameter.SHARE, 0, 1, 0.05),
       new Range(FaultParameter.BURST, 1, 100, 1)),
   VIDEO_LATE(
-      Group.VIDEO,
       "Pictures come later.",
       new Range(FaultParameter.TIME, 0, 10, 0.5),
       new Range(FaultParameter.SPREAD, 0, 10, 0),
       new Range(FaultParameter.LEAST, 0, 10, 0),
       new Range(FaultParameter.MOST, 0, 10, 10)),
-  VIDEO_NO_PARAMETERS(
-      Group.VIDEO, "The stream has no parameter sets, without which nobody can decode it.");
-
-  /** What a fault is about. */
-  public enum Group {
-    LINK,
-    DRONE,
-    SENSOR,
-    STATE,
-    VIDEO
-  }
+  VIDEO_NO_PARAMETERS("The stream has no parameter sets, without which nobody can decode it.");
 
   /**
    * A parameter of a fault, in SI.
@@ -139,12 +110,10 @@ public enum FaultKind {
     }
   }
 
-  private final Group group;
   private final String words;
   private final List<Range> ranges;
 
-  FaultKind(Group group, String words, Range... ranges) {
-    this.group = group;
+  FaultKind(String words, Range... ranges) {
     this.words = words;
     this.ranges = List.of(ranges);
   }
@@ -152,10 +121,6 @@ public enum FaultKind {
   /** The word that a fault's text begins with. */
   public String word() {
     return name().toLowerCase(Locale.ROOT).replace('_', '-');
-  }
-
-  public Group group() {
-    return group;
   }
 
   /** What happens, in a sentence for the documentation. */

@@ -17,13 +17,7 @@ public record Lights(Rgb ambient, List<Directional> directional) {
    * @param color what it adds to a surface that faces it
    * @param direction in which it shines, a unit vector of the room frame
    */
-  public record Directional(Rgb color, Vec3 direction) {
-
-    /** The diffuse (Lambert) light on a surface with this unit normal in the room frame, 0 to 1. */
-    public double diffuse(Vec3 normal) {
-      return Math.max(0, -direction.dot(normal));
-    }
-  }
+  public record Directional(Rgb color, Vec3 direction) {}
 
   private static final Vec3 KEY = new Vec3(0.45, -0.35, -0.82).normalized();
 

@@ -12,15 +12,11 @@ public enum UiScale {
   PERCENT_200(OptionalDouble.of(2)),
   PERCENT_300(OptionalDouble.of(3));
 
+  /** Pixels of the screen for a pixel of the window; empty for what the system says. */
   private final OptionalDouble factor;
 
   UiScale(OptionalDouble factor) {
     this.factor = factor;
-  }
-
-  /** Pixels of the screen for a pixel of the window; empty for what the system says. */
-  public OptionalDouble factor() {
-    return factor;
   }
 
   /**

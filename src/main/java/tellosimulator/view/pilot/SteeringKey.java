@@ -41,10 +41,6 @@ public enum SteeringKey {
     this.push = push;
   }
 
-  public KeyCode code() {
-    return code;
-  }
-
   /** What is written on it. */
   public String symbol() {
     return symbol;

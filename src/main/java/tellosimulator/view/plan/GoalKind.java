@@ -82,18 +82,6 @@ enum GoalKind {
     return name().toLowerCase(Locale.ROOT).replace('_', '-');
   }
 
-  /** The kind of a goal. */
-  static GoalKind of(Goal goal) {
-    if (goal instanceof Goal.Reach) {
-      return REACH;
-    } else if (goal instanceof Goal.Hover) {
-      return HOVER;
-    } else if (goal instanceof Goal.Pass) {
-      return PASS;
-    }
-    return goal instanceof Goal.Land ? LAND : LAND_ON;
-  }
-
   private static GoalRegion region(FloorPlan plan) {
     double height = Math.min(HEIGHT, plan.arena().room().height() - BELOW_CEILING);
     return new GoalRegion(new Vec3(0, 0, height), RADIUS);
