@@ -14,10 +14,10 @@ import tellosimulator.sim.SimConfig.StreamPorts;
 /** The options that say where drones listen, to whom, and where what they send goes. */
 final class NetworkOptions {
 
-  /** Where operator programs take state and video. Documented: SDK 1.3 User Guide. */
-  static final String USUAL_STATE_PORT = "8890";
+  /** Where operator programs take state and video. */
+  static final String USUAL_STATE_PORT = Integer.toString(StreamPorts.DEFAULT.statePort());
 
-  static final String USUAL_VIDEO_PORT = "11111";
+  static final String USUAL_VIDEO_PORT = Integer.toString(StreamPorts.DEFAULT.videoPort());
 
   private final OptionValue<Integer> commandPort;
   private final OptionValue<Integer> statePort;

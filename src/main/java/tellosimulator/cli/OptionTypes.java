@@ -1,5 +1,6 @@
 package tellosimulator.cli;
 
+import java.math.BigDecimal;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.net.UnknownHostException;
@@ -16,12 +17,12 @@ import java.util.stream.Collectors;
 import picocli.CommandLine.TypeConversionException;
 import tellosimulator.command.OperatorRule;
 import tellosimulator.export.ExportFormat;
+import tellosimulator.goal.Challenge;
 import tellosimulator.math.Frames;
 import tellosimulator.math.Vec3;
 import tellosimulator.network.AddressPlan;
 import tellosimulator.profile.Behavior;
 import tellosimulator.profile.Profile;
-import tellosimulator.proxy.ProxyPlan;
 import tellosimulator.time.TimeFactor;
 import tellosimulator.video.camera.DroneOptics;
 import tellosimulator.world.Poster;
@@ -46,8 +47,10 @@ final class OptionTypes {
   /** One or more addresses, all different. */
   record AddressList(List<InetAddress> addresses) {}
 
+  private static final String PORT = "a port from 1 to " + AddressPlan.HIGHEST_PORT;
+
   static Integer port(String word) {
-    return wholeNumber(word, 1, AddressPlan.HIGHEST_PORT, "a port from 1 to 65535");
+    return wholeNumber(word, 1, AddressPlan.HIGHEST_PORT, PORT);
   }
 
   /** One port for all drones, or one for each. */
@@ -62,15 +65,13 @@ final class OptionTypes {
   }
 
   static Integer portOrFree(String word) {
-    return wholeNumber(
-        word, 0, AddressPlan.HIGHEST_PORT, "a port from 1 to 65535, or 0 for a free one");
+    return wholeNumber(word, 0, AddressPlan.HIGHEST_PORT, PORT + ", or 0 for a free one");
   }
 
   static OptionalInt replyPort(String word) {
     return word.equals("sender")
         ? OptionalInt.empty()
-        : OptionalInt.of(
-            wholeNumber(word, 1, AddressPlan.HIGHEST_PORT, "sender or a port from 1 to 65535"));
+        : OptionalInt.of(wholeNumber(word, 1, AddressPlan.HIGHEST_PORT, "sender or " + PORT));
   }
 
   static Path fileOrFolder(String word) {
@@ -92,11 +93,11 @@ final class OptionTypes {
     return word.equals("manual")
         ? Math.toDegrees(
             DroneOptics.horizontalFieldOfView(Math.toRadians(DroneOptics.MANUALS_DIAGONAL_DEG)))
-        : degrees(word, 10, 150);
+        : degrees(word, DroneOptics.NARROWEST_DEG, DroneOptics.WIDEST_DEG);
   }
 
   static Double tilt(String word) {
-    return degrees(word, -90, 90);
+    return degrees(word, -DroneOptics.STEEPEST_DEG, DroneOptics.STEEPEST_DEG);
   }
 
   static Integer droneCount(String word) {
@@ -151,7 +152,7 @@ final class OptionTypes {
     InetAddress host = address(colon < 0 ? word : word.substring(0, colon), expected);
     int port =
         colon < 0
-            ? ProxyPlan.COMMAND_PORT
+            ? AddressPlan.REAL_COMMAND_PORT
             : wholeNumber(word.substring(colon + 1), 1, AddressPlan.HIGHEST_PORT, expected);
     return new InetSocketAddress(host, port);
   }
@@ -188,7 +189,13 @@ final class OptionTypes {
     try {
       return new Room(meters(sizes, 1), meters(sizes, 2), meters(sizes, 3));
     } catch (IllegalArgumentException e) {
-      throw diagnostic("width, depth and height from 100 to 20000 cm", word);
+      throw diagnostic(
+          "width, depth and height from "
+              + centimeters(Room.SHORTEST)
+              + " to "
+              + centimeters(Room.LONGEST)
+              + " cm",
+          word);
     }
   }
 
@@ -211,7 +218,13 @@ final class OptionTypes {
     try {
       return new Poster(wall, meters(parts, 2), meters(parts, 3), meters(parts, 4), parts.group(5));
     } catch (IllegalArgumentException e) {
-      throw diagnostic("a width from 1 to 20000 cm", parts.group(4));
+      throw diagnostic(
+          "a width from "
+              + centimeters(Poster.NARROWEST)
+              + " to "
+              + centimeters(Room.LONGEST)
+              + " cm",
+          parts.group(4));
     }
   }
 
@@ -232,17 +245,20 @@ final class OptionTypes {
     try {
       return new TimeFactor(word.matches(NUMBER) ? Double.parseDouble(word) : Double.NaN);
     } catch (IllegalArgumentException e) {
-      throw diagnostic("a number from 0.01 to 5000, or max", word);
+      throw diagnostic(
+          "a number from "
+              + plain(TimeFactor.SMALLEST)
+              + " to "
+              + plain(TimeFactor.LARGEST)
+              + ", or max",
+          word);
     }
   }
 
-  /** Longest of them [s]: a day. */
-  private static final double MOST = 86_400;
-
   static Double seconds(String word) {
     double seconds = word.matches(NUMBER) ? Double.parseDouble(word) : 0;
-    if (!(seconds > 0 && seconds <= MOST)) {
-      throw diagnostic("a number of seconds from more than 0 to 86400", word);
+    if (!(seconds > 0 && seconds <= Challenge.LONGEST)) {
+      throw diagnostic("a number of seconds from more than 0 to " + plain(Challenge.LONGEST), word);
     }
     return seconds;
   }
@@ -271,6 +287,15 @@ final class OptionTypes {
 
   private static double meters(Matcher sizes, int group) {
     return Frames.meters(Double.parseDouble(sizes.group(group)));
+  }
+
+  private static String centimeters(double meters) {
+    return plain(Frames.centimeters(meters));
+  }
+
+  /** Without decimals that say nothing. */
+  private static String plain(double number) {
+    return BigDecimal.valueOf(number).stripTrailingZeros().toPlainString();
   }
 
   private static <T> T byName(String word, List<T> values, Function<T, String> name) {

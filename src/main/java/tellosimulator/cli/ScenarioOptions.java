@@ -3,7 +3,6 @@ package tellosimulator.cli;
 import java.io.IOException;
 import java.io.PrintStream;
 import java.util.Locale;
-import java.util.Objects;
 import java.util.Optional;
 import java.util.stream.Stream;
 import picocli.CommandLine.TypeConversionException;
@@ -115,7 +114,7 @@ public final class ScenarioOptions {
 
   private static void checkPicture(String file) {
     try {
-      Objects.requireNonNull(ImageFile.read(file));
+      ImageFile.check(file);
     } catch (IOException e) {
       throw new IllegalArgumentException(e.getMessage(), e);
     }

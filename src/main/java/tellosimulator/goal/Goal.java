@@ -7,6 +7,9 @@ import tellosimulator.world.MissionPad;
 /** Something that a drone shall do. Immutable; for any thread. */
 public sealed interface Goal {
 
+  /** Shortest time that a drone can be asked to hover [s]. Decided: what anybody calls staying. */
+  double SHORTEST_HOVER = 0.1;
+
   /** Longest time that a drone can be asked to hover [s]. Decided: longer than a battery lasts. */
   double LONGEST_HOVER = 3600;
 

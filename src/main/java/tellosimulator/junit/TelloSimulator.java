@@ -42,9 +42,6 @@ import tellosimulator.video.codec.H264Encoder;
  */
 public final class TelloSimulator implements AutoCloseable {
 
-  /** The real drone's command port. Documented: SDK 1.3 User Guide. */
-  private static final int REAL_COMMAND_PORT = 8889;
-
   /** How long a fall may take by the wall clock. Decided: longer than from any ceiling. */
   private static final Duration LONGEST_FALL = Duration.ofSeconds(5);
 
@@ -207,7 +204,7 @@ public final class TelloSimulator implements AutoCloseable {
   /** All on 127.0.0.1 where ports are free ones, since some systems have no other address. */
   private static AddressPlan plan(PortChoice ports, int count) {
     return ports == PortChoice.REAL
-        ? AddressPlan.ofMachine(count, REAL_COMMAND_PORT)
+        ? AddressPlan.ofMachine(count, AddressPlan.REAL_COMMAND_PORT)
         : AddressPlan.portPerDrone(count, List.of(InetAddress.getLoopbackAddress()), 0);
   }
 

@@ -96,7 +96,7 @@ public final class DroneSpec {
    * Above this speed a touch is a crash, unless a scenario says otherwise [m/s]. Observed: behind
    * propeller guards quadrotors bounce off a wall at low speed and flip over at a higher one
    * (betaflight issue 1972; Parallax, "What Propeller Guards Can Do"); nobody has published the
-   * speed for a Tello. Derived: the rim of the guards is 15 mm above the center of mass, so a hit
+   * speed for a Tello. Derived: the rim of the guards is 15 mm above the centre of mass, so a hit
    * with a restitution of 0.5 starts a rotation of 1.5 · 0.015 / 0.035² = 18 rad/s for each m/s
    * (radius of gyration 35 mm). {@link #MAX_ANGULAR_ACCELERATION} stops that of 1.35 m/s at 24.8² /
    * (2 · 220) = 1.4 rad; a faster hit lays the drone on its side.
@@ -118,7 +118,10 @@ public final class DroneSpec {
 
   public static final double CAMERA_HEIGHT_SHARE = 0.75;
 
-  /** How far the camera in the nose looks down [rad]. Measured: about 15 degrees, once. */
+  /**
+   * How far the camera in the nose looks down [rad]. Measured: about 15 degrees, the only concrete
+   * figure, from a model of the drone for another simulator; other sources assume 0.
+   */
   public static final double CAMERA_TILT = StrictMath.toRadians(15);
 
   /** How long a full battery flies [s]. Documented: 13 minutes (Tello User Manual). */

@@ -10,6 +10,7 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.Set;
 import java.util.stream.IntStream;
+import tellosimulator.sim.SimConfig.StreamPorts;
 
 /**
  * The requested listen address of each drone; the machine's actual addresses are looked up when
@@ -20,8 +21,15 @@ import java.util.stream.IntStream;
  */
 public record AddressPlan(List<Endpoint> drones, Reach reach) {
 
-  /** Ports that operator programs need for themselves. Documented: SDK 1.3 User Guide. */
-  private static final Set<Integer> OPERATORS_PORTS = Set.of(8889, 8890, 11111);
+  /**
+   * Where real drones take commands, and where operator programs take the replies. Documented: SDK
+   * 1.3 User Guide.
+   */
+  public static final int REAL_COMMAND_PORT = 8889;
+
+  /** Ports that operator programs need for themselves. */
+  private static final Set<Integer> OPERATORS_PORTS =
+      Set.of(REAL_COMMAND_PORT, StreamPorts.DEFAULT.statePort(), StreamPorts.DEFAULT.videoPort());
 
   /** Highest port of UDP. Documented: RFC 768, whose ports have 16 bits. */
   public static final int HIGHEST_PORT = 65535;

@@ -227,7 +227,7 @@ public final class DroneNetwork implements AutoCloseable {
         && drones.stream().allMatch(drone -> drone.traffic().received() == 0)
         && published.stream()
             .flatMap(List::stream)
-            .noneMatch(address -> address.getPort() == SilenceWatch.OPERATORS_PORT);
+            .noneMatch(address -> address.getPort() == AddressPlan.REAL_COMMAND_PORT);
   }
 
   /** From where the drones that listen on the machine's own addresses can be reached. */

@@ -178,7 +178,7 @@ public final class OnlineSimulation implements AutoCloseable {
    */
   public void onSilence(Consumer<Silence> listener) {
     InetSocketAddress operators =
-        new InetSocketAddress(AddressPlan.loopback(1), SilenceWatch.OPERATORS_PORT);
+        new InetSocketAddress(AddressPlan.loopback(1), AddressPlan.REAL_COMMAND_PORT);
     silence = Optional.of(new SilenceWatch(operators, network::silent, listener));
   }
 

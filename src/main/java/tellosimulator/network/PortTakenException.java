@@ -9,9 +9,6 @@ public final class PortTakenException extends IOException {
 
   private static final long serialVersionUID = 1;
 
-  /** The port that operator programs need for themselves. Documented: SDK 1.3 User Guide. */
-  private static final int OPERATORS_PORT = 8889;
-
   /** Why it cannot be had. */
   public enum Obstacle {
     /** Another program has the port. */
@@ -93,12 +90,12 @@ public final class PortTakenException extends IOException {
   static PortTakenException taken(InetSocketAddress address, IOException cause) {
     int port = address.getPort();
     String who =
-        port == OPERATORS_PORT
+        port == AddressPlan.REAL_COMMAND_PORT
             ? "probably by an operator program, which needs that port for itself"
             : "probably by a Tello simulator that is still running";
     return new PortTakenException(
         address,
-        port == OPERATORS_PORT ? Obstacle.TAKEN_BY_OPERATOR : Obstacle.TAKEN,
+        port == AddressPlan.REAL_COMMAND_PORT ? Obstacle.TAKEN_BY_OPERATOR : Obstacle.TAKEN,
         String.format(
             Locale.ROOT,
             "Port %d of %s is taken, %s: end that program, or choose another port with"

@@ -13,9 +13,6 @@ import java.util.function.Consumer;
  */
 final class SilenceWatch {
 
-  /** The port that operator programs have themselves. Documented: SDK 1.3 User Guide. */
-  static final int OPERATORS_PORT = 8889;
-
   /** Looks, one a second, for which a program may have the port and say nothing. Decided. */
   static final int LOOKS_WITH_PROGRAM = 8;
 

@@ -21,9 +21,6 @@ public record ProxyPlan(
     StreamPorts towardsDrone,
     StreamPorts towardsOperator) {
 
-  /** Where a real drone takes commands. Documented: SDK 1.3 User Guide. */
-  public static final int COMMAND_PORT = 8889;
-
   /** Where commands are taken on this machine now. */
   List<InetSocketAddress> addresses(LocalNetworks networks) {
     return here.addresses(1, networks);

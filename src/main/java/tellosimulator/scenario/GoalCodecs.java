@@ -20,9 +20,6 @@ final class GoalCodecs {
   /** Usual radius [m]. Decided: an arm's length is too far, a hand's breadth too near. */
   private static final double RADIUS = 0.3;
 
-  /** Shortest time to hover [s]. Decided: what anybody would call staying. */
-  private static final double SHORTEST_HOVER = 0.1;
-
   private GoalCodecs() {}
 
   /** A goal of any kind. */
@@ -56,7 +53,7 @@ final class GoalCodecs {
             .need(
                 NumberCodec.of(
                     Phrase.of("seconds from 0.1 to %s", NumberCodec.plain(Goal.LONGEST_HOVER)),
-                    SHORTEST_HOVER,
+                    Goal.SHORTEST_HOVER,
                     Goal.LONGEST_HOVER),
                 Goal.Hover::seconds);
     return hover.madeFor((in, drone) -> new Goal.Hover(drone, region.apply(in), in.get(seconds)));

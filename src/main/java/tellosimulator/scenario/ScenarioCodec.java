@@ -95,9 +95,6 @@ final class ScenarioCodec extends RecordCodec<ScenarioCodec.Noted> {
 
   private static final int MOST_OTHERS = 1000;
 
-  /** The fastest touch that may be none [cm/s]. Decided: no drone gets there, so nothing is one. */
-  private static final double FASTEST_TOUCH = 2000;
-
   /** What stands for a room until the mistake is told; everything is in it. */
   private static final Room UNKNOWN = new Room(Room.LONGEST, Room.LONGEST, Room.LONGEST);
 
@@ -167,7 +164,7 @@ final class ScenarioCodec extends RecordCodec<ScenarioCodec.Noted> {
   private final Field<Noted, Double> crashSpeed =
       key("crash-speed", "How fast [cm/s] a drone may touch something before it is a crash.")
           .usual(
-              NumberCodec.speed(FASTEST_TOUCH).or(DroneSpec.CRASH_SPEED),
+              NumberCodec.speed(Rules.FASTEST_TOUCH * 100).or(DroneSpec.CRASH_SPEED),
               noted -> noted.config().rules().crashSpeed());
   private final Field<Noted, TimeFactor> timeFactor =
       key(

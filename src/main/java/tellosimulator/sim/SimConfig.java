@@ -52,6 +52,12 @@ public record SimConfig(
    */
   public record Rules(double crashSpeed, OperatorRule operators, FaultPlan faults) {
 
+    /**
+     * The highest crash speed that can be chosen [m/s]. Decided: no drone gets there, so that no
+     * touch is a crash.
+     */
+    public static final double FASTEST_TOUCH = 20;
+
     public Rules {
       if (!(crashSpeed >= 0)) {
         throw new IllegalArgumentException(

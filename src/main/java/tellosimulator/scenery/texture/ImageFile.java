@@ -57,6 +57,17 @@ public final class ImageFile {
     }
   }
 
+  /**
+   * Looks whether an image can be read. It is read for that: only then it shows whether it is
+   * whole.
+   *
+   * @throws IOException with a sentence for people, if it cannot
+   */
+  @SuppressWarnings("ReturnValueIgnored")
+  public static void check(String file) throws IOException {
+    read(file);
+  }
+
   private static Path path(String file) throws IOException {
     try {
       Path path = Path.of(file);

@@ -3,6 +3,7 @@ package tellosimulator.video.camera;
 import tellosimulator.math.Attitude;
 import tellosimulator.math.Pose;
 import tellosimulator.math.Vec3;
+import tellosimulator.model.DroneSpec;
 
 /**
  * The optics of a drone's cameras, which are fixed to its body. What is not known for sure can be
@@ -20,25 +21,21 @@ public record DroneOptics(double fieldOfView, double tilt) {
   public static final int HEIGHT = 720;
 
   /**
-   * Horizontal field of view [degrees]. Measured: 55, from camera calibrations of the stream of
-   * several drones.
-   */
-  public static final double FIELD_OF_VIEW_DEG = 55;
-
-  /**
    * Diagonal field of view [degrees]. Documented: Tello User Manual; it does not describe the
    * stream.
    */
   public static final double MANUALS_DIAGONAL_DEG = 82.6;
 
-  /**
-   * How far the forward camera looks down [degrees]. Measured: about 15, the only concrete figure,
-   * from a model of the drone for another simulator; other sources assume 0.
-   */
-  public static final double TILT_DEG = 15;
+  /** Narrowest and widest horizontal field of view that can be chosen [degrees]. Decided. */
+  public static final int NARROWEST_DEG = 10;
+
+  public static final int WIDEST_DEG = 150;
+
+  /** Steepest tilt up or down that can be chosen [degrees]. */
+  public static final int STEEPEST_DEG = 90;
 
   public static final DroneOptics DEFAULT =
-      new DroneOptics(Math.toRadians(FIELD_OF_VIEW_DEG), Math.toRadians(TILT_DEG));
+      new DroneOptics(DroneSpec.CAMERA_FIELD_OF_VIEW, DroneSpec.CAMERA_TILT);
 
   /**
    * Position of the forward camera, body frame [m]. Measured: 3.5 cm ahead of the middle (from the

@@ -132,7 +132,7 @@ final class MorePanel extends Card {
   /** Hangs an image on the front wall, in front of those that hang there. */
   void hang(String picture) {
     try {
-      ImageFile.read(picture);
+      ImageFile.check(picture);
     } catch (IOException e) {
       diagnostic.say(Optional.of(Message.of("poster.unreadable", picture)));
       return;

@@ -14,9 +14,6 @@ final class PortRules {
   /** The ports that there are. */
   static final NumberRange PORTS = new NumberRange(1, AddressPlan.HIGHEST_PORT, 1);
 
-  /** The port that operator programs have themselves. Documented: SDK 1.3 User Guide. */
-  private static final int OPERATORS_PORT = 8889;
-
   private static final Set<Integer> LISTENING_PORTS =
       Set.of(StreamPorts.DEFAULT.statePort(), StreamPorts.DEFAULT.videoPort());
 
@@ -55,7 +52,7 @@ final class PortRules {
 
   /** What is possible, but works only if the operator program runs on another machine. */
   static Optional<Message> warning(int command, StreamPorts streamPorts) {
-    if (command == OPERATORS_PORT) {
+    if (command == AddressPlan.REAL_COMMAND_PORT) {
       return Optional.of(Message.of("port.operators", Integer.toString(command)));
     }
     boolean listening =

@@ -11,6 +11,7 @@ import org.kordamp.ikonli.feather.Feather;
 import org.kordamp.ikonli.javafx.FontIcon;
 import tellosimulator.math.Frames;
 import tellosimulator.sim.SimConfig;
+import tellosimulator.sim.SimConfig.Rules;
 import tellosimulator.video.camera.DroneOptics;
 import tellosimulator.view.fx.Tooltips;
 import tellosimulator.view.model.ScenarioActions;
@@ -28,13 +29,16 @@ final class StartPanel extends VBox {
   /** Seeds that can be typed here. Decided: nobody types more digits. */
   private static final NumberRange SEED = new NumberRange(-999_999_999, 999_999_999, 1);
 
-  /** [cm/s]; as in scenario files. */
-  private static final NumberRange CRASH = new NumberRange(0, 2000, 5);
+  /** [cm/s] */
+  private static final NumberRange CRASH =
+      new NumberRange(0, Frames.centimeters(Rules.FASTEST_TOUCH), 5);
 
-  /** [degrees]; as on the command line. */
-  private static final NumberRange FIELD_OF_VIEW = new NumberRange(10, 150, 1);
+  /** [degrees] */
+  private static final NumberRange FIELD_OF_VIEW =
+      new NumberRange(DroneOptics.NARROWEST_DEG, DroneOptics.WIDEST_DEG, 1);
 
-  private static final NumberRange TILT = new NumberRange(-90, 90, 1);
+  private static final NumberRange TILT =
+      new NumberRange(-DroneOptics.STEEPEST_DEG, DroneOptics.STEEPEST_DEG, 1);
 
   private final StartSettings present;
   private final ScenarioActions actions;

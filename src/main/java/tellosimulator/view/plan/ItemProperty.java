@@ -261,7 +261,8 @@ enum ItemProperty {
     private static final NumberRange PLACE = new NumberRange(-LONGEST / 2, LONGEST / 2, 5);
     private static final NumberRange SIZE = new NumberRange(1, LONGEST, 5);
     private static final NumberRange SIZE_OR_NONE = new NumberRange(0, LONGEST, 5);
-    private static final NumberRange SECONDS = new NumberRange(0.1, Goal.LONGEST_HOVER, 1);
+    private static final NumberRange SECONDS =
+        new NumberRange(Goal.SHORTEST_HOVER, Goal.LONGEST_HOVER, 1);
     private static final NumberRange ANGLE = new NumberRange(-360, 360, 15);
   }
 
