@@ -9,12 +9,10 @@ import java.util.function.Consumer;
 import java.util.function.Supplier;
 import tellosimulator.command.Peer;
 import tellosimulator.concurrent.Worker;
-import tellosimulator.controller.FlightEvent;
 import tellosimulator.goal.Challenge;
 import tellosimulator.goal.GoalWatch;
 import tellosimulator.goal.Progress;
 import tellosimulator.math.Vec3;
-import tellosimulator.model.FlightPhase;
 import tellosimulator.network.OnlineSimulation;
 import tellosimulator.network.WireTap;
 import tellosimulator.recording.Entry.Ends;
@@ -32,9 +30,8 @@ import tellosimulator.video.VideoStreams;
 import tellosimulator.words.Phrase;
 
 /**
- * Records the flights of a simulation, each into a folder of its own. A flight goes from a first
- * takeoff until all drones have been down for three seconds, or until the simulation begins anew or
- * ends.
+ * Records the flights of a simulation, each into a folder of its own. Where one begins and ends
+ * decides {@link FlightDetector}; the simulation ends it, too, when it begins anew or is over.
  *
  * <p>It is told on the threads of simulation, network and video, on which it only puts records into
  * a queue; {@link #setRecording} and {@link #close} are for any thread.
@@ -43,9 +40,6 @@ public final class FlightRecorder implements SimListener, WireTap, AutoCloseable
 
   /** Steps from sample to sample: 20 a simulated second. Decided. */
   private static final long SAMPLE_STEPS = Math.round(0.05 / SimTime.STEP);
-
-  /** How long all drones must be down before a flight is over [s]. Decided. */
-  private static final double REST = 3;
 
   /** Weight of what is only remembered. Decided: 35 MB, and half an hour of one drone. */
   private static final long MOST_REMEMBERED = 100_000;
@@ -65,13 +59,14 @@ public final class FlightRecorder implements SimListener, WireTap, AutoCloseable
   private volatile boolean flown;
 
   /** What the simulation began from; empty if that is not known. */
-  private final AtomicReference<Optional<Start>> start = new AtomicReference<>(Optional.empty());
+  private final AtomicReference<Optional<Start>> start =
+      new AtomicReference<>(Optional.empty());
 
   /** Whether something was done since the simulation began. */
   private volatile boolean begun;
 
-  /** All that follows is for the simulation thread. */
-  private boolean flying;
+  /** This and all that follows is for the simulation thread. */
+  private final FlightDetector detector = new FlightDetector();
 
   /** Whether there was an input that is not recorded. */
   private boolean missed;
@@ -81,7 +76,6 @@ public final class FlightRecorder implements SimListener, WireTap, AutoCloseable
   /** The end of the last step [ns]; a number, as it changes in each. */
   private long lastNanos;
 
-  private Optional<SimTime> down = Optional.empty();
   private Progress progress;
   private long attemptNanos;
 
@@ -302,7 +296,9 @@ public final class FlightRecorder implements SimListener, WireTap, AutoCloseable
       start.updateAndGet(
           from ->
               from.map(
-                  before -> new Start(restart.config(), before.challenge(), before.replyPort())));
+                  before ->
+                      new Start(
+                          restart.config(), before.challenge(), before.replyPort())));
     } else if (!(input instanceof SimInput.Datagram) && takes()) { // those come from the wire
       queue.add(new Entry.Taken(now, input));
     }
@@ -322,25 +318,15 @@ public final class FlightRecorder implements SimListener, WireTap, AutoCloseable
       return;
     }
     SimSnapshot snapshot = snapshots.get();
-    if (!flying && tookOff(event)) {
-      begin(snapshot);
+    if (detector.begins(event)) {
+      flown = true;
+      steps = 0;
+      queue.add(new Entry.Begin(WallTime.now(), snapshot));
     }
     queue.add(new Entry.Happened(event, place(event, snapshot)));
-    if (flying && givesUp(event) && allDown(snapshot)) {
+    if (detector.ends(event, snapshot)) {
       end(event.time());
     }
-  }
-
-  private static boolean tookOff(SimEvent event) {
-    return event instanceof SimEvent.DroneFlight flight
-        && flight.event() instanceof FlightEvent.TookOff;
-  }
-
-  /** Whether a drone was reset or switched off: nothing of its flight follows. */
-  private boolean givesUp(SimEvent event) {
-    return event instanceof SimEvent.DroneFlight flight
-        && (flight.event() instanceof FlightEvent.PutBack
-            || snapshots.get().drones().get(flight.drone() - 1).state().phase() == FlightPhase.OFF);
   }
 
   private static Optional<Vec3> place(SimEvent event, SimSnapshot snapshot) {
@@ -352,7 +338,7 @@ public final class FlightRecorder implements SimListener, WireTap, AutoCloseable
   @Override
   public void stepped(SimSnapshot snapshot) {
     lastNanos = snapshot.time().nanos();
-    if (!flying) {
+    if (!detector.flying()) {
       return;
     }
     if (!recording) {
@@ -363,7 +349,9 @@ public final class FlightRecorder implements SimListener, WireTap, AutoCloseable
     judge(goals.progress());
     if (steps++ % SAMPLE_STEPS == 0) {
       queue.add(new Entry.Sampled(snapshot));
-      endAfterRest(snapshot);
+      if (detector.ends(snapshot)) {
+        end(last());
+      }
     }
   }
 
@@ -383,40 +371,9 @@ public final class FlightRecorder implements SimListener, WireTap, AutoCloseable
     }
   }
 
-  private void endAfterRest(SimSnapshot snapshot) {
-    if (!allDown(snapshot)) {
-      down = Optional.empty();
-      return;
-    }
-    SimTime now = last();
-    SimTime since = down.orElse(now);
-    down = Optional.of(since);
-    if (now.since(since) >= REST) {
-      end(now);
-    }
-  }
-
-  private static boolean allDown(SimSnapshot snapshot) {
-    for (SimSnapshot.DroneSnapshot drone : snapshot.drones()) {
-      FlightPhase phase = drone.state().phase();
-      if (phase.flying() || phase == FlightPhase.FALLING) {
-        return false;
-      }
-    }
-    return true;
-  }
-
-  private void begin(SimSnapshot snapshot) {
-    flying = true;
-    flown = true;
-    steps = 0;
-    down = Optional.empty();
-    queue.add(new Entry.Begin(WallTime.now(), snapshot));
-  }
-
   private void end(SimTime time) {
-    if (flying) {
-      flying = false;
+    if (detector.flying()) {
+      detector.end();
       queue.add(new Entry.End(time, new GoalResult(progress, attemptNanos)));
     }
   }
