@@ -40,9 +40,9 @@ import tellosimulator.headless.HeadlessSimulator;
 import tellosimulator.math.Vec3;
 import tellosimulator.network.AddressPlan;
 import tellosimulator.scenario.Scenario;
+import tellosimulator.sim.Formation;
 import tellosimulator.sim.SimConfig;
 import tellosimulator.sim.SimConfig.StreamPorts;
-import tellosimulator.sim.Swarm;
 import tellosimulator.time.TimeFactor;
 import tellosimulator.video.SoftwareCameras;
 import tellosimulator.video.camera.DroneOptics;
@@ -454,7 +454,7 @@ class ExamplesTest {
     Flight(int drones) throws IOException, InterruptedException {
       this(
           SimConfig.DEFAULT
-              .withRoom(HALL, Swarm.row(drones, Vec3.ZERO, HALL))
+              .withRoom(HALL, Formation.row(drones, Vec3.ZERO, HALL))
               .withTimeFactor(FAST));
     }
 

@@ -14,9 +14,9 @@ import tellosimulator.profile.Profile;
 import tellosimulator.scenario.OpenedScenario;
 import tellosimulator.scenario.Scenario;
 import tellosimulator.sim.DroneSetup;
+import tellosimulator.sim.Formation;
 import tellosimulator.sim.SimConfig;
 import tellosimulator.sim.SimConfig.Product;
-import tellosimulator.sim.Swarm;
 import tellosimulator.time.TimeFactor;
 import tellosimulator.video.camera.DroneOptics;
 import tellosimulator.world.Decor;
@@ -292,7 +292,7 @@ public final class Options {
 
   private Scenario emptyRoom() {
     int count = drones.value().orElse(network.addresses().orElse(1));
-    List<Pose> starts = Swarm.row(count, roomOptions.start(), roomOptions.room());
+    List<Pose> starts = Formation.row(count, roomOptions.start(), roomOptions.room());
     return Scenario.of(SimConfig.DEFAULT.withRoom(roomOptions.room(), starts));
   }
 

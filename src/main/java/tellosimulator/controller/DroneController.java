@@ -178,7 +178,7 @@ public final class DroneController implements CommandTarget {
       responder.refuse(objection.get().reply(), objection.get().reason());
     } else {
       double height = faultEffects.takeoffHeight(context.behavior().takeoffHeight());
-      flight.takeoff(height, Task.of(responder));
+      flight.takeoff(height, CompletionHandler.of(responder));
     }
   }
 
@@ -189,7 +189,7 @@ public final class DroneController implements CommandTarget {
       return;
     }
     flight.interrupt(Reply.AUTO_LAND, Phrase.of("`land` cut it off"));
-    flight.land(Task.of(responder));
+    flight.land(CompletionHandler.of(responder));
   }
 
   @Override
@@ -229,27 +229,29 @@ public final class DroneController implements CommandTarget {
           new Note(Phrase.of("stops above the floor and never answers `%s`", responder.text())));
     }
     Vec3 way = command.direction().unit().times(command.distance());
-    flight.fly(planner.by(way, speed), silent ? Task.NOBODY : Task.of(responder));
+    flight.fly(
+        planner.by(way, speed),
+        silent ? CompletionHandler.NOBODY : CompletionHandler.of(responder));
   }
 
   @Override
   public void go(Command.Go command, Responder responder) {
     if (!refused(responder)) {
-      flight.fly(planner.by(command.way(), command.speed()), Task.of(responder));
+      flight.fly(planner.by(command.way(), command.speed()), CompletionHandler.of(responder));
     }
   }
 
   @Override
   public void curve(Command.Curve command, Responder responder) {
     if (!refused(responder)) {
-      flight.fly(planner.along(command, flight.baseHeading()), Task.of(responder));
+      flight.fly(planner.along(command, flight.baseHeading()), CompletionHandler.of(responder));
     }
   }
 
   @Override
   public void turn(Command.Turn command, Responder responder) {
     if (!refused(responder)) {
-      flight.fly(planner.turn(command.angle()), Task.of(responder));
+      flight.fly(planner.turn(command.angle()), CompletionHandler.of(responder));
     }
   }
 
@@ -273,7 +275,7 @@ public final class DroneController implements CommandTarget {
             flight.baseHeading(),
             command.direction().unit(),
             planner.miss()),
-        Task.of(responder));
+        CompletionHandler.of(responder));
   }
 
   @Override

@@ -134,7 +134,7 @@ final class FaultEffects {
     if (flight.airborne() && model.phase() != FlightPhase.LANDING) {
       Phrase reason = cause(fault);
       flight.interrupt(Reply.AUTO_LAND, reason);
-      flight.land(Task.NOBODY);
+      flight.land(CompletionHandler.NOBODY);
       observer.happened(new LandsByItself(reason, false));
     }
   }
@@ -147,7 +147,7 @@ final class FaultEffects {
   }
 
   private void landSilently(Fault fault) {
-    flight.land(Task.NOBODY);
+    flight.land(CompletionHandler.NOBODY);
     observer.happened(new LandsByItself(cause(fault), false));
   }
 

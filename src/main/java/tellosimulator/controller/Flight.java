@@ -49,7 +49,7 @@ final class Flight {
   private final ForcedStop forcedStop = new ForcedStop();
   private SimTime now = SimTime.ZERO;
   private SimTime lastContact = SimTime.ZERO;
-  private Task task = Task.NOBODY;
+  private CompletionHandler handler = CompletionHandler.NOBODY;
   private final Contacts contacts;
   private boolean landingForSilence;
   private boolean landingForBattery;
@@ -85,7 +85,7 @@ final class Flight {
 
   /** Whether it comes down because somebody said so, and that somebody waits. */
   boolean landsOnCommand() {
-    return landing() && task != Task.NOBODY;
+    return landing() && handler != CompletionHandler.NOBODY;
   }
 
   boolean landsForBattery() {
@@ -94,15 +94,16 @@ final class Flight {
 
   /** What runs and how far it is; empty if nobody waits for anything. */
   Optional<Phrase> running() {
-    return task == Task.NOBODY
+    return handler == CompletionHandler.NOBODY
         ? Optional.empty()
         : Optional.of(
-            Phrase.of("`%s` is still running, %s", task.text(), autopilot.maneuver().progress()));
+            Phrase.of(
+                "`%s` is still running, %s", handler.text(), autopilot.maneuver().progress()));
   }
 
   /** Whether somebody waits for the answer to a command. */
   boolean answers() {
-    return task != Task.NOBODY;
+    return handler != CompletionHandler.NOBODY;
   }
 
   /** Why time must pass for it; sticks that are out of the centre steer without end. */
@@ -146,10 +147,10 @@ final class Flight {
     rc.set(sticks, now);
   }
 
-  void fly(Maneuver maneuver, Task newTask) {
+  void fly(Maneuver maneuver, CompletionHandler newHandler) {
     landingForSilence = false;
     landingForBattery = false;
-    task = newTask;
+    handler = newHandler;
     model.setPhase(FlightPhase.FLYING);
     autopilot.fly(maneuver);
   }
@@ -159,15 +160,15 @@ final class Flight {
    *
    * @param height above where it stands [m]
    */
-  void takeoff(double height, Task newTask) {
-    fly(new Takeoff(model.motion().position(), baseHeading(), height, behavior), newTask);
+  void takeoff(double height, CompletionHandler newHandler) {
+    fly(new Takeoff(model.motion().position(), baseHeading(), height, behavior), newHandler);
     model.countTakeoff();
     model.setPhase(FlightPhase.TAKING_OFF);
     stands = true;
   }
 
-  void land(Task newTask) {
-    fly(new Landing(basePosition(), baseHeading()), newTask);
+  void land(CompletionHandler newHandler) {
+    fly(new Landing(basePosition(), baseHeading()), newHandler);
     model.setPhase(FlightPhase.LANDING);
   }
 
@@ -180,7 +181,7 @@ final class Flight {
         still
             ? new Hover(basePosition(), Vec3.ZERO, baseHeading())
             : new Hover(model.motion().position(), own, baseHeading()),
-        Task.NOBODY);
+        CompletionHandler.NOBODY);
   }
 
   /** Centres the sticks, brakes, and answers the second time when it stands still. */
@@ -192,8 +193,8 @@ final class Flight {
 
   /** Cuts off what runs, with an answer. */
   void interrupt(Reply reply, Phrase reason) {
-    Task interrupted = task;
-    task = Task.NOBODY;
+    CompletionHandler interrupted = handler;
+    handler = CompletionHandler.NOBODY;
     interrupted.failed(reply, reason);
   }
 
@@ -202,7 +203,7 @@ final class Flight {
     if (flying()) {
       fallFrom = OptionalDouble.of(model.motion().position().z());
     }
-    task = Task.NOBODY;
+    handler = CompletionHandler.NOBODY;
     landingForSilence = false;
     landingForBattery = false;
     forcedStop.forget();
@@ -273,7 +274,8 @@ final class Flight {
         case RUNNING -> {}
       }
     }
-    forcedStop.report(now, model.motion(), task == Task.NOBODY && rc.sticks().centered());
+    forcedStop.report(
+        now, model.motion(), handler == CompletionHandler.NOBODY && rc.sticks().centered());
   }
 
   /** Lands if the battery or a silent operator asks for it. */
@@ -281,7 +283,7 @@ final class Flight {
     if (model.phase() == FlightPhase.IDLING && model.battery().empty()) {
       model.setPhase(FlightPhase.GROUNDED);
     }
-    if (task != Task.NOBODY) {
+    if (handler != CompletionHandler.NOBODY) {
       lastContact = now;
     }
     if (!flying()) {
@@ -295,11 +297,11 @@ final class Flight {
     } else if (model.battery().percent() <= Battery.LANDS_BY_ITSELF && !landing()) {
       Phrase reason = Phrase.of("the battery is at %d %%", model.battery().percent());
       interrupt(Reply.AUTO_LAND, reason);
-      land(Task.NOBODY);
+      land(CompletionHandler.NOBODY);
       landingForBattery = true;
       observer.happened(new LandsByItself(reason, false));
     } else if (landsWhenSilent && now.since(lastContact) >= SILENCE && !landing()) {
-      land(Task.NOBODY);
+      land(CompletionHandler.NOBODY);
       landingForSilence = true;
       observer.happened(new LandsByItself(Phrase.of("no command came for %.0f s", SILENCE), true));
     }
@@ -317,7 +319,7 @@ final class Flight {
   }
 
   private void arrived() {
-    Task finished = task;
+    CompletionHandler finished = handler;
     if (landing()) {
       motorsOff(FlightPhase.GROUNDED);
       comeToRest();
@@ -331,7 +333,7 @@ final class Flight {
 
   /** The maneuver ends here, with an answer. */
   void gaveUp(Reply reply, Phrase reason) {
-    Task failed = task;
+    CompletionHandler failed = handler;
     hover();
     failed.failed(reply, reason);
   }

@@ -38,7 +38,10 @@ final class PadMissions {
 
   /** Flies to a point in the pad's frame; the heading stays. */
   void go(Command.GoToPad command, Responder responder) {
-    seek(command.pad(), responder, pad -> flight.fly(way(pad, command), Task.of(responder)));
+    seek(
+        command.pad(),
+        responder,
+        pad -> flight.fly(way(pad, command), CompletionHandler.of(responder)));
   }
 
   /** Flies an arc through two points in the pad's frame. */
@@ -51,8 +54,8 @@ final class PadMissions {
    * Documented: Mission Pad User Guide.
    */
   void jump(Command.Jump command, Responder responder) {
-    Task second =
-        Task.then(
+    CompletionHandler second =
+        CompletionHandler.then(
             responder,
             () -> search(command.second(), responder, pad -> cross(pad, command, responder)));
     seek(command.leg().pad(), responder, pad -> flight.fly(way(pad, command.leg()), second));
@@ -68,7 +71,7 @@ final class PadMissions {
       return;
     }
     Maneuver curve = planner.along(new Command.Curve(arc.orElseThrow(), command.speed()), 0);
-    flight.fly(watching(pad, curve, place(pad, command.end())), Task.of(responder));
+    flight.fly(watching(pad, curve, place(pad, command.end())), CompletionHandler.of(responder));
   }
 
   /** Over the middle of the second pad of a jump. */
@@ -76,7 +79,9 @@ final class PadMissions {
     Vec3 over = place(pad, new Vec3(0, 0, command.leg().goal().z()));
     Maneuver way = planner.to(over, command.leg().speed());
     double heading = pad.pad().attitude().heading() + command.heading();
-    flight.fly(watching(pad, way, over), Task.then(responder, () -> turn(heading, responder)));
+    flight.fly(
+        watching(pad, way, over),
+        CompletionHandler.then(responder, () -> turn(heading, responder)));
   }
 
   /** Goes on with the pad if it is seen; waits for the first look if there was none yet. */
@@ -102,12 +107,12 @@ final class PadMissions {
         () ->
             find(choice)
                 .ifPresentOrElse(next, () -> responder.fail(Reply.NO_VALID_MARKER, unseen(choice)));
-    flight.fly(search, Task.then(responder, end));
+    flight.fly(search, CompletionHandler.then(responder, end));
   }
 
   private void turn(double heading, Responder responder) {
     double angle = Frames.wrapped(heading - flight.baseHeading());
-    flight.fly(planner.turn(angle), Task.of(responder));
+    flight.fly(planner.turn(angle), CompletionHandler.of(responder));
   }
 
   private Maneuver way(PadSighting pad, Command.GoToPad command) {

@@ -17,7 +17,7 @@ import tellosimulator.words.Phrase;
  */
 public final class GoalWatch implements SimListener {
 
-  private final Consumer<GoalNews> news;
+  private final Consumer<GoalEvent> news;
   private final AtomicReference<Challenge> asked = new AtomicReference<>();
   private volatile Progress progress;
   private Attempt attempt;
@@ -27,7 +27,7 @@ public final class GoalWatch implements SimListener {
    * @param news takes an event for each goal that is reached, and for the end; on the simulation
    *     thread, after all other events of the step
    */
-  public GoalWatch(Challenge challenge, Consumer<GoalNews> news) {
+  public GoalWatch(Challenge challenge, Consumer<GoalEvent> news) {
     this.news = news;
     this.attempt = new Attempt(challenge);
     this.progress = attempt.progress();
@@ -103,9 +103,9 @@ public final class GoalWatch implements SimListener {
       case RUNNING -> {}
       case REACHED ->
           news.accept(
-              new GoalNews.Over(
+              new GoalEvent.Over(
                   now, Phrase.of("all goals are reached after %.1f s", progress.elapsed()), false));
-      case FAILED -> news.accept(new GoalNews.Over(now, progress.phrase(), true));
+      case FAILED -> news.accept(new GoalEvent.Over(now, progress.phrase(), true));
     }
   }
 
@@ -113,7 +113,7 @@ public final class GoalWatch implements SimListener {
     Progress present = attempt.progress();
     Goal goal = present.challenge().goals().get(won.index());
     news.accept(
-        new GoalNews.Reached(
+        new GoalEvent.Reached(
             now,
             won.drone(),
             Phrase.of(

@@ -29,8 +29,8 @@ public final class HeadlessSimulator implements AutoCloseable {
 
   private final Scenario scenario;
   private final GoalWatch goals;
-  private final Ending ending;
-  private final Ending.Standstill standstill = new AsFastAsPossible();
+  private final ExitCondition exitCondition;
+  private final ExitCondition.Standstill standstill = new AsFastAsPossible();
   private final OnlineSimulation simulation;
   private final VideoStreams video;
   private volatile Optional<ControlServer> control = Optional.empty();
@@ -53,10 +53,10 @@ public final class HeadlessSimulator implements AutoCloseable {
               log.event(news);
               recorder.ifPresent(each -> each.event(news));
             });
-    ending = new Ending(goals);
+    exitCondition = new ExitCondition(goals);
     simulation =
         new OnlineSimulation(
-            scenario.config(), plan, replyPort, List.of(new LogLimiter(log), goals, ending));
+            scenario.config(), plan, replyPort, List.of(new LogLimiter(log), goals, exitCondition));
     video = VideoStreams.of(simulation, cameras, H264Encoder::new);
   }
 
@@ -121,17 +121,17 @@ public final class HeadlessSimulator implements AutoCloseable {
    */
   public Progress.Status runUntilDone(Optional<Double> timeout, BufferedReader in, PrintStream out)
       throws InterruptedException {
-    ending.limit(timeout);
-    startConsole(in, out, ending::now);
-    Progress result = ending.awaitResult(standstill);
+    exitCondition.limit(timeout);
+    startConsole(in, out, exitCondition::now);
+    Progress result = exitCondition.awaitResult(standstill);
     out.println(result.phrase());
     out.flush();
-    ending.awaitRest(standstill);
+    exitCondition.awaitRest(standstill);
     return result.status();
   }
 
   /** Time stands still only as fast as possible. */
-  private final class AsFastAsPossible implements Ending.Standstill {
+  private final class AsFastAsPossible implements ExitCondition.Standstill {
 
     @Override
     public boolean possible() {

@@ -16,10 +16,10 @@ import tellosimulator.scenario.OpenedScenario;
 import tellosimulator.scenario.Scenario;
 import tellosimulator.scenario.ScenarioException;
 import tellosimulator.sim.DroneSetup;
+import tellosimulator.sim.Formation;
 import tellosimulator.sim.SimConfig;
 import tellosimulator.sim.SimConfig.Product;
 import tellosimulator.sim.SimConfig.StreamPorts;
-import tellosimulator.sim.Swarm;
 import tellosimulator.time.TimeFactor;
 import tellosimulator.words.Spelling;
 
@@ -141,7 +141,7 @@ public abstract sealed class SimulatorSettings<T extends SimulatorSettings<T>>
           Scenario.of(
               empty.withRoom(
                   empty.arena().room(),
-                  Swarm.row(count, empty.starts().get(0).position(), empty.arena().room()))));
+                  Formation.row(count, empty.starts().get(0).position(), empty.arena().room()))));
     }
     try {
       Scenario opened = OpenedScenario.named(scenario).scenario();

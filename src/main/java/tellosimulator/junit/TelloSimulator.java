@@ -9,7 +9,7 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.concurrent.CopyOnWriteArrayList;
-import tellosimulator.goal.GoalNews;
+import tellosimulator.goal.GoalEvent;
 import tellosimulator.goal.GoalWatch;
 import tellosimulator.goal.Progress;
 import tellosimulator.model.FlightPhase;
@@ -147,7 +147,7 @@ public final class TelloSimulator implements AutoCloseable {
             goals));
   }
 
-  private void record(GoalNews news) {
+  private void record(GoalEvent news) {
     recorder.event(news);
   }
 

@@ -91,7 +91,7 @@ public record Attitude(double w, double x, double y, double z) {
   }
 
   /**
-   * An orientation on the shortest way to another (normalized linear interpolation).
+   * An orientation on the shortest way to another (normalised linear interpolation).
    *
    * @param part of the way, 0 to 1
    */

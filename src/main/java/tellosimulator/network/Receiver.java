@@ -54,7 +54,7 @@ final class Receiver implements AutoCloseable {
   private Receiver(Selector selector, Simulation simulation) {
     this.selector = selector;
     this.simulation = simulation;
-    this.worker = Worker.start("receiver", new Turns());
+    this.worker = Worker.start("receiver", new DutyCycle());
   }
 
   /**
@@ -120,7 +120,7 @@ final class Receiver implements AutoCloseable {
     }
   }
 
-  private final class Turns implements Agent {
+  private final class DutyCycle implements Agent {
 
     private final ErrorPolicy once = ErrorPolicy.goOn("A datagram could not be handled");
     private final ErrorPolicy fatal = ErrorPolicy.retry("Receiving failed");

@@ -17,7 +17,7 @@ public final class QuadcopterDynamics {
   private final PositionLoop positionLoop = new PositionLoop();
   private final AttitudeLoop attitudeLoop = new AttitudeLoop();
   private final Integrator integrator = new Integrator();
-  private final WindSense windSense = new WindSense();
+  private final WindEstimator windEstimator = new WindEstimator();
 
   /**
    * The motion a step later, as if nothing stood in the way.
@@ -27,23 +27,23 @@ public final class QuadcopterDynamics {
    */
   public Motion advance(Motion motion, Setpoint setpoint, Vec3 wind, double seconds) {
     Motion next = integrator.step(motion, forces(motion, setpoint, wind), seconds);
-    windSense.feel(motion.velocity(), wind, seconds);
+    windEstimator.update(motion.velocity(), wind, seconds);
     return next;
   }
 
   /** The body rests for a step: it does not move, and does not feel the wind. */
   public void rest() {
-    windSense.forget();
+    windEstimator.reset();
   }
 
   /** Whether wind pushes it, as far as the drone itself feels that. */
   public boolean pushed() {
-    return !windSense.push().equals(Vec3.ZERO);
+    return !windEstimator.push().equals(Vec3.ZERO);
   }
 
   private Forces forces(Motion motion, Setpoint setpoint, Vec3 wind) {
     if (setpoint instanceof Setpoint.Track track) {
-      Vec3 wanted = positionLoop.thrust(track, motion, windSense.push());
+      Vec3 wanted = positionLoop.thrust(track, motion, windEstimator.push());
       double along = wanted.dot(motion.attitude().up());
       double thrust = Math.max(0, Math.min(GREATEST_THRUST, along));
       return new Forces(thrust, attitudeLoop.towards(wanted, track.heading(), motion), wind);

@@ -49,7 +49,7 @@ sealed interface Entry {
    *
    * @param start what the one began from that follows; empty if that is not known
    */
-  record Anew(Optional<Start> start) implements Entry {}
+  record Anew(Optional<InitialConditions> start) implements Entry {}
 
   /** Something else is asked of the drones, all of which are on the ground. */
   record Asked(Challenge challenge) implements Entry {}

@@ -59,7 +59,7 @@ public final class FlightRecorder implements SimListener, WireTap, AutoCloseable
   private volatile boolean flown;
 
   /** What the simulation began from; empty if that is not known. */
-  private final AtomicReference<Optional<Start>> start =
+  private final AtomicReference<Optional<InitialConditions>> start =
       new AtomicReference<>(Optional.empty());
 
   /** Whether something was done since the simulation began. */
@@ -197,7 +197,7 @@ public final class FlightRecorder implements SimListener, WireTap, AutoCloseable
   }
 
   private void begin(SimConfig config, OptionalInt replyPort) {
-    start.set(Optional.of(new Start(config, goals.progress().challenge(), replyPort)));
+    start.set(Optional.of(new InitialConditions(config, goals.progress().challenge(), replyPort)));
     begun = false;
     queue.add(new Entry.Anew(start.get()));
   }
@@ -297,7 +297,7 @@ public final class FlightRecorder implements SimListener, WireTap, AutoCloseable
           from ->
               from.map(
                   before ->
-                      new Start(
+                      new InitialConditions(
                           restart.config(), before.challenge(), before.replyPort())));
     } else if (!(input instanceof SimInput.Datagram) && takes()) { // those come from the wire
       queue.add(new Entry.Taken(now, input));

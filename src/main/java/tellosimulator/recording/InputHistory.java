@@ -21,7 +21,7 @@ final class InputHistory {
   private static final long SHARE_OF_HEAP = 32;
 
   private final long most;
-  private Optional<Start> start = Optional.empty();
+  private Optional<InitialConditions> start = Optional.empty();
   private final ByteArrayOutputStream lines = new ByteArrayOutputStream();
   private boolean begun;
   private boolean complete;

@@ -22,13 +22,13 @@ final class InputLines {
   private InputLines() {}
 
   /** The first line. */
-  static String text(Start start) {
-    return Json.text(JsonRecords.write(Start.class, start)) + "\n";
+  static String text(InitialConditions start) {
+    return Json.text(JsonRecords.write(InitialConditions.class, start)) + "\n";
   }
 
   /** What the first line says. */
-  static Start start(String line) {
-    return JsonRecords.read(Start.class, Json.value(line));
+  static InitialConditions start(String line) {
+    return JsonRecords.read(InitialConditions.class, Json.value(line));
   }
 
   /** A command, of which there may be many. */

@@ -13,10 +13,10 @@ import java.util.Optional;
 public final class RecordedInputs implements AutoCloseable {
 
   private final LineReader reader;
-  private final Start start;
+  private final InitialConditions start;
   private int damaged;
 
-  private RecordedInputs(LineReader reader, Start start) {
+  private RecordedInputs(LineReader reader, InitialConditions start) {
     this.reader = reader;
     this.start = start;
   }
@@ -54,7 +54,7 @@ public final class RecordedInputs implements AutoCloseable {
   }
 
   /** What the simulation began from. */
-  public Start start() {
+  public InitialConditions start() {
     return start;
   }
 

@@ -11,7 +11,7 @@ import java.util.Map;
 import java.util.Optional;
 import tellosimulator.command.Sticks;
 import tellosimulator.controller.FlightEvent;
-import tellosimulator.goal.GoalNews;
+import tellosimulator.goal.GoalEvent;
 import tellosimulator.math.Frames;
 import tellosimulator.math.Vec3;
 import tellosimulator.model.FlightPhase;
@@ -143,7 +143,7 @@ final class RecordingFormat {
       return "ignored";
     } else if (event instanceof SimEvent.CommandLost || event instanceof SimEvent.ReplyLost) {
       return "lost";
-    } else if (event instanceof GoalNews) {
+    } else if (event instanceof GoalEvent) {
       return "goal";
     } else if (event instanceof SimEvent.FaultBegan || event instanceof SimEvent.FaultEnded) {
       return "fault";

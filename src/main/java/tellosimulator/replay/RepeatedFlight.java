@@ -8,13 +8,13 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
-import tellosimulator.goal.GoalNews;
+import tellosimulator.goal.GoalEvent;
 import tellosimulator.goal.GoalWatch;
 import tellosimulator.network.OfflineNetwork;
 import tellosimulator.recording.FlightRecorder;
+import tellosimulator.recording.InitialConditions;
 import tellosimulator.recording.RecordedInput;
 import tellosimulator.recording.RecordingFolder;
-import tellosimulator.recording.Start;
 import tellosimulator.scenario.Scenario;
 import tellosimulator.sim.Simulation;
 import tellosimulator.time.SimTime;
@@ -41,7 +41,7 @@ final class RepeatedFlight {
    * @param scenario what is kept of it
    * @param into where it is recorded
    */
-  RepeatedFlight(Start start, String title, Scenario scenario, RecordingFolder into) {
+  RepeatedFlight(InitialConditions start, String title, Scenario scenario, RecordingFolder into) {
     this.into = into;
     this.earlier = into.made().size();
     GoalWatch goals = new GoalWatch(start.challenge(), this::tell);
@@ -59,7 +59,7 @@ final class RepeatedFlight {
     recorder.attach(simulation, start.replyPort());
   }
 
-  private void tell(GoalNews news) {
+  private void tell(GoalEvent news) {
     recorder.event(news);
   }
 

@@ -7,13 +7,13 @@ import java.util.Iterator;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import tellosimulator.recording.InitialConditions;
 import tellosimulator.recording.RecordedFlight;
 import tellosimulator.recording.RecordedInput;
 import tellosimulator.recording.RecordedInputs;
 import tellosimulator.recording.RecordedRun;
 import tellosimulator.recording.RecordingFile;
 import tellosimulator.recording.RecordingFolder;
-import tellosimulator.recording.Start;
 import tellosimulator.recording.UnreadableRecordingException;
 import tellosimulator.scenario.Scenario;
 import tellosimulator.time.SimTime;
@@ -39,7 +39,7 @@ public final class Replay {
   private final Path folder;
   private final RecordedRun run;
   private final List<Phrase> outlineRemarks;
-  private final Start start;
+  private final InitialConditions start;
   private final Scenario scenario;
 
   /** The last moment of which a line tells [s]. */
@@ -49,7 +49,10 @@ public final class Replay {
   private final Optional<List<RecordedInput>> commands;
 
   private Replay(
-      Path folder, RecordedFlight outline, Start start, Optional<List<RecordedInput>> commands)
+      Path folder,
+      RecordedFlight outline,
+      InitialConditions start,
+      Optional<List<RecordedInput>> commands)
       throws IOException {
     this.folder = folder;
     this.run = outline.run();

@@ -13,11 +13,11 @@ import tellosimulator.command.Peer;
 import tellosimulator.json.JsonRecords;
 import tellosimulator.profile.Behavior;
 import tellosimulator.profile.Profile;
+import tellosimulator.recording.InitialConditions;
 import tellosimulator.recording.RecordedDatagram;
 import tellosimulator.recording.RecordedFlight;
 import tellosimulator.recording.RecordedInput;
 import tellosimulator.recording.RecordedRun;
-import tellosimulator.recording.Start;
 import tellosimulator.recording.WireLog;
 import tellosimulator.scenario.Scenario;
 import tellosimulator.sim.Control;
@@ -35,7 +35,7 @@ import tellosimulator.time.SimTime;
  * @param start the scenario, as far as it is known
  * @param commands all inputs, in their order
  */
-record WireInputs(Start start, List<RecordedInput> commands) {
+record WireInputs(InitialConditions start, List<RecordedInput> commands) {
 
   WireInputs {
     commands = List.copyOf(commands);
@@ -63,7 +63,8 @@ record WireInputs(Start start, List<RecordedInput> commands) {
           }
         });
     return new WireInputs(
-        new Start(scenario.config(), scenario.challenge(), OptionalInt.empty()), inputs);
+        new InitialConditions(scenario.config(), scenario.challenge(), OptionalInt.empty()),
+        inputs);
   }
 
   /** A command; before the first one {@code command}, which may have come in an earlier flight. */

@@ -16,7 +16,7 @@ import tellosimulator.time.SimTime;
 public final class PadDetector {
 
   /**
-   * Nearest and farthest that a pad is recognized, along its own axis [m]. Measured: 30 to 120 cm
+   * Nearest and farthest that a pad is recognised, along its own axis [m]. Measured: 30 to 120 cm
    * (TelloEduSwarmSearch, DJITelloPy); two centimetres less, because a drone that hovers at 30 cm
    * and pitches sees the pad below it all the time.
    */

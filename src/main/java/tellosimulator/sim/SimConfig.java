@@ -84,7 +84,7 @@ public record SimConfig(
   public static final SimConfig DEFAULT =
       new SimConfig(
           Arena.DEFAULT,
-          alike(Swarm.row(1, Vec3.ZERO, Room.DEFAULT)),
+          alike(Formation.row(1, Vec3.ZERO, Room.DEFAULT)),
           TimeFactor.REAL_TIME,
           1,
           Rules.DEFAULT);

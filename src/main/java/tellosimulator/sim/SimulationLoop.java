@@ -27,13 +27,13 @@ public final class SimulationLoop implements AutoCloseable {
   public SimulationLoop(Simulation simulation) {
     this.simulation = simulation;
     this.pacer = new Pacer(simulation.clock().factor());
-    this.worker = Worker.start("sim", new Turns());
+    this.worker = Worker.start("sim", new DutyCycle());
     simulation.onSubmit(worker::wake);
     worker.wake(); // for what was submitted in between
   }
 
   /** Steps when it is time to, and takes what has arrived whenever it is woken. */
-  private final class Turns implements Agent {
+  private final class DutyCycle implements Agent {
 
     private final ErrorPolicy failed = ErrorPolicy.retry("A step of the simulation failed");
 

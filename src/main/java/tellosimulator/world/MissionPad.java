@@ -5,7 +5,7 @@ import tellosimulator.math.Pose;
 import tellosimulator.math.Vec3;
 
 /**
- * A printed card that drones recognize. Its frame: origin in its middle, x where the rocket points,
+ * A printed card that drones recognise. Its frame: origin in its middle, x where the rocket points,
  * y to the rocket's left, z out of the card. Documented: Mission Pad User Guide. Immutable.
  *
  * @param id 1 to 8, which is printed on it

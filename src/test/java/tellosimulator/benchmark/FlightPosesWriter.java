@@ -6,8 +6,8 @@ import java.util.ArrayList;
 import java.util.List;
 import tellosimulator.benchmark.FlightPoses.Moment;
 import tellosimulator.math.Vec3;
+import tellosimulator.sim.Formation;
 import tellosimulator.sim.SimConfig;
-import tellosimulator.sim.Swarm;
 import tellosimulator.testing.SteppedDrone;
 import tellosimulator.world.Room;
 
@@ -29,7 +29,8 @@ public final class FlightPosesWriter {
   private static final double SETTLING = 1.5;
 
   private final SteppedDrone drone =
-      SteppedDrone.of(SimConfig.DEFAULT.withRoom(Room.DEFAULT, Swarm.row(1, START, Room.DEFAULT)));
+      SteppedDrone.of(
+          SimConfig.DEFAULT.withRoom(Room.DEFAULT, Formation.row(1, START, Room.DEFAULT)));
 
   private final List<Moment> moments = new ArrayList<>();
 

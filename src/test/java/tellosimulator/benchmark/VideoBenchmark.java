@@ -22,7 +22,7 @@ final class VideoBenchmark {
   /** How much worse than x264 pictures may be [dB]. */
   private static final double WORSE = 1.5;
 
-  private final Projectionist projectionist = new Projectionist();
+  private final FlightRenderer renderer = new FlightRenderer();
   private final boolean decodable = FfmpegFilms.available();
   private final FfmpegFilms ffmpeg;
   private final List<Measurement> rows = new ArrayList<>();
@@ -51,7 +51,7 @@ final class VideoBenchmark {
   private List<Measurement> rows() throws IOException {
     for (int i = 0; i < WARM_UPS; i++) {
       for (FlightPart part : FlightPart.values()) {
-        projectionist.times(part);
+        renderer.times(part);
       }
     }
     for (FlightPart part : FlightPart.values()) {
@@ -80,7 +80,7 @@ final class VideoBenchmark {
   }
 
   private void camera(FlightPart part) {
-    Statistics times = new Statistics(projectionist.times(part));
+    Statistics times = new Statistics(renderer.times(part));
     rows.add(
         Measurement.atMost(
             "Software camera, a picture of 960 × 720 on one core, " + part.word() + ", median",
@@ -89,7 +89,7 @@ final class VideoBenchmark {
   }
 
   private void part(FlightPart part) throws IOException {
-    List<Picture> pictures = projectionist.pictures(part);
+    List<Picture> pictures = renderer.pictures(part);
     for (int i = 0; i < WARM_UPS; i++) {
       EncodedFilm.ours(pictures);
     }

@@ -91,7 +91,7 @@ class OptionsTest {
 
   @ParameterizedTest
   @CsvSource({"report, REPORT", "measured, MEASURED"})
-  void behavioursAreChosenByName(String word, Behavior behavior) {
+  void behaviorsAreChosenByName(String word, Behavior behavior) {
     assertThat(
             options("--behaviour " + word).scenario().config().drones().get(0).product().behavior())
         .isEqualTo(behavior);

@@ -14,9 +14,9 @@ import tellosimulator.model.FlightPhase;
 import tellosimulator.profile.Behavior;
 import tellosimulator.profile.Profile;
 import tellosimulator.sim.Control;
+import tellosimulator.sim.Formation;
 import tellosimulator.sim.SimConfig;
 import tellosimulator.sim.SimEvent;
-import tellosimulator.sim.Swarm;
 import tellosimulator.testing.SteppedDrone;
 import tellosimulator.world.Room;
 
@@ -238,7 +238,7 @@ class ObstructedFlightTest {
         SimConfig.DEFAULT
             .withProduct(Profile.EDU, behavior)
             .withLink(LinkPreset.IDEAL)
-            .withRoom(room, Swarm.row(1, Vec3.ZERO, room)));
+            .withRoom(room, Formation.row(1, Vec3.ZERO, room)));
   }
 
   private static SteppedDrone flying(SimConfig config) {

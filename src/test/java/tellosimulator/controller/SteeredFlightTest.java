@@ -10,8 +10,8 @@ import tellosimulator.fault.LinkPreset;
 import tellosimulator.math.Vec3;
 import tellosimulator.profile.Behavior;
 import tellosimulator.profile.Profile;
+import tellosimulator.sim.Formation;
 import tellosimulator.sim.SimConfig;
-import tellosimulator.sim.Swarm;
 import tellosimulator.testing.SteppedDrone;
 import tellosimulator.world.Room;
 
@@ -138,6 +138,6 @@ class SteeredFlightTest {
         SimConfig.DEFAULT
             .withProduct(Profile.EDU, behavior)
             .withLink(LinkPreset.IDEAL)
-            .withRoom(HALL, Swarm.row(1, Vec3.ZERO, HALL)));
+            .withRoom(HALL, Formation.row(1, Vec3.ZERO, HALL)));
   }
 }

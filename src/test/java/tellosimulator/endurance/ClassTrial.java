@@ -43,7 +43,7 @@ final class ClassTrial {
             machine, List.of(), "--bind", String.join(",", addresses), "--command-port", PORT)) {
       return List.of(
           fly("A class of three on one simulator with `--bind`", network, seats),
-          Insides.row("… log", simulator));
+          LeakedInternals.row("… log", simulator));
     }
   }
 

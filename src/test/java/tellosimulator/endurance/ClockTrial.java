@@ -94,7 +94,7 @@ final class ClockTrial {
         rows.addAll(trial.fly("Clock jumps an hour forward in flight", HOUR_AHEAD));
         rows.addAll(trial.fly("Clock jumps an hour back in flight", RIGHT));
         trial.fly("", RIGHT);
-        rows.add(Insides.row("… log", simulator));
+        rows.add(LeakedInternals.row("… log", simulator));
         rows.add(Health.row("… after that", simulator));
       }
       rows.addAll(read(recordings, folder.path()));

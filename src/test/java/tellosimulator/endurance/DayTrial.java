@@ -124,7 +124,7 @@ final class DayTrial {
                 rate >= LEAST_PICTURES_A_SECOND),
             share));
     rows.add(film());
-    rows.add(Insides.row("… log", simulator));
+    rows.add(LeakedInternals.row("… log", simulator));
     return rows;
   }
 

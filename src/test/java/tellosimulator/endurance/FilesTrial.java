@@ -88,7 +88,8 @@ final class FilesTrial {
         Waiting.pass(Waiting.SHORT);
       }
       boolean refused = program.endsWithin(0) && program.process().exitValue() == REFUSED;
-      boolean told = refused && !program.log().isBlank() && Insides.first(program.log()).isEmpty();
+      boolean told =
+          refused && !program.log().isBlank() && LeakedInternals.first(program.log()).isEmpty();
       if (!told || seconds > LONGEST_SECONDS || megabytes > MOST_MEGABYTES) {
         System.out.printf(
             "%s: %.1f s, %.0f MB, %s%n",

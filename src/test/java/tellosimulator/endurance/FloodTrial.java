@@ -124,7 +124,7 @@ final class FloodTrial {
                 "… resident memory grows by", LARGEST_GROWTH_MB, residentGrowth, "MB"));
         rows.add(Measurement.atMost("… heap grows by", LARGEST_GROWTH_MB, heapGrowth, "MB"));
         rows.add(Measurement.atMost("… log grows in a minute by", LARGEST_LOG_MB, logGrowth, "MB"));
-        rows.add(Insides.row("… log", simulator));
+        rows.add(LeakedInternals.row("… log", simulator));
         return rows.stream().map(row -> OtherLoad.judged(row, share)).toList();
       }
     }

@@ -98,7 +98,7 @@ final class FullDiskTrial {
                 told.size() + " sentences",
                 !told.isEmpty() && told.size() <= MOST_SENTENCES));
       }
-      rows.add(Insides.row("… log", simulator));
+      rows.add(LeakedInternals.row("… log", simulator));
       rows.add(Health.row("… after the flight, with landing", simulator));
     }
     rows.addAll(read(host, disk, report));

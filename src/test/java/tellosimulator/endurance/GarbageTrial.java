@@ -84,7 +84,7 @@ final class GarbageTrial {
                     : harm,
                 harm.isEmpty());
         rows.add(OtherLoad.judged(flight, others.share()));
-        rows.add(Insides.row("… log", simulator));
+        rows.add(LeakedInternals.row("… log", simulator));
         rows.add(Health.row("… after that", simulator));
         return rows;
       }

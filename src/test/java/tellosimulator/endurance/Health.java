@@ -27,7 +27,7 @@ final class Health {
   static Measurement rowOfWhole(String what, SimulatorProcess simulator) throws IOException {
     String wanted = "works, or ended with a sentence";
     if (answers(simulator)) {
-      String insides = Insides.first(simulator.program().log());
+      String insides = LeakedInternals.first(simulator.program().log());
       return new Measurement(
           what, wanted, insides.isEmpty() ? "works" : "works, but " + insides, insides.isEmpty());
     }
@@ -35,7 +35,8 @@ final class Health {
       return new Measurement(what, wanted, "half dead: " + lastLine(simulator), false);
     }
     int code = simulator.program().process().exitValue();
-    boolean told = code != 0 && code < 128 && Insides.first(simulator.program().log()).isEmpty();
+    boolean told =
+        code != 0 && code < 128 && LeakedInternals.first(simulator.program().log()).isEmpty();
     return new Measurement(what, wanted, "ended with " + code + ": " + lastLine(simulator), told);
   }
 

@@ -22,7 +22,7 @@ final class InterfaceTrial {
 
   /**
    * Decided: a second of the program. Linux takes up to another one until it has noticed that a
-   * cable is in again, and one to ask for the neighbor's address again.
+   * cable is in again, and one to ask for the neighbour's address again.
    */
   private static final double LONGEST_MS = 3000;
 
@@ -59,7 +59,7 @@ final class InterfaceTrial {
         rows.add(landing("… more than 15 simulated s: the drone", true, simulator));
         int again = tours.awaitFlown(PATIENCE_SECONDS);
         rows.add(Measurement.beside("… the client flies on", again + " commands sent again"));
-        rows.add(Insides.row("… log", simulator));
+        rows.add(LeakedInternals.row("… log", simulator));
         return rows;
       }
     }

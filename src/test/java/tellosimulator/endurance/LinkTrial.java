@@ -91,7 +91,7 @@ final class LinkTrial {
                 "come",
                 window.state().count() + " and " + window.video().count() + " datagrams in 3 s",
                 window.state().count() > 0 && window.video().count() > 0),
-            Insides.row("… log", simulator));
+            LeakedInternals.row("… log", simulator));
       }
     }
   }

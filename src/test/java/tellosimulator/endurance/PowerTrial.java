@@ -45,7 +45,7 @@ final class PowerTrial {
               simulator.figures().heapMegabytes() - heap,
               "MB"),
           new Measurement("… threads more", "at most 2", "" + moreThreads, moreThreads <= 2),
-          Insides.row("… log", simulator));
+          LeakedInternals.row("… log", simulator));
     }
   }
 

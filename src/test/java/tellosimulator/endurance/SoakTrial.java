@@ -43,7 +43,7 @@ final class SoakTrial {
               LARGEST_GROWTH_MB,
               simulator.figures().heapMegabytes() - heap,
               "MB"),
-          Insides.row("… log", simulator));
+          LeakedInternals.row("… log", simulator));
     }
   }
 

@@ -45,7 +45,7 @@ final class StopTrial {
         rows.addAll(stopSimulator(simulator, tours));
         rows.addAll(stopClient(simulator, tours));
       }
-      rows.add(Insides.row("… log", simulator));
+      rows.add(LeakedInternals.row("… log", simulator));
       rows.add(Health.row("… after that", simulator));
     }
     return rows;

@@ -11,10 +11,10 @@ import tellosimulator.goal.Goal.Direction;
 import tellosimulator.goal.Progress.Status;
 import tellosimulator.math.Vec3;
 import tellosimulator.sim.Control;
+import tellosimulator.sim.Formation;
 import tellosimulator.sim.Severity;
 import tellosimulator.sim.SimConfig;
 import tellosimulator.sim.SimEvent;
-import tellosimulator.sim.Swarm;
 import tellosimulator.testing.SimulatedDrones;
 import tellosimulator.world.Arena;
 import tellosimulator.world.MissionPad;
@@ -166,7 +166,7 @@ class GoalWatchTest {
     Goal second = new Goal.Land(OptionalInt.of(2), new GoalRegion(left, 0.5));
     SimConfig two =
         SimConfig.DEFAULT.withDrones(
-            SimConfig.alike(Swarm.row(2, Vec3.ZERO, SimConfig.DEFAULT.arena().room())));
+            SimConfig.alike(Formation.row(2, Vec3.ZERO, SimConfig.DEFAULT.arena().room())));
     GoalWatch watch = new GoalWatch(any(List.of(second)), news::add);
     SimulatedDrones drones = new SimulatedDrones(two, List.of(watch));
 

@@ -17,10 +17,10 @@ import tellosimulator.concurrent.Agent;
 import tellosimulator.math.Vec3;
 import tellosimulator.model.DroneState;
 import tellosimulator.sim.Control;
+import tellosimulator.sim.Formation;
 import tellosimulator.sim.SimConfig;
 import tellosimulator.sim.SimSnapshot;
 import tellosimulator.sim.Simulation;
-import tellosimulator.sim.Swarm;
 import tellosimulator.testing.ForPeople;
 import tellosimulator.time.TimeFactor;
 import tellosimulator.world.Room;
@@ -33,7 +33,7 @@ class ConsoleTest {
 
   private final Simulation simulation =
       new Simulation(
-          SimConfig.DEFAULT.withRoom(Room.DEFAULT, Swarm.row(2, Vec3.ZERO, Room.DEFAULT)),
+          SimConfig.DEFAULT.withRoom(Room.DEFAULT, Formation.row(2, Vec3.ZERO, Room.DEFAULT)),
           drone -> (to, text) -> {},
           report -> {},
           List.of());

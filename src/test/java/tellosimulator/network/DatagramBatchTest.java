@@ -14,11 +14,11 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import tellosimulator.command.Peer;
 import tellosimulator.math.Vec3;
+import tellosimulator.sim.Formation;
 import tellosimulator.sim.SimConfig;
 import tellosimulator.sim.SimEvent;
 import tellosimulator.sim.SimListener;
 import tellosimulator.sim.Simulation;
-import tellosimulator.sim.Swarm;
 import tellosimulator.world.Room;
 
 class DatagramBatchTest {
@@ -92,7 +92,7 @@ class DatagramBatchTest {
           }
         };
     SimConfig config =
-        SimConfig.DEFAULT.withRoom(Room.DEFAULT, Swarm.row(3, Vec3.ZERO, Room.DEFAULT));
+        SimConfig.DEFAULT.withRoom(Room.DEFAULT, Formation.row(3, Vec3.ZERO, Room.DEFAULT));
     return new Simulation(config, drone -> (peer, text) -> {}, report -> {}, List.of(listener));
   }
 }

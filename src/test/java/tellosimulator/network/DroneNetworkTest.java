@@ -20,13 +20,13 @@ import org.junit.jupiter.api.condition.EnabledOnOs;
 import org.junit.jupiter.api.condition.OS;
 import tellosimulator.math.Vec3;
 import tellosimulator.sim.Control;
+import tellosimulator.sim.Formation;
 import tellosimulator.sim.SimConfig;
 import tellosimulator.sim.SimConfig.StreamPorts;
 import tellosimulator.sim.SimEvent;
 import tellosimulator.sim.SimListener;
 import tellosimulator.sim.Simulation;
 import tellosimulator.sim.SimulationLoop;
-import tellosimulator.sim.Swarm;
 import tellosimulator.testing.CapturedLog;
 import tellosimulator.time.TimeFactor;
 import tellosimulator.world.Room;
@@ -297,7 +297,7 @@ class DroneNetworkTest {
     int drones = network.addresses().size();
     SimConfig config =
         SimConfig.DEFAULT
-            .withRoom(Room.DEFAULT, Swarm.row(drones, Vec3.ZERO, Room.DEFAULT))
+            .withRoom(Room.DEFAULT, Formation.row(drones, Vec3.ZERO, Room.DEFAULT))
             .withTimeFactor(new TimeFactor(20))
             .withStreamPorts(new StreamPorts(statePort, 11_111));
     Simulation simulation =

@@ -33,11 +33,11 @@ import tellosimulator.scenario.Description;
 import tellosimulator.scenario.Scenario;
 import tellosimulator.scenario.ScenarioFile;
 import tellosimulator.sim.Control;
+import tellosimulator.sim.Formation;
 import tellosimulator.sim.SimConfig;
 import tellosimulator.sim.SimEvent;
 import tellosimulator.sim.SimListener;
 import tellosimulator.sim.SimSnapshot;
-import tellosimulator.sim.Swarm;
 import tellosimulator.testing.CapturedLog;
 import tellosimulator.testing.SimulatedDrones;
 import tellosimulator.testing.SteppedDrone;
@@ -174,7 +174,7 @@ class FlightRecorderTest {
   }
 
   private static SimConfig three() {
-    return SimConfig.DEFAULT.withRoom(Room.DEFAULT, Swarm.row(3, Vec3.ZERO, Room.DEFAULT));
+    return SimConfig.DEFAULT.withRoom(Room.DEFAULT, Formation.row(3, Vec3.ZERO, Room.DEFAULT));
   }
 
   @Test

@@ -14,8 +14,8 @@ import tellosimulator.sim.SimConfig;
 
 class InputHistoryTest {
 
-  private static final Start START =
-      new Start(SimConfig.DEFAULT, Challenge.NONE, OptionalInt.empty());
+  private static final InitialConditions START =
+      new InitialConditions(SimConfig.DEFAULT, Challenge.NONE, OptionalInt.empty());
 
   private final InputHistory inputs = new InputHistory();
 

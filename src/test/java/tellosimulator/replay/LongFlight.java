@@ -12,15 +12,15 @@ import tellosimulator.goal.Challenge;
 import tellosimulator.math.Vec3;
 import tellosimulator.profile.Behavior;
 import tellosimulator.profile.Profile;
+import tellosimulator.recording.InitialConditions;
 import tellosimulator.recording.RecordedInput;
 import tellosimulator.recording.RecordingFolder;
-import tellosimulator.recording.Start;
 import tellosimulator.recording.UnreadableRecordingException;
 import tellosimulator.scenario.Scenario;
 import tellosimulator.sim.Control;
+import tellosimulator.sim.Formation;
 import tellosimulator.sim.SimConfig;
 import tellosimulator.sim.SimInput;
-import tellosimulator.sim.Swarm;
 import tellosimulator.testing.SteppedDrone;
 import tellosimulator.time.SimTime;
 import tellosimulator.world.Room;
@@ -67,7 +67,7 @@ public final class LongFlight {
 
   private static final SimConfig CONFIG =
       SimConfig.DEFAULT
-          .withRoom(HALL, Swarm.row(1, Vec3.ZERO, HALL))
+          .withRoom(HALL, Formation.row(1, Vec3.ZERO, HALL))
           .withProduct(Profile.EDU, Behavior.MEASURED)
           .withSeed(5);
 
@@ -90,7 +90,7 @@ public final class LongFlight {
     LongFlight flight = new LongFlight(hours);
     Path recorded =
         new RepeatedFlight(
-                new Start(CONFIG, Challenge.NONE, OptionalInt.empty()),
+                new InitialConditions(CONFIG, Challenge.NONE, OptionalInt.empty()),
                 "A long flight",
                 Scenario.of(CONFIG),
                 RecordingFolder.at(parent.resolve("recorded")))

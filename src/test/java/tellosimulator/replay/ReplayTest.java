@@ -33,8 +33,8 @@ import tellosimulator.profile.Profile;
 import tellosimulator.recording.RecordingFolder;
 import tellosimulator.scenario.Description;
 import tellosimulator.scenario.Scenario;
+import tellosimulator.sim.Formation;
 import tellosimulator.sim.SimConfig;
-import tellosimulator.sim.Swarm;
 import tellosimulator.time.TimeFactor;
 import tellosimulator.words.Phrase;
 import tellosimulator.world.Obstacle;
@@ -55,7 +55,7 @@ class ReplayTest {
             "pole", new Shape.Cylinder(0.1, 2), new Vec3(1.5, 0, 0), 0, ObstacleAppearance.DEFAULT);
     SimConfig config =
         SimConfig.DEFAULT
-            .withRoom(HALL, Swarm.row(drones, Vec3.ZERO, HALL))
+            .withRoom(HALL, Formation.row(drones, Vec3.ZERO, HALL))
             .withProduct(Profile.EDU, behavior)
             .withTimeFactor(factor)
             .withLink(LinkPreset.IDEAL) // a program that waits for a lost reply waits for ever

@@ -16,11 +16,11 @@ import tellosimulator.scenery.mesh.Instance;
 import tellosimulator.scenery.mesh.Mesh;
 import tellosimulator.scenery.mesh.Shading;
 import tellosimulator.scenery.mesh.Texture;
+import tellosimulator.sim.Formation;
 import tellosimulator.sim.SimConfig;
 import tellosimulator.sim.SimSnapshot;
 import tellosimulator.sim.SimSnapshot.DroneSnapshot;
 import tellosimulator.sim.Simulation;
-import tellosimulator.sim.Swarm;
 import tellosimulator.world.Room;
 
 class SceneBuilderTest {
@@ -168,7 +168,7 @@ class SceneBuilderTest {
 
   private static SimSnapshot drones(int count) {
     SimConfig config =
-        SimConfig.DEFAULT.withRoom(Room.DEFAULT, Swarm.row(count, Vec3.ZERO, Room.DEFAULT));
+        SimConfig.DEFAULT.withRoom(Room.DEFAULT, Formation.row(count, Vec3.ZERO, Room.DEFAULT));
     return new Simulation(config, drone -> (peer, text) -> {}, report -> {}, List.of()).snapshot();
   }
 

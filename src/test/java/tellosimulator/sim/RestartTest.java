@@ -60,7 +60,7 @@ class RestartTest {
 
   @Test
   void asManyDronesAsBeforeMustBeThere() {
-    SimConfig two = CONFIG.withRoom(Room.DEFAULT, Swarm.row(2, Vec3.ZERO, Room.DEFAULT));
+    SimConfig two = CONFIG.withRoom(Room.DEFAULT, Formation.row(2, Vec3.ZERO, Room.DEFAULT));
 
     assertThatIllegalArgumentException()
         .isThrownBy(() -> simulation.control(new Control.Restart(two)))

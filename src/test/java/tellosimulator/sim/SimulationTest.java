@@ -499,7 +499,7 @@ class SimulationTest {
 
   private Simulation simulation(SimListener... listeners) {
     SimConfig config =
-        SimConfig.DEFAULT.withRoom(Room.DEFAULT, Swarm.row(2, Vec3.ZERO, Room.DEFAULT));
+        SimConfig.DEFAULT.withRoom(Room.DEFAULT, Formation.row(2, Vec3.ZERO, Room.DEFAULT));
     return new Simulation(
         config, drone -> (peer, text) -> replies.add(text), states::add, List.of(listeners));
   }

@@ -73,7 +73,7 @@ public final class TraceProgram implements SimListener {
                 .withProduct(Profile.EDU, Behavior.MEASURED)
                 .withLink(LinkPreset.IDEAL)
                 .withFaults(FAULTS.stream().map(Fault::of).toList())
-                .withRoom(room, Swarm.row(DRONES, Vec3.ZERO, room))
+                .withRoom(room, Formation.row(DRONES, Vec3.ZERO, room))
                 .withTimeFactor(factor)
                 .withSeed(seed),
             drone -> (peer, text) -> replied(drone, text),

@@ -19,10 +19,10 @@ import tellosimulator.profile.Behavior;
 import tellosimulator.profile.Profile;
 import tellosimulator.sim.Control;
 import tellosimulator.sim.DroneSetup;
+import tellosimulator.sim.Formation;
 import tellosimulator.sim.SimConfig;
 import tellosimulator.sim.SimConfig.Product;
 import tellosimulator.sim.SimConfig.StreamPorts;
-import tellosimulator.sim.Swarm;
 import tellosimulator.video.camera.FrameSource;
 import tellosimulator.video.codec.H264Encoder;
 import tellosimulator.world.Room;
@@ -58,7 +58,7 @@ final class FilmedDrones implements AutoCloseable {
     List<StreamPorts> streamPorts =
         IntStream.of(videoPorts).mapToObj(port -> new StreamPorts(9, port)).toList();
     Product product = new Product(profile, Behavior.REPORT);
-    List<Pose> starts = Swarm.row(videoPorts.length, Vec3.ZERO, Room.DEFAULT);
+    List<Pose> starts = Formation.row(videoPorts.length, Vec3.ZERO, Room.DEFAULT);
     SimConfig config =
         SimConfig.DEFAULT.withDrones(
             IntStream.range(0, starts.size())

@@ -7,11 +7,11 @@ import tellosimulator.math.Vec3;
 import tellosimulator.model.DroneState;
 import tellosimulator.model.FlightPhase;
 import tellosimulator.model.Motion;
+import tellosimulator.sim.Formation;
 import tellosimulator.sim.SimConfig;
 import tellosimulator.sim.SimSnapshot;
 import tellosimulator.sim.SimSnapshot.DroneSnapshot;
 import tellosimulator.sim.Simulation;
-import tellosimulator.sim.Swarm;
 import tellosimulator.world.Arena;
 import tellosimulator.world.Decor;
 
@@ -32,7 +32,7 @@ final class FlyingSnapshots {
 
   /** The same in a room with other things in it. */
   static SimSnapshot flying(Arena arena, Pose... poses) {
-    List<Pose> starts = Swarm.row(poses.length, Vec3.ZERO, arena.room());
+    List<Pose> starts = Formation.row(poses.length, Vec3.ZERO, arena.room());
     SimConfig config = SimConfig.DEFAULT.withRoom(arena.room(), starts).withArena(arena);
     Simulation simulation =
         new Simulation(config, number -> (peer, text) -> {}, report -> {}, List.of());

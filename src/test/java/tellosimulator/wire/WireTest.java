@@ -24,7 +24,7 @@ class WireTest {
   }
 
   @Test
-  void everyProfileAndBehaviourHasRows() {
+  void everyProfileAndBehaviorHasRows() {
     for (Profile profile : Profile.values()) {
       for (Behavior behavior : Behavior.values()) {
         assertThat(rows)

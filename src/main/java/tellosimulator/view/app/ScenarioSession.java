@@ -8,7 +8,7 @@ import javafx.application.Platform;
 import javafx.stage.Stage;
 import javafx.util.Subscription;
 import tellosimulator.goal.Challenge;
-import tellosimulator.goal.GoalNews;
+import tellosimulator.goal.GoalEvent;
 import tellosimulator.goal.GoalWatch;
 import tellosimulator.network.AddressPlan;
 import tellosimulator.network.OnlineSimulation;
@@ -92,7 +92,7 @@ final class ScenarioSession implements AutoCloseable {
     recorder.attach(simulation, video.streams());
   }
 
-  private void tell(GoalNews news) {
+  private void tell(GoalEvent news) {
     logQueue.event(news);
     recorder.event(news);
   }

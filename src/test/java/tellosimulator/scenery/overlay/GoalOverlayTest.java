@@ -15,10 +15,10 @@ import tellosimulator.math.Vec3;
 import tellosimulator.scenery.mesh.Instance;
 import tellosimulator.scenery.mesh.Rgb;
 import tellosimulator.scenery.mesh.Shading;
+import tellosimulator.sim.Formation;
 import tellosimulator.sim.SimConfig;
 import tellosimulator.sim.SimSnapshot;
 import tellosimulator.sim.Simulation;
-import tellosimulator.sim.Swarm;
 import tellosimulator.world.Room;
 import tellosimulator.world.Shape;
 
@@ -55,7 +55,7 @@ class GoalOverlayTest {
   }
 
   @Test
-  void doneIsGreenActiveHasTheAccentAndLaterIsGrey() {
+  void doneIsGreenActiveHasTheAccentAndLaterIsGray() {
     overlay.showGoalLine(false);
     for (GoalState state : GoalState.values()) {
       show(mark(1, state, BALL));
@@ -207,7 +207,8 @@ class GoalOverlayTest {
   }
 
   private static SimSnapshot snapshot() {
-    SimConfig two = SimConfig.DEFAULT.withRoom(Room.DEFAULT, Swarm.row(2, Vec3.ZERO, Room.DEFAULT));
+    SimConfig two =
+        SimConfig.DEFAULT.withRoom(Room.DEFAULT, Formation.row(2, Vec3.ZERO, Room.DEFAULT));
     return new Simulation(two, drone -> (peer, text) -> {}, report -> {}, List.of()).snapshot();
   }
 }

@@ -11,10 +11,10 @@ import tellosimulator.math.Pose;
 import tellosimulator.math.Vec3;
 import tellosimulator.scenery.mesh.Instance;
 import tellosimulator.sim.Control;
+import tellosimulator.sim.Formation;
 import tellosimulator.sim.SimConfig;
 import tellosimulator.sim.SimSnapshot;
 import tellosimulator.sim.Simulation;
-import tellosimulator.sim.Swarm;
 import tellosimulator.testing.SteppedDrone;
 import tellosimulator.world.Room;
 
@@ -79,7 +79,7 @@ class OverlayTest {
   @Test
   void onlyDronesThatCouldBeTakenForEachOtherHaveNumbers() {
     SimConfig three =
-        SimConfig.DEFAULT.withRoom(Room.DEFAULT, Swarm.row(3, Vec3.ZERO, Room.DEFAULT));
+        SimConfig.DEFAULT.withRoom(Room.DEFAULT, Formation.row(3, Vec3.ZERO, Room.DEFAULT));
     SimSnapshot snapshot = simulation(three).snapshot();
 
     assertThat(new Overlay(snapshot).instances(snapshot, CAMERA)).hasSize(3);

@@ -37,10 +37,10 @@ import tellosimulator.scenario.EditedScenario;
 import tellosimulator.scenario.OpenedScenario;
 import tellosimulator.scenario.Scenario;
 import tellosimulator.sim.Control;
+import tellosimulator.sim.Formation;
 import tellosimulator.sim.SimConfig;
 import tellosimulator.sim.SimConfig.StreamPorts;
 import tellosimulator.sim.SimSnapshot;
-import tellosimulator.sim.Swarm;
 import tellosimulator.video.camera.DroneOptics;
 import tellosimulator.view.layout.WindowState;
 import tellosimulator.view.log.LogQueue;
@@ -108,7 +108,7 @@ final class WholeWindow implements AutoCloseable {
    */
   static WholeWindow ofDrones(int count, Path folder) {
     return open(
-        SimConfig.DEFAULT.withRoom(Room.DEFAULT, Swarm.row(count, Vec3.ZERO, Room.DEFAULT)),
+        SimConfig.DEFAULT.withRoom(Room.DEFAULT, Formation.row(count, Vec3.ZERO, Room.DEFAULT)),
         folder.resolve("settings"));
   }
 

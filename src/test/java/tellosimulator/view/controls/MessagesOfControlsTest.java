@@ -38,7 +38,7 @@ class MessagesOfControlsTest {
 
   @ParameterizedTest
   @EnumSource
-  void everyBehaviourHasAName(Behavior behavior) {
+  void everyBehaviorHasAName(Behavior behavior) {
     assertThat(german.now("behaviour." + behavior.option())).isNotBlank();
     assertThat(german.now("behaviour." + behavior.option() + ".hint")).isNotBlank();
   }

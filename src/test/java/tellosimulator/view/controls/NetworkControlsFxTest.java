@@ -254,7 +254,7 @@ class NetworkControlsFxTest {
   }
 
   @Test
-  void profileAndBehaviourMakeAnotherProduct(FxRobot robot) {
+  void profileAndBehaviorMakeAnotherProduct(FxRobot robot) {
     window.enter("#state-port", "18890");
 
     robot.clickOn("#profile-tello");

@@ -34,10 +34,10 @@ import tellosimulator.network.AddressPlan;
 import tellosimulator.network.OnlineSimulation;
 import tellosimulator.network.PortTakenException;
 import tellosimulator.sim.Control;
+import tellosimulator.sim.Formation;
 import tellosimulator.sim.SimConfig;
 import tellosimulator.sim.SimSnapshot;
 import tellosimulator.sim.SimSnapshot.DroneSnapshot;
-import tellosimulator.sim.Swarm;
 import tellosimulator.video.camera.DroneOptics;
 import tellosimulator.view.model.ViewContext;
 import tellosimulator.view.text.Language;
@@ -60,7 +60,7 @@ final class PanelWindow implements AutoCloseable {
     simulation =
         new OnlineSimulation(
             SimConfig.DEFAULT
-                .withRoom(Room.DEFAULT, Swarm.row(drones, Vec3.ZERO, Room.DEFAULT))
+                .withRoom(Room.DEFAULT, Formation.row(drones, Vec3.ZERO, Room.DEFAULT))
                 .withStreamPorts(new SimConfig.StreamPorts(UNUSED_PORT, UNUSED_PORT + 1)),
             AddressPlan.of(Collections.nCopies(drones, loopback), 0),
             OptionalInt.empty(),

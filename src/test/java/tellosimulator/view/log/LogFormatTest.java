@@ -11,7 +11,7 @@ import java.util.Locale;
 import org.junit.jupiter.api.Test;
 import tellosimulator.command.Peer;
 import tellosimulator.controller.FlightEvent;
-import tellosimulator.goal.GoalNews;
+import tellosimulator.goal.GoalEvent;
 import tellosimulator.network.PortTakenException;
 import tellosimulator.sim.SimEvent;
 import tellosimulator.time.SimTime;
@@ -53,7 +53,7 @@ class LogFormatTest {
         LogLine.of(new SimEvent.WorldChanged(SimTime.ZERO, Phrase.of("time stands still")));
     LogLine all =
         LogLine.of(
-            new GoalNews.Over(
+            new GoalEvent.Over(
                 SimTime.ZERO, Phrase.of("all goals are reached after %.1f s", 2.0), false));
 
     assertThat(alone.words(command)).startsWith("`takeoff` from");

@@ -40,9 +40,9 @@ import tellosimulator.controller.FlightEvent;
 import tellosimulator.math.Vec3;
 import tellosimulator.network.AddressPlan;
 import tellosimulator.network.OnlineSimulation;
+import tellosimulator.sim.Formation;
 import tellosimulator.sim.SimConfig;
 import tellosimulator.sim.SimEvent;
-import tellosimulator.sim.Swarm;
 import tellosimulator.time.SimTime;
 import tellosimulator.video.camera.DroneOptics;
 import tellosimulator.view.model.ViewContext;
@@ -70,7 +70,7 @@ class LogPaneFxTest {
     Application.setUserAgentStylesheet(new PrimerLight().getUserAgentStylesheet());
     simulation =
         new OnlineSimulation(
-            SimConfig.DEFAULT.withRoom(Room.DEFAULT, Swarm.row(2, Vec3.ZERO, Room.DEFAULT)),
+            SimConfig.DEFAULT.withRoom(Room.DEFAULT, Formation.row(2, Vec3.ZERO, Room.DEFAULT)),
             AddressPlan.portPerDrone(2, List.of(address("127.0.0.1", 0).getAddress()), 0),
             OptionalInt.empty(),
             List.of());

@@ -31,8 +31,8 @@ import org.testfx.framework.junit5.Start;
 import tellosimulator.math.Vec3;
 import tellosimulator.model.FlightPhase;
 import tellosimulator.sim.Control;
+import tellosimulator.sim.Formation;
 import tellosimulator.sim.SimConfig;
-import tellosimulator.sim.Swarm;
 import tellosimulator.time.TimeFactor;
 import tellosimulator.view.model.FxSimulation;
 import tellosimulator.world.Room;
@@ -51,7 +51,7 @@ class PilotControlsFxTest {
     window =
         new FlownWindow(
             SimConfig.DEFAULT
-                .withRoom(Room.DEFAULT, Swarm.row(2, Vec3.ZERO, Room.DEFAULT))
+                .withRoom(Room.DEFAULT, Formation.row(2, Vec3.ZERO, Room.DEFAULT))
                 .withTimeFactor(new TimeFactor(10)));
     controls = new PilotControls(window.context());
     TextField field = new TextField();

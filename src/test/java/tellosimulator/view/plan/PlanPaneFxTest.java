@@ -28,9 +28,9 @@ import tellosimulator.goal.GoalState;
 import tellosimulator.math.Pose;
 import tellosimulator.math.Vec3;
 import tellosimulator.sim.Control;
+import tellosimulator.sim.Formation;
 import tellosimulator.sim.SimConfig;
 import tellosimulator.sim.SimConfig.StreamPorts;
-import tellosimulator.sim.Swarm;
 import tellosimulator.view.model.ViewContext;
 import tellosimulator.view.testing.WindowFixture;
 import tellosimulator.world.Arena;
@@ -44,7 +44,7 @@ class PlanPaneFxTest {
 
   private static final SimConfig TWO_DRONES =
       SimConfig.DEFAULT
-          .withRoom(Room.DEFAULT, Swarm.row(2, Vec3.ZERO, Room.DEFAULT))
+          .withRoom(Room.DEFAULT, Formation.row(2, Vec3.ZERO, Room.DEFAULT))
           .withStreamPorts(new StreamPorts(9, 9));
 
   @RegisterExtension

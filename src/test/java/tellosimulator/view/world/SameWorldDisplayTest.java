@@ -26,8 +26,8 @@ import tellosimulator.math.Pose;
 import tellosimulator.math.Vec3;
 import tellosimulator.model.FlightPhase;
 import tellosimulator.scenery.SceneBuilder;
+import tellosimulator.sim.Formation;
 import tellosimulator.sim.SimConfig;
-import tellosimulator.sim.Swarm;
 import tellosimulator.video.camera.ColorSpace;
 import tellosimulator.video.camera.DroneOptics;
 import tellosimulator.video.camera.FrameBuffer;
@@ -53,7 +53,7 @@ class SameWorldDisplayTest {
   /** The second drone, which is orange, stands 0.9 m ahead of the first one, a little aside. */
   private static final List<Pose> STARTS =
       List.of(
-          Swarm.row(1, Vec3.ZERO, Room.DEFAULT).get(0),
+          Formation.row(1, Vec3.ZERO, Room.DEFAULT).get(0),
           new Pose(new Vec3(0.9, -0.1, 0), Attitude.ofHeading(1)));
 
   @RegisterExtension

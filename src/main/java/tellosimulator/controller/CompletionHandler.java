@@ -4,8 +4,8 @@ import tellosimulator.command.Reply;
 import tellosimulator.command.Responder;
 import tellosimulator.words.Phrase;
 
-/** Who waits for the end of the present maneuver, and for which answer. */
-interface Task {
+/** Is told how a maneuver ended, and answers whoever waits for that. */
+interface CompletionHandler {
 
   /** The maneuver ended as planned. */
   void done();
@@ -17,8 +17,8 @@ interface Task {
   String text();
 
   /** Nobody waits: the drone hovers, or lands by itself. */
-  Task NOBODY =
-      new Task() {
+  CompletionHandler NOBODY =
+      new CompletionHandler() {
         @Override
         public void done() {}
 
@@ -32,13 +32,13 @@ interface Task {
       };
 
   /** The sender of a command waits. */
-  static Task of(Responder responder) {
+  static CompletionHandler of(Responder responder) {
     return then(responder, () -> responder.reply(Reply.OK));
   }
 
   /** The sender of a command waits, but something else comes first. */
-  static Task then(Responder responder, Runnable next) {
-    return new Task() {
+  static CompletionHandler then(Responder responder, Runnable next) {
+    return new CompletionHandler() {
       @Override
       public void done() {
         next.run();

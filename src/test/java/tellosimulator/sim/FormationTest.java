@@ -14,7 +14,7 @@ import tellosimulator.math.Vec3;
 import tellosimulator.model.DroneSpec;
 import tellosimulator.world.Room;
 
-class SwarmTest {
+class FormationTest {
 
   private static final double TINY = 1e-12;
 
@@ -22,13 +22,13 @@ class SwarmTest {
   void oneDroneStandsInTheMiddleAndLooksAlongX() {
     Vec3 middle = new Vec3(1, -0.5, 0);
 
-    assertThat(Swarm.row(1, middle, Room.DEFAULT))
+    assertThat(Formation.row(1, middle, Room.DEFAULT))
         .containsExactly(new Pose(middle, Attitude.LEVEL));
   }
 
   @Test
   void neighborsAre60CentimetersApartTheFirstOneAtTheLeft() {
-    List<Pose> starts = Swarm.row(3, Vec3.ZERO, Room.DEFAULT);
+    List<Pose> starts = Formation.row(3, Vec3.ZERO, Room.DEFAULT);
 
     assertThat(starts).extracting(start -> start.position().y()).containsExactly(0.6, 0.0, -0.6);
     assertThat(starts).extracting(start -> start.position().x()).containsOnly(0.0);
@@ -36,7 +36,7 @@ class SwarmTest {
 
   @Test
   void anEvenNumberStandsAroundTheMiddle() {
-    List<Pose> starts = Swarm.row(2, Vec3.ZERO, Room.DEFAULT);
+    List<Pose> starts = Formation.row(2, Vec3.ZERO, Room.DEFAULT);
 
     assertThat(starts.get(0).position().y()).isCloseTo(0.3, within(TINY));
     assertThat(starts.get(1).position().y()).isCloseTo(-0.3, within(TINY));
@@ -53,7 +53,7 @@ class SwarmTest {
           19, 3
           """)
   void whatDoesNotFitBesideStandsBehind(int drones, int rows) {
-    List<Pose> starts = Swarm.row(drones, Vec3.ZERO, Room.DEFAULT);
+    List<Pose> starts = Formation.row(drones, Vec3.ZERO, Room.DEFAULT);
 
     assertThat(starts).hasSize(drones);
     assertThat(starts.stream().map(start -> start.position().x()).distinct()).hasSize(rows);
@@ -71,16 +71,16 @@ class SwarmTest {
   void tooManyAreRefusedWithThePlaceThatIsOutside() {
     // Rows of 9 at x 0, -0.6, -1.2, -1.8 and -2.4, which is 10 cm from the wall; the collider has
     // 8.7.
-    assertThat(Swarm.row(45, Vec3.ZERO, Room.DEFAULT)).hasSize(45);
+    assertThat(Formation.row(45, Vec3.ZERO, Room.DEFAULT)).hasSize(45);
     assertThatIllegalArgumentException()
-        .isThrownBy(() -> Swarm.row(46, Vec3.ZERO, Room.DEFAULT))
+        .isThrownBy(() -> Formation.row(46, Vec3.ZERO, Room.DEFAULT))
         .withMessage("drone 46 does not fit into the room: its start would be at x -300, y 0 cm");
   }
 
   @Test
   void aStartOutsideTheRoomIsRefused() {
     assertThatIllegalArgumentException()
-        .isThrownBy(() -> Swarm.row(1, new Vec3(0, 3, 0), Room.DEFAULT))
+        .isThrownBy(() -> Formation.row(1, new Vec3(0, 3, 0), Room.DEFAULT))
         .withMessage("drone 1 does not fit into the room: its start would be at x 0, y 300 cm");
   }
 }

@@ -5,15 +5,15 @@ import tellosimulator.sim.SimEvent;
 import tellosimulator.time.SimTime;
 import tellosimulator.words.Phrase;
 
-/** News of the goals of a scenario, told after all other events of the step. */
-public sealed interface GoalNews extends SimEvent {
+/** An event about the goals of a scenario, told after all other events of the step. */
+public sealed interface GoalEvent extends SimEvent {
 
   /**
    * A drone reached a goal.
    *
    * @param phrase a clause about the drone: {@code reached goal 1 of 3}
    */
-  record Reached(SimTime time, int drone, Phrase phrase) implements GoalNews, SimEvent.ForDrone {
+  record Reached(SimTime time, int drone, Phrase phrase) implements GoalEvent, SimEvent.ForDrone {
 
     @Override
     public boolean lacksSubject() {
@@ -26,7 +26,7 @@ public sealed interface GoalNews extends SimEvent {
    *
    * @param failed whether they cannot
    */
-  record Over(SimTime time, Phrase phrase, boolean failed) implements GoalNews {
+  record Over(SimTime time, Phrase phrase, boolean failed) implements GoalEvent {
 
     @Override
     public Severity severity() {

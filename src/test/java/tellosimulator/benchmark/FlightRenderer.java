@@ -17,7 +17,7 @@ import tellosimulator.video.camera.FrameSource;
 import tellosimulator.video.picture.Picture;
 
 /** Films the recorded flight with the software camera, in the default room. */
-final class Projectionist {
+final class FlightRenderer {
 
   private final FlightPoses flight = FlightPoses.read(FlightPoses.FILE);
   private final SimSnapshot empty =

@@ -3,11 +3,11 @@ package tellosimulator.physics;
 import tellosimulator.math.Vec3;
 
 /**
- * What a drone knows of the wind: the push that its accelerometer feels beyond its own thrust and
- * the drag of still air. It knows it late, so gusts still move it. In still air it is exactly zero.
- * For one drone and one thread.
+ * Estimates how the wind pushes a drone: by what its accelerometer feels beyond its own thrust and
+ * the drag of still air. The estimate is late, so gusts still move the drone. In still air it is
+ * exactly zero. For one drone and one thread.
  */
-final class WindSense {
+final class WindEstimator {
 
   /** How late it is [s]. Assumed: as long as a drone takes to lean against a push. */
   private static final double LAG = 0.4;
@@ -17,23 +17,23 @@ final class WindSense {
 
   private Vec3 push = Vec3.ZERO;
 
-  /** Acceleration by the wind, as far as it is known, room frame [m/s²]. */
+  /** The estimated acceleration by the wind, room frame [m/s²]. */
   Vec3 push() {
     return push;
   }
 
   /** Stands on something, where the wind does not move it. */
-  void forget() {
+  void reset() {
     push = Vec3.ZERO;
   }
 
   /**
-   * Feels the air for a step.
+   * Moves the estimate on by a step.
    *
    * @param velocity of the drone, room frame [m/s]
    * @param wind velocity of the air, room frame [m/s]
    */
-  void feel(Vec3 velocity, Vec3 wind, double seconds) {
+  void update(Vec3 velocity, Vec3 wind, double seconds) {
     if (wind.equals(Vec3.ZERO) && push.equals(Vec3.ZERO)) {
       return;
     }

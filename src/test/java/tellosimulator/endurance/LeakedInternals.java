@@ -5,13 +5,13 @@ import java.util.regex.Pattern;
 import tellosimulator.benchmark.Measurement;
 
 /** What nobody should read in a log: names of classes, and places in the code. */
-final class Insides {
+final class LeakedInternals {
 
   private static final Pattern INSIDES =
       Pattern.compile(
           "Exception|Error\\b|\\bat [\\w.$]+\\([\\w.]+|java\\.(lang|io|util)|please report");
 
-  private Insides() {}
+  private LeakedInternals() {}
 
   /** The first line that speaks of the program's insides; empty if there is none. */
   static String first(String text) {

@@ -12,10 +12,10 @@ import tellosimulator.sim.SimConfig;
  * @param challenge what the drones shall do
  * @param replyPort port to which all replies go; empty for the port each command came from
  */
-public record Start(SimConfig config, Challenge challenge, OptionalInt replyPort) {
+public record InitialConditions(SimConfig config, Challenge challenge, OptionalInt replyPort) {
 
   /** The same for drones that shall do something else. */
-  Start withChallenge(Challenge newChallenge) {
-    return new Start(config, newChallenge, replyPort);
+  InitialConditions withChallenge(Challenge newChallenge) {
+    return new InitialConditions(config, newChallenge, replyPort);
   }
 }

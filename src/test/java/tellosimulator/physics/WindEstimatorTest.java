@@ -7,18 +7,18 @@ import org.junit.jupiter.api.Test;
 import tellosimulator.math.Vec3;
 import tellosimulator.model.DroneSpec;
 
-class WindSenseTest {
+class WindEstimatorTest {
 
   private static final double STEP = 0.005;
   private static final Vec3 WIND = new Vec3(3, 0, 0);
 
-  private final WindSense sense = new WindSense();
+  private final WindEstimator estimator = new WindEstimator();
 
   @Test
   void inStillAirItIsExactlyZeroHoweverFastADroneFlies() {
-    sense.feel(new Vec3(4, -2, 1), Vec3.ZERO, STEP);
+    estimator.update(new Vec3(4, -2, 1), Vec3.ZERO, STEP);
 
-    assertThat(sense.push()).isSameAs(Vec3.ZERO);
+    assertThat(estimator.push()).isSameAs(Vec3.ZERO);
   }
 
   /** After its lag of 0.4 s a first-order lag knows 1 - 1/e of the push, 63 %. */
@@ -27,9 +27,9 @@ class WindSenseTest {
     double push = DroneSpec.LINEAR_DRAG * 3 + DroneSpec.QUADRATIC_DRAG * 9;
 
     feel(WIND, 0.4);
-    assertThat(sense.push().x()).isCloseTo(0.632 * push, within(0.01 * push));
+    assertThat(estimator.push().x()).isCloseTo(0.632 * push, within(0.01 * push));
     feel(WIND, 4);
-    assertThat(sense.push().x()).isCloseTo(push, within(0.001 * push));
+    assertThat(estimator.push().x()).isCloseTo(push, within(0.001 * push));
   }
 
   @Test
@@ -38,21 +38,21 @@ class WindSenseTest {
 
     feel(Vec3.ZERO, 8);
 
-    assertThat(sense.push()).isSameAs(Vec3.ZERO);
+    assertThat(estimator.push()).isSameAs(Vec3.ZERO);
   }
 
   @Test
   void aDroneThatStandsForgetsTheWind() {
     feel(WIND, 2);
 
-    sense.forget();
+    estimator.reset();
 
-    assertThat(sense.push()).isSameAs(Vec3.ZERO);
+    assertThat(estimator.push()).isSameAs(Vec3.ZERO);
   }
 
   private void feel(Vec3 wind, double seconds) {
     for (int i = 0; i < Math.round(seconds / STEP); i++) {
-      sense.feel(Vec3.ZERO, wind, STEP);
+      estimator.update(Vec3.ZERO, wind, STEP);
     }
   }
 }

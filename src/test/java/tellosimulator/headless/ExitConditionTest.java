@@ -21,7 +21,7 @@ import tellosimulator.sim.SimConfig;
 import tellosimulator.testing.SimulatedDrones;
 
 @Timeout(20)
-class EndingTest {
+class ExitConditionTest {
 
   private static final Goal FRONT =
       new Goal.Land(OptionalInt.empty(), new GoalRegion(new Vec3(1, 0, 0), 0.1));
@@ -30,21 +30,21 @@ class EndingTest {
       new GoalWatch(
           new Challenge(List.of(FRONT), false, OptionalDouble.of(60), false), event -> {});
 
-  private static final Ending.IdleLimits QUICK = new Ending.IdleLimits(2, 4, 12);
+  private static final ExitCondition.IdleLimits QUICK = new ExitCondition.IdleLimits(2, 4, 12);
 
-  private final Ending ending = new Ending(goals, QUICK);
+  private final ExitCondition exitCondition = new ExitCondition(goals, QUICK);
 
   private final SimulatedDrones drones =
-      new SimulatedDrones(SimConfig.DEFAULT, List.of(goals, ending));
+      new SimulatedDrones(SimConfig.DEFAULT, List.of(goals, exitCondition));
 
   @Test
   void theResultIsThatOfTheLastGoal() throws InterruptedException {
     drones.fly("command", "takeoff", "forward 100", "land");
     drones.advance(1);
 
-    Progress result = ending.awaitResult(NEVER);
+    Progress result = exitCondition.awaitResult(NEVER);
     assertThat(result.status()).isEqualTo(Status.REACHED);
-    ending.awaitRest(NEVER);
+    exitCondition.awaitRest(NEVER);
   }
 
   @Test
@@ -56,12 +56,12 @@ class EndingTest {
     drones.fly("battery?");
     drones.advance(15.1);
 
-    Progress result = ending.awaitResult(NEVER);
+    Progress result = exitCondition.awaitResult(NEVER);
     assertThat(result.status()).isEqualTo(Status.FAILED);
     assertThat(result.phrase().english())
         .endsWith(": all drones have landed, and no command came for 15 s");
     assertThat(result.elapsed() - landed).isCloseTo(29.9, within(0.02));
-    ending.awaitRest(NEVER);
+    exitCondition.awaitRest(NEVER);
   }
 
   @Test
@@ -69,13 +69,13 @@ class EndingTest {
     drones.fly("command", "takeoff", "land");
     Standing standing = new Standing();
 
-    Progress result = ending.awaitResult(standing);
+    Progress result = exitCondition.awaitResult(standing);
 
     assertThat(result.status()).isEqualTo(Status.FAILED);
     assertThat(result.count()).isZero();
     assertThat(standing.passed).containsExactly(15.0);
     assertThat(standing.looks).isLessThan(5);
-    ending.awaitRest(standing);
+    exitCondition.awaitRest(standing);
   }
 
   /** It lands by itself in the first 15 s, and is silent for 15 s after that. */
@@ -84,7 +84,7 @@ class EndingTest {
     drones.fly("command", "takeoff");
     Standing standing = new Standing();
 
-    Progress result = ending.awaitResult(standing);
+    Progress result = exitCondition.awaitResult(standing);
 
     assertThat(result.phrase().english()).contains("all drones have landed");
     assertThat(standing.passed).hasSizeBetween(2, 3);
@@ -96,7 +96,7 @@ class EndingTest {
     Standing standing = new Standing();
     standing.most = 20;
 
-    Progress result = ending.awaitResult(standing);
+    Progress result = exitCondition.awaitResult(standing);
 
     assertThat(result.status()).isEqualTo(Status.RUNNING);
     assertThat(standing.passed).isEmpty();
@@ -108,7 +108,7 @@ class EndingTest {
     drones.fly("command");
     Standing standing = new Standing();
 
-    Progress result = ending.awaitResult(standing);
+    Progress result = exitCondition.awaitResult(standing);
 
     assertThat(result.phrase().english())
         .endsWith(": no drone took off, and no command came for 60 s");
@@ -126,16 +126,16 @@ class EndingTest {
     Standing standing = new Standing();
     standing.most = 5;
 
-    assertThat(ending.awaitResult(standing).status()).isEqualTo(Status.RUNNING);
+    assertThat(exitCondition.awaitResult(standing).status()).isEqualTo(Status.RUNNING);
   }
 
   @Test
   void aTimeoutEndsProgramsThatNeverTakeOff() throws InterruptedException {
-    ending.limit(Optional.of(20.0));
+    exitCondition.limit(Optional.of(20.0));
     drones.fly("command");
     Standing standing = new Standing();
 
-    Progress result = ending.awaitResult(standing);
+    Progress result = exitCondition.awaitResult(standing);
 
     assertThat(result.phrase().english())
         .isEqualTo("goals: 0 of 1 reached after 0.0 s: no drone took off within 20 s");
@@ -146,10 +146,10 @@ class EndingTest {
   /** An interpreter loads its libraries before it says its first word. */
   @Test
   void aProgramThatStartsSlowlyIsWaitedForLongerThanOneThatHasSpoken() throws InterruptedException {
-    ending.limit(Optional.of(20.0));
+    exitCondition.limit(Optional.of(20.0));
     Standing standing = new Standing();
 
-    Progress result = ending.awaitResult(standing);
+    Progress result = exitCondition.awaitResult(standing);
 
     assertThat(result.phrase().english()).endsWith(": no drone took off within 20 s");
     assertThat(standing.looks).isGreaterThanOrEqualTo(12);
@@ -157,14 +157,14 @@ class EndingTest {
 
   @Test
   void aTimeoutEndsProgramsThatFlyForEver() throws InterruptedException {
-    ending.limit(Optional.of(20.0));
+    exitCondition.limit(Optional.of(20.0));
     drones.fly("command", "takeoff");
     for (int i = 0; i < 10; i++) {
       drones.fly("battery?");
       drones.advance(2);
     }
 
-    Progress result = ending.awaitResult(NEVER);
+    Progress result = exitCondition.awaitResult(NEVER);
 
     assertThat(result.status()).isEqualTo(Status.FAILED);
     assertThat(result.phrase().english()).endsWith(": the timeout of 20 s is over");
@@ -175,7 +175,7 @@ class EndingTest {
     GoalWatch over =
         new GoalWatch(
             new Challenge(List.of(FRONT), false, OptionalDouble.of(5), false), event -> {});
-    Ending late = new Ending(over, QUICK);
+    ExitCondition late = new ExitCondition(over, QUICK);
     SimulatedDrones flying = new SimulatedDrones(SimConfig.DEFAULT, List.of(over, late));
     flying.fly("command", "takeoff");
     flying.advance(16);
@@ -187,8 +187,8 @@ class EndingTest {
   }
 
   /** Time that passes by the clock. */
-  private static final Ending.Standstill NEVER =
-      new Ending.Standstill() {
+  private static final ExitCondition.Standstill NEVER =
+      new ExitCondition.Standstill() {
         @Override
         public boolean possible() {
           return false;
@@ -201,7 +201,7 @@ class EndingTest {
       };
 
   /** Time that stands still; counts how often that was asked, and ends the waiting some time. */
-  private final class Standing implements Ending.Standstill {
+  private final class Standing implements ExitCondition.Standstill {
 
     private final List<Double> passed = new ArrayList<>();
     private int most = 100;
@@ -211,7 +211,7 @@ class EndingTest {
     public boolean possible() {
       looks++;
       if (looks > most) {
-        ending.now();
+        exitCondition.now();
       }
       return true;
     }

@@ -9,13 +9,13 @@ import tellosimulator.math.Vec3;
 import tellosimulator.model.DroneSpec;
 import tellosimulator.world.Room;
 
-/** Where several drones stand before they fly. */
-public final class Swarm {
+/** The formation in which drones stand before they fly. */
+public final class Formation {
 
   /** Distance between neighbours [m]. Decided. */
   private static final double DISTANCE = 0.6;
 
-  private Swarm() {}
+  private Formation() {}
 
   /**
    * Drones side by side along y, the first one at the left, in as many rows behind each other as

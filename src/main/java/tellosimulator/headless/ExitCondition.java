@@ -14,13 +14,14 @@ import tellosimulator.time.SimTime;
 import tellosimulator.words.Phrase;
 
 /**
- * Waits for the verdict on a program: until goals are reached or missed, until nobody flies any
- * more, or has flown, and no command comes, or until the timeout; and then until the drones have
- * come down, so that no program loses its drone on the way to the ground.
+ * When a run ends by itself. It waits for the verdict on a program: until goals are reached or
+ * missed, until nobody flies any more, or has flown, and no command comes, or until the timeout;
+ * and then until the drones have come down, so that no program loses its drone on the way to the
+ * ground.
  *
  * <p>Hears of steps and events on the simulation thread; the others wait on threads of their own.
  */
-final class Ending implements SimListener {
+final class ExitCondition implements SimListener {
 
   /** Silence of standing drones that ends it [s]. Decided: as long as one in flight waits. */
   private static final double SILENCE = 15;
@@ -90,11 +91,11 @@ final class Ending implements SimListener {
   /**
    * @param goals is told of each step before
    */
-  Ending(GoalWatch goals) {
+  ExitCondition(GoalWatch goals) {
     this(goals, IdleLimits.DEFAULT);
   }
 
-  Ending(GoalWatch goals, IdleLimits limits) {
+  ExitCondition(GoalWatch goals, IdleLimits limits) {
     this.goals = goals;
     this.limits = limits;
   }
