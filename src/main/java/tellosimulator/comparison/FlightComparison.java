@@ -13,7 +13,6 @@ import tellosimulator.comparison.Tolerance.Aspect;
 import tellosimulator.recording.RecordedCommand;
 import tellosimulator.recording.RecordedFlight;
 import tellosimulator.recording.ReportedState;
-import tellosimulator.recording.StateLog;
 import tellosimulator.recording.UnreadableRecordingException;
 
 /**
@@ -53,7 +52,7 @@ public record FlightComparison(List<CommandPair> pairs) {
      * @throws IOException if a file of it cannot be read
      */
     public static Flight read(Path folder) throws UnreadableRecordingException, IOException {
-      return new Flight(RecordedFlight.read(folder), StateLog.read(folder));
+      return new Flight(RecordedFlight.read(folder), ReportedState.readAll(folder));
     }
 
     private Sequence sequence(int drone) {

@@ -16,7 +16,6 @@ import tellosimulator.recording.RecordedFlight;
 import tellosimulator.recording.Sample;
 import tellosimulator.recording.StateNumbers;
 import tellosimulator.recording.Track;
-import tellosimulator.recording.WireLog;
 
 /**
  * A recording as channels of messages: {@code /drone1/truth} (where the drone was), {@code
@@ -72,7 +71,7 @@ final class McapExport {
       export.add(event);
     }
     try {
-      WireLog.read(folder, export::add);
+      RecordedDatagram.readAll(folder, export::add);
     } catch (UncheckedIOException e) {
       throw e.getCause();
     }

@@ -12,7 +12,6 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import tellosimulator.recording.RecordedDatagram;
 import tellosimulator.recording.RecordedRun;
-import tellosimulator.recording.WireLog;
 
 /**
  * The datagrams of a recording as a capture file, with the times of {@link ExportClock}. Video is
@@ -41,7 +40,7 @@ final class PcapExport {
   static void write(Path folder, RecordedRun run, OutputStream out) throws IOException {
     PcapExport export = new PcapExport(new PcapFile(out), run);
     try {
-      WireLog.read(folder, export::add);
+      RecordedDatagram.readAll(folder, export::add);
     } catch (UncheckedIOException e) {
       throw e.getCause();
     }

@@ -1,7 +1,11 @@
 package tellosimulator.recording;
 
+import java.io.IOException;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.Optional;
 import java.util.OptionalInt;
+import java.util.function.Consumer;
 
 /**
  * A line of {@code wire.jsonl}. Immutable; for any thread.
@@ -32,6 +36,25 @@ public record RecordedDatagram(
         fields.text("to"),
         fields.text("text"),
         fields.whole("size"));
+  }
+
+  /**
+   * Hands on all of a recording, one after another: they may be more than fit into memory. Those
+   * that are damaged are left out.
+   *
+   * @param folder of a recording; nothing happens if it keeps none
+   * @throws IOException if they cannot be read
+   */
+  public static void readAll(Path folder, Consumer<RecordedDatagram> consumer) throws IOException {
+    try (LineReader reader = new LineReader(RecordingFile.WIRE.in(folder))) {
+      for (Optional<String> line = reader.next(); line.isPresent(); line = reader.next()) {
+        try {
+          consumer.accept(of(Fields.of(line.get())));
+        } catch (IllegalArgumentException e) {
+          // it is damaged
+        }
+      }
+    }
   }
 
   /** What was in it, as far as it is kept. */

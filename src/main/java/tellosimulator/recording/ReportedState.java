@@ -1,12 +1,17 @@
 package tellosimulator.recording;
 
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import tellosimulator.math.Vec3;
 
 /**
- * The values of a state line that describe motion. Immutable; for any thread.
+ * The values of a state line that describe motion, which are all that is known of how a real drone
+ * moved. Immutable; for any thread.
  *
  * @param time when it was sent, simulated seconds since the simulation began
  * @param drone its number, from 1
@@ -21,6 +26,24 @@ public record ReportedState(double time, int drone, double heightCm, double yawD
   private static final double DECIMETER = 0.1;
 
   private static final Set<String> WANTED = Set.of("h", "yaw", "vgx", "vgy", "vgz");
+
+  /**
+   * Reads all of a recording. State lines that are damaged are left out.
+   *
+   * @return in the order in which they were sent; empty if none are kept
+   * @throws IOException if they cannot be read
+   */
+  public static List<ReportedState> readAll(Path folder) throws IOException {
+    List<ReportedState> states = new ArrayList<>();
+    RecordedDatagram.readAll(
+        folder,
+        sent -> {
+          if (sent.kind().equals("state")) {
+            of(sent.time(), sent.drone(), sent.text()).ifPresent(states::add);
+          }
+        });
+    return states;
+  }
 
   /**
    * Reads a state line.

@@ -18,7 +18,6 @@ import tellosimulator.recording.RecordedDatagram;
 import tellosimulator.recording.RecordedFlight;
 import tellosimulator.recording.RecordedInput;
 import tellosimulator.recording.RecordedRun;
-import tellosimulator.recording.WireLog;
 import tellosimulator.scenario.Scenario;
 import tellosimulator.sim.Control;
 import tellosimulator.sim.DroneSetup;
@@ -55,7 +54,7 @@ record WireInputs(InitialConditions start, List<RecordedInput> commands) {
       inputs.add(new RecordedInput(SimTime.ZERO, new SimInput.Act(new Control.Power(drone, true))));
     }
     Set<Integer> greeted = new HashSet<>();
-    WireLog.read(
+    RecordedDatagram.readAll(
         folder,
         datagram -> {
           if (datagram.kind().equals("command") && datagram.drone() <= drones) {
