@@ -11,6 +11,7 @@ import tellosimulator.scenery.mesh.Part;
 import tellosimulator.scenery.mesh.Rgb;
 import tellosimulator.scenery.mesh.Shading;
 import tellosimulator.scenery.mesh.Texture;
+import tellosimulator.scenery.texture.ProceduralTexture;
 
 /**
  * The glow around a lamp that is lit, for people: the lamp itself is smaller than a pixel from two
@@ -53,14 +54,7 @@ final class LampGlow {
 
   /** Bright in the middle, transparent at the edges. */
   private static Texture texture(Rgb color) {
-    int[] argb = new int[SIZE * SIZE];
-    for (int i = 0; i < argb.length; i++) {
-      int row = i / SIZE;
-      double x = (i - row * SIZE + 0.5) / (SIZE / 2.0) - 1;
-      double y = (row + 0.5) / (SIZE / 2.0) - 1;
-      double near = Math.max(0, 1 - Math.sqrt(x * x + y * y));
-      argb[i] = color.towards(Rgb.WHITE, near * near * near).argb(OPACITY * near * near);
-    }
-    return new Texture(SIZE, SIZE, argb);
+    return ProceduralTexture.radial(
+        SIZE, near -> color.towards(Rgb.WHITE, near * near * near).argb(OPACITY * near * near));
   }
 }

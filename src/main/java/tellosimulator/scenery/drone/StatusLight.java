@@ -80,7 +80,7 @@ public enum StatusLight {
   }
 
   /** Its colour while it is lit. */
-  public Rgb color() {
+  Rgb color() {
     return color;
   }
 
@@ -89,7 +89,7 @@ public enum StatusLight {
    *
    * @param seconds on any clock
    */
-  public boolean lit(double seconds) {
+  boolean lit(double seconds) {
     double within = seconds - pattern[0] * Math.floor(seconds / pattern[0]);
     boolean lit = false;
     for (int i = 1; i < pattern.length && within >= pattern[i]; i++) {

@@ -14,6 +14,7 @@ import tellosimulator.scenery.mesh.Part;
 import tellosimulator.scenery.mesh.Rgb;
 import tellosimulator.scenery.mesh.Shading;
 import tellosimulator.scenery.mesh.Texture;
+import tellosimulator.scenery.texture.ProceduralTexture;
 import tellosimulator.world.Obstacle;
 import tellosimulator.world.Room;
 
@@ -33,7 +34,8 @@ public final class ContactShadows {
   private static final int SIZE = 64;
 
   /** A round spot that fades out from its middle. */
-  private static final Texture SPOT = spot();
+  private static final Texture SPOT =
+      ProceduralTexture.radial(SIZE, near -> Rgb.BLACK.argb(near * near));
 
   private static final Pose ORIGIN = new Pose(Vec3.ZERO, Attitude.LEVEL);
 
@@ -132,17 +134,5 @@ public final class ContactShadows {
         mesh.triangle(indices[0], indices[i - 1], indices[i]);
       }
     }
-  }
-
-  private static Texture spot() {
-    int[] argb = new int[SIZE * SIZE];
-    for (int i = 0; i < argb.length; i++) {
-      int row = i / SIZE;
-      double x = (i - row * SIZE + 0.5) / (SIZE / 2.0) - 1;
-      double y = (row + 0.5) / (SIZE / 2.0) - 1;
-      double near = Math.max(0, 1 - Math.sqrt(x * x + y * y));
-      argb[i] = Rgb.BLACK.argb(near * near);
-    }
-    return new Texture(SIZE, SIZE, argb);
   }
 }

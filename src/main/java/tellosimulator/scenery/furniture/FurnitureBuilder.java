@@ -37,21 +37,23 @@ final class FurnitureBuilder {
   /**
    * All that decides what is painted on an obstacle.
    *
-   * @param finishing of what has no pattern; else always the same
+   * @param material of what has no pattern; else always the same
    */
-  private record Paint(Pattern pattern, int rgb, Finishing finishing) {
+  private record Paint(Pattern pattern, int rgb, ObstacleMaterial material) {
 
     static Paint of(Shape shape, ObstacleAppearance appearance) {
       return new Paint(
           appearance.pattern(),
           appearance.rgb(),
           appearance.pattern() == Pattern.PLAIN
-              ? Finishing.of(shape, Rgb.of(appearance.rgb()))
-              : Finishing.PAINT);
+              ? ObstacleMaterial.of(shape, Rgb.of(appearance.rgb()))
+              : ObstacleMaterial.PAINT);
     }
 
     double period() {
-      return finishing == Finishing.SEGMENTS ? Finishing.SEGMENT : PatternTexture.period(pattern);
+      return material == ObstacleMaterial.SEGMENTS
+          ? ObstacleMaterial.SEGMENT
+          : PatternTexture.period(pattern);
     }
   }
 
@@ -69,7 +71,7 @@ final class FurnitureBuilder {
     this.patterns = patterns;
     stand =
         TextureMapping.repeating(
-            patterns.of(Pattern.PLAIN, STAND, Finishing.METAL), PatternTexture.TILE);
+            patterns.of(Pattern.PLAIN, STAND, ObstacleMaterial.METAL), PatternTexture.TILE);
   }
 
   PatternTexture patterns() {
@@ -112,7 +114,7 @@ final class FurnitureBuilder {
         Paint.of(shape, appearance),
         paint ->
             TextureMapping.repeating(
-                patterns.of(paint.pattern, Rgb.of(paint.rgb), paint.finishing), paint.period()));
+                patterns.of(paint.pattern, Rgb.of(paint.rgb), paint.material), paint.period()));
   }
 
   private List<Part> box(Shape.Box shape, ObstacleAppearance appearance) {

@@ -82,11 +82,11 @@ record PatternTexture(int size) {
   /**
    * A texture of this pattern and colour, painted when it is first used.
    *
-   * @param finishing of what has no pattern
+   * @param material of what has no pattern
    */
-  Texture of(Pattern pattern, Rgb color, Finishing finishing) {
+  Texture of(Pattern pattern, Rgb color, ObstacleMaterial material) {
     return switch (pattern) {
-      case PLAIN -> ProceduralTexture.of(size, () -> finishing.texels(size, color));
+      case PLAIN -> ProceduralTexture.of(size, () -> material.texels(size, color));
       case CHECKS -> ProceduralTexture.of(size, () -> checks(color));
       case STRIPES -> ProceduralTexture.of(size, () -> stripes(color));
       case BRICKS -> ProceduralTexture.of(size, () -> bricks(color));

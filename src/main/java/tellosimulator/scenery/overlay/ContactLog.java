@@ -51,7 +51,7 @@ public final class ContactLog implements SimListener {
   }
 
   /** Marks with one more, unless one of the same kind is there; the oldest ones give way. */
-  public static List<ContactMark> with(List<ContactMark> before, ContactMark mark) {
+  static List<ContactMark> with(List<ContactMark> before, ContactMark mark) {
     boolean known =
         before.stream()
             .anyMatch(

@@ -53,7 +53,7 @@ final class PadTexture {
   private static void border(AlphaMask mask) {
     double near = 22;
     double far = SIZE - near;
-    mask.stroke(way(near, near, far, near, far, far, near, far, near, near), 20);
+    mask.stroke(Point.polyline(near, near, far, near, far, far, near, far, near, near), 20);
   }
 
   private static void number(AlphaMask mask, int id) {
@@ -117,13 +117,5 @@ final class PadTexture {
   /** A place from the rocket's tip. */
   private static Point at(double right, double down) {
     return new Point(TIP.x() + right, TIP.y() + down);
-  }
-
-  private static List<Point> way(double... numbers) {
-    List<Point> points = new ArrayList<>();
-    for (int i = 0; i < numbers.length; i += 2) {
-      points.add(new Point(numbers[i], numbers[i + 1]));
-    }
-    return points;
   }
 }

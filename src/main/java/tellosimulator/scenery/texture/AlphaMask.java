@@ -14,7 +14,21 @@ import tellosimulator.scenery.mesh.Texture;
 public final class AlphaMask {
 
   /** Pixels from the left and from the top. */
-  public record Point(double x, double y) {}
+  public record Point(double x, double y) {
+
+    /**
+     * The points of a polyline.
+     *
+     * @param numbers x and y of each
+     */
+    public static List<Point> polyline(double... numbers) {
+      List<Point> points = new ArrayList<>();
+      for (int i = 0; i < numbers.length; i += 2) {
+        points.add(new Point(numbers[i], numbers[i + 1]));
+      }
+      return points;
+    }
+  }
 
   /** An arc of an ellipse; angles in radians, from the right downwards. */
   public record Arc(Point center, Point radii, double from, double to) {

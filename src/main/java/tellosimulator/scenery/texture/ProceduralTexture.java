@@ -1,5 +1,6 @@
 package tellosimulator.scenery.texture;
 
+import java.util.function.DoubleToIntFunction;
 import java.util.function.Supplier;
 import tellosimulator.scenery.mesh.Texture;
 
@@ -22,6 +23,25 @@ public final class ProceduralTexture {
    */
   public static Texture of(int size, Supplier<Texels> texels) {
     return Texture.lazy(size, size, () -> argb(size, texels.get()));
+  }
+
+  /**
+   * A texture of rings, computed when it is first used.
+   *
+   * @param size its edge [texels]
+   * @param argb takes how near a texel is to the middle: 1 there, 0 at the edges and in the corners
+   */
+  public static Texture radial(int size, DoubleToIntFunction argb) {
+    double radius = size / 2.0;
+    return of(
+        size,
+        () ->
+            (x, y) -> {
+              double right = (x + 0.5) / radius - 1;
+              double down = (y + 0.5) / radius - 1;
+              double near = Math.max(0, 1 - Math.sqrt(right * right + down * down));
+              return argb.applyAsInt(near);
+            });
   }
 
   private static int[] argb(int size, Texels texels) {

@@ -1,5 +1,7 @@
 package tellosimulator.scenery.texture;
 
+import static tellosimulator.scenery.texture.AlphaMask.Point.polyline;
+
 import java.util.ArrayList;
 import java.util.List;
 import tellosimulator.scenery.texture.AlphaMask.Arc;
@@ -34,28 +36,30 @@ public final class StrokeFont {
   private static List<List<Point>> strokes(char character) {
     return switch (character) {
       case '0' -> List.of(bow(0, 0.425, 0, 2 * Math.PI));
-      case '1' -> List.of(way(-0.16, -0.24, 0.06, -0.425, 0.06, 0.425));
+      case '1' -> List.of(polyline(-0.16, -0.24, 0.06, -0.425, 0.06, 0.425));
       case '2' ->
           List.of(
               bow(-0.2, 0.225, -Math.PI, 0.2 * Math.PI),
-              way(0.178, -0.068, -0.22, 0.425, 0.24, 0.425));
+              polyline(0.178, -0.068, -0.22, 0.425, 0.24, 0.425));
       case '3' ->
           List.of(
               bow(-0.215, 0.21, -0.9 * Math.PI, -UP),
               bow(0.21, 0.215, UP, 0.9 * Math.PI),
-              way(-0.06, 0, 0, 0));
-      case '4' -> List.of(way(0.1, 0.425, 0.1, -0.425, -0.25, 0.2, 0.26, 0.2));
+              polyline(-0.06, 0, 0, 0));
+      case '4' -> List.of(polyline(0.1, 0.425, 0.1, -0.425, -0.25, 0.2, 0.26, 0.2));
       case '5' ->
           List.of(
-              way(0.2, -0.425, -0.16, -0.425, -0.2, 0.0),
+              polyline(0.2, -0.425, -0.16, -0.425, -0.2, 0.0),
               bow(0.15, 0.275, -0.82 * Math.PI, 0.85 * Math.PI));
       case '6' ->
-          List.of(bow(0.18, 0.245, 0, 2 * Math.PI), way(-0.24, 0.16, -0.16, -0.12, 0.08, -0.425));
-      case '7' -> List.of(way(-0.24, -0.425, 0.24, -0.425, -0.08, 0.425));
+          List.of(
+              bow(0.18, 0.245, 0, 2 * Math.PI), polyline(-0.24, 0.16, -0.16, -0.12, 0.08, -0.425));
+      case '7' -> List.of(polyline(-0.24, -0.425, 0.24, -0.425, -0.08, 0.425));
       case '8' -> List.of(bow(-0.215, 0.21, 0, 2 * Math.PI), bow(0.2, 0.225, 0, 2 * Math.PI));
       case '9' ->
-          List.of(bow(-0.18, 0.245, 0, 2 * Math.PI), way(0.24, -0.16, 0.16, 0.12, -0.08, 0.425));
-      case '-' -> List.of(way(-0.18, 0.02, 0.18, 0.02));
+          List.of(
+              bow(-0.18, 0.245, 0, 2 * Math.PI), polyline(0.24, -0.16, 0.16, 0.12, -0.08, 0.425));
+      case '-' -> List.of(polyline(-0.18, 0.02, 0.18, 0.02));
       default ->
           throw new IllegalArgumentException(
               "character is " + character + ", but must be a digit or -");
@@ -65,14 +69,5 @@ public final class StrokeFont {
   /** A part of an ellipse that is as wide as a digit, at a height. */
   private static List<Point> bow(double y, double radius, double from, double to) {
     return new Arc(new Point(0, y), new Point(0.24, radius), from, to).points();
-  }
-
-  /** From point to point: x and y of each. */
-  private static List<Point> way(double... numbers) {
-    List<Point> points = new ArrayList<>();
-    for (int i = 0; i < numbers.length; i += 2) {
-      points.add(new Point(numbers[i], numbers[i + 1]));
-    }
-    return points;
   }
 }

@@ -12,7 +12,7 @@ import tellosimulator.world.Shape;
  * What an obstacle without a pattern is made of, in its own colour. A file says shape and colour
  * alone; the rest follows from these. Decided: all of it, by eye.
  */
-enum Finishing {
+enum ObstacleMaterial {
   /** A painted wall, board or column. */
   PAINT {
     @Override
@@ -116,7 +116,7 @@ enum Finishing {
   }
 
   /** That of an obstacle without a pattern. */
-  static Finishing of(Shape shape, Rgb color) {
+  static ObstacleMaterial of(Shape shape, Rgb color) {
     if (shape instanceof Shape.Gate) {
       return SEGMENTS;
     }

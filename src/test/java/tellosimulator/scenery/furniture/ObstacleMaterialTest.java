@@ -12,7 +12,7 @@ import tellosimulator.scenery.mesh.Texture;
 import tellosimulator.world.ObstacleAppearance.Pattern;
 import tellosimulator.world.Shape;
 
-class FinishingTest {
+class ObstacleMaterialTest {
 
   private static final Rgb BROWN = Rgb.of(0x8b5a2b);
   private static final Rgb RED = Rgb.of(0xc02020);
@@ -22,18 +22,21 @@ class FinishingTest {
     Shape table = new Shape.Box(0.5, 0.5, 0.6);
     Shape wall = new Shape.Box(0.1, 2, 2);
 
-    assertThat(Finishing.of(table, BROWN)).isEqualTo(Finishing.WOOD);
-    assertThat(Finishing.of(table, RED)).isEqualTo(Finishing.FABRIC);
-    assertThat(Finishing.of(wall, BROWN)).isEqualTo(Finishing.PAINT);
-    assertThat(Finishing.of(new Shape.Cylinder(0.05, 2.5), RED)).isEqualTo(Finishing.METAL);
-    assertThat(Finishing.of(new Shape.Cylinder(0.4, 2.5), RED)).isEqualTo(Finishing.PAINT);
-    assertThat(Finishing.of(new Shape.Ring(0.5, 0.1, 1), RED)).isEqualTo(Finishing.SEGMENTS);
+    assertThat(ObstacleMaterial.of(table, BROWN)).isEqualTo(ObstacleMaterial.WOOD);
+    assertThat(ObstacleMaterial.of(table, RED)).isEqualTo(ObstacleMaterial.FABRIC);
+    assertThat(ObstacleMaterial.of(wall, BROWN)).isEqualTo(ObstacleMaterial.PAINT);
+    assertThat(ObstacleMaterial.of(new Shape.Cylinder(0.05, 2.5), RED))
+        .isEqualTo(ObstacleMaterial.METAL);
+    assertThat(ObstacleMaterial.of(new Shape.Cylinder(0.4, 2.5), RED))
+        .isEqualTo(ObstacleMaterial.PAINT);
+    assertThat(ObstacleMaterial.of(new Shape.Ring(0.5, 0.1, 1), RED))
+        .isEqualTo(ObstacleMaterial.SEGMENTS);
   }
 
   @ParameterizedTest
-  @EnumSource(value = Finishing.class, names = "SEGMENTS", mode = EnumSource.Mode.EXCLUDE)
-  void theColorOfTheFileStaysTheBaseColor(Finishing finishing) {
-    Texture texture = texture(finishing, BROWN);
+  @EnumSource(value = ObstacleMaterial.class, names = "SEGMENTS", mode = EnumSource.Mode.EXCLUDE)
+  void theColorOfTheFileStaysTheBaseColor(ObstacleMaterial material) {
+    Texture texture = texture(material, BROWN);
 
     double red = 0;
     double green = 0;
@@ -54,7 +57,7 @@ class FinishingTest {
   @CsvSource({"c02020, 9d1a1a", "f0e000, c5b800", "ffffff, d1d1d1"}) // 82 % of it
   void segmentsOfAGateAlternateInShadesOfItsOwnColor(String own, String other) {
     Rgb color = Rgb.of(Integer.parseInt(own, 16));
-    Texture texture = texture(Finishing.SEGMENTS, color);
+    Texture texture = texture(ObstacleMaterial.SEGMENTS, color);
 
     // a pair is 0.5 m, so 256 texels; the first 60 % are its own
     assertLike(texture.argb(80, 9), color);
@@ -64,16 +67,16 @@ class FinishingTest {
 
   @ParameterizedTest
   @EnumSource
-  void aSmallTextureLooksLikeALargeOne(Finishing finishing) {
-    Texture large = texture(finishing, RED);
-    Texture small = new PatternTexture(64).of(Pattern.PLAIN, RED, finishing);
+  void aSmallTextureLooksLikeALargeOne(ObstacleMaterial material) {
+    Texture large = texture(material, RED);
+    Texture small = new PatternTexture(64).of(Pattern.PLAIN, RED, material);
 
     assertThat(small.width()).isEqualTo(64);
     assertLike(small.argb(10, 10), Rgb.of(large.argb(84, 84)));
   }
 
-  private static Texture texture(Finishing finishing, Rgb color) {
-    return new PatternTexture(512).of(Pattern.PLAIN, color, finishing);
+  private static Texture texture(ObstacleMaterial material, Rgb color) {
+    return new PatternTexture(512).of(Pattern.PLAIN, color, material);
   }
 
   private static void assertLike(int argb, Rgb wanted) {
