@@ -37,6 +37,12 @@ final class Inbox {
   private final Queue<Item> waiting = new ArrayDeque<>();
   private final Map<InetSocketAddress, Integer> senders = new HashMap<>();
   private int datagrams;
+  private volatile Runnable listener = () -> {};
+
+  /** Sets what is told whenever something has come, on the thread that brought it. */
+  void onCome(Runnable newListener) {
+    listener = newListener;
+  }
 
   /**
    * Lets a datagram wait.
@@ -44,7 +50,13 @@ final class Inbox {
    * @param operator whether it comes from the host that operates the drone
    * @return false if there is no room for it
    */
-  synchronized boolean offer(SimInput.Datagram datagram, boolean operator) {
+  boolean offer(SimInput.Datagram datagram, boolean operator) {
+    boolean admitted = admit(datagram, operator);
+    listener.run();
+    return admitted;
+  }
+
+  private synchronized boolean admit(SimInput.Datagram datagram, boolean operator) {
     int room = operator ? CAPACITY : CAPACITY - RESERVED;
     InetSocketAddress sender = datagram.peer().address();
     if (datagrams >= room || senders.getOrDefault(sender, 0) >= MOST_OF_SENDER) {
@@ -57,8 +69,11 @@ final class Inbox {
   }
 
   /** Lets a call wait; there is always room for it. */
-  synchronized void add(Call call) {
-    waiting.add(call);
+  void add(Call call) {
+    synchronized (this) {
+      waiting.add(call);
+    }
+    listener.run();
   }
 
   /** The next one, which goes on waiting; null if there is none. */

@@ -45,6 +45,14 @@ public interface SimEvent {
     }
   }
 
+  /** Something that people should look at. */
+  interface Warning extends SimEvent {
+    @Override
+    default Severity severity() {
+      return Severity.WARNING;
+    }
+  }
+
   /** Something about a text that a host sent. */
   sealed interface FromPeer extends ForDrone {
     Peer peer();
@@ -68,12 +76,7 @@ public interface SimEvent {
 
   /** Something arrived that the drone does not react to. */
   record CommandIgnored(SimTime time, int drone, Peer peer, String text, Phrase reason)
-      implements FromPeer {
-    @Override
-    public Severity severity() {
-      return Severity.WARNING;
-    }
-
+      implements FromPeer, Warning {
     @Override
     public Phrase phrase() {
       return Phrase.of("`%s` from %s ignored: %s", WireText.printable(text), peer, reason);
@@ -82,12 +85,7 @@ public interface SimEvent {
 
   /** A command was refused, and the drone said so. */
   record CommandRefused(SimTime time, int drone, Peer peer, String text, Reply reply, Phrase reason)
-      implements FromPeer {
-    @Override
-    public Severity severity() {
-      return Severity.WARNING;
-    }
-
+      implements FromPeer, Warning {
     @Override
     public Phrase phrase() {
       return Phrase.of(
@@ -98,12 +96,7 @@ public interface SimEvent {
 
   /** A command was begun, but came to another end, and the drone said so. */
   record CommandFailed(SimTime time, int drone, Peer peer, String text, Reply reply, Phrase reason)
-      implements FromPeer {
-    @Override
-    public Severity severity() {
-      return Severity.WARNING;
-    }
-
+      implements FromPeer, Warning {
     @Override
     public Phrase phrase() {
       return Phrase.of(
@@ -130,12 +123,7 @@ public interface SimEvent {
 
   /** A command never arrived at the drone. */
   record CommandLost(SimTime time, int drone, Peer peer, String text, Phrase cause)
-      implements FromPeer {
-    @Override
-    public Severity severity() {
-      return Severity.WARNING;
-    }
-
+      implements FromPeer, Warning {
     @Override
     public Phrase phrase() {
       return Phrase.of("`%s` from %s was lost by %s", WireText.printable(text), peer, cause);
@@ -148,12 +136,7 @@ public interface SimEvent {
    * @param text of the reply
    */
   record ReplyLost(SimTime time, int drone, Peer peer, String text, Phrase cause)
-      implements FromPeer {
-    @Override
-    public Severity severity() {
-      return Severity.WARNING;
-    }
-
+      implements FromPeer, Warning {
     @Override
     public Phrase phrase() {
       return Phrase.of(
@@ -163,12 +146,7 @@ public interface SimEvent {
   }
 
   /** A fault acts on a drone from now on. */
-  record FaultBegan(SimTime time, int drone, Fault fault) implements ForDrone {
-    @Override
-    public Severity severity() {
-      return Severity.WARNING;
-    }
-
+  record FaultBegan(SimTime time, int drone, Fault fault) implements ForDrone, Warning {
     @Override
     public Phrase phrase() {
       return Phrase.of("the fault %s begins", fault.text());
@@ -188,12 +166,7 @@ public interface SimEvent {
    *
    * @param count how many, the oldest ones
    */
-  record WaitingDropped(SimTime time, int drone, long count) implements ForDrone {
-    @Override
-    public Severity severity() {
-      return Severity.WARNING;
-    }
-
+  record WaitingDropped(SimTime time, int drone, long count) implements ForDrone, Warning {
     @Override
     public Phrase phrase() {
       return Phrase.of("%,d datagrams were dropped: too many wait for their time", count);
@@ -202,12 +175,7 @@ public interface SimEvent {
 
   /** Something came from a host that does not operate the drone, and had no effect. */
   record TurnedAway(SimTime time, int drone, Peer peer, String text, Phrase reason)
-      implements FromPeer {
-    @Override
-    public Severity severity() {
-      return Severity.WARNING;
-    }
-
+      implements FromPeer, Warning {
     @Override
     public Phrase phrase() {
       return Phrase.of("`%s` from %s turned away: %s", WireText.printable(text), peer, reason);
@@ -220,12 +188,7 @@ public interface SimEvent {
    * @param host the sender's address
    */
   record DatagramsDropped(SimTime time, int drone, String host, long count, Phrase reason)
-      implements ForDrone {
-    @Override
-    public Severity severity() {
-      return Severity.WARNING;
-    }
-
+      implements ForDrone, Warning {
     @Override
     public Phrase phrase() {
       return Phrase.of("%,d datagrams from %s turned away: %s", count, host, reason);
@@ -237,12 +200,8 @@ public interface SimEvent {
    *
    * @param host the sender's address; empty if there are too many senders to name them
    */
-  record Omitted(SimTime time, int drone, Optional<String> host, long count) implements ForDrone {
-    @Override
-    public Severity severity() {
-      return Severity.WARNING;
-    }
-
+  record Omitted(SimTime time, int drone, Optional<String> host, long count)
+      implements ForDrone, Warning {
     @Override
     public Phrase phrase() {
       return host.map(sender -> Phrase.of("%,d more from %s are not shown", count, sender))
@@ -317,12 +276,7 @@ public interface SimEvent {
    * @param seconds how much, since it was told the last time [simulated s]
    * @param clock with all that was lost since the start
    */
-  record TimeLost(SimTime time, double seconds, SimSnapshot.Clock clock) implements SimEvent {
-    @Override
-    public Severity severity() {
-      return Severity.WARNING;
-    }
-
+  record TimeLost(SimTime time, double seconds, SimSnapshot.Clock clock) implements Warning {
     @Override
     public Phrase phrase() {
       return Phrase.of(

@@ -58,7 +58,6 @@ public final class Simulation {
   private volatile boolean untouched = true;
 
   private volatile SimSnapshot snapshot;
-  private volatile Runnable wake = () -> {};
 
   /**
    * @param replies gives the way out for the replies of the drone of a number
@@ -114,9 +113,7 @@ public final class Simulation {
    */
   public boolean submit(int drone, Peer peer, String text) {
     checkNumber(drone);
-    boolean taken = inbox.offer(new SimInput.Datagram(drone, peer, text), operates(drone, peer));
-    wake.run();
-    return taken;
+    return inbox.offer(new SimInput.Datagram(drone, peer, text), operates(drone, peer));
   }
 
   private boolean operates(int drone, Peer peer) {
@@ -138,7 +135,6 @@ public final class Simulation {
     checkNumber(input.drone());
     inbox.add(
         new Inbox.Call("What the network said could not be handled", () -> take(input), () -> {}));
-    wake.run();
   }
 
   /** Who may operate the drones. For any thread. */
@@ -166,7 +162,6 @@ public final class Simulation {
     check(control);
     SimInput input = new SimInput.Act(control);
     inbox.add(new Inbox.Call("A control could not be carried out", () -> take(input), shown));
-    wake.run();
   }
 
   /**
@@ -177,7 +172,6 @@ public final class Simulation {
    */
   void afterAll(Runnable done) {
     inbox.add(new Inbox.Call("Nobody can wait for the simulation", () -> {}, done));
-    wake.run();
   }
 
   /**
@@ -188,7 +182,6 @@ public final class Simulation {
    */
   void onceStill(Runnable work) {
     inbox.add(new Inbox.Call("Nobody can wait for rest", () -> onceStill.add(work), () -> {}));
-    wake.run();
   }
 
   private void tellStill() {
@@ -237,13 +230,13 @@ public final class Simulation {
   }
 
   /** Why time must pass. For the owning thread. */
-  public Demand demand() {
+  Demand demand() {
     return demand.demand(now);
   }
 
   /** Sets what {@link #submit} and {@link #control} call to wake the owning thread. */
   void onSubmit(Runnable newWake) {
-    wake = newWake;
+    inbox.onCome(newWake);
   }
 
   Clock clock() {
