@@ -28,7 +28,7 @@ final class ComparisonPanel extends VBox {
   private static final double DOT = 5;
 
   private final FxReplay replay;
-  private final Ghosts ghosts;
+  private final GhostLoader ghosts;
   private final Language language;
   private final Messages messages;
   private final Label flight = new Label();
@@ -37,7 +37,7 @@ final class ComparisonPanel extends VBox {
   private final Label news = new Label();
   private final MenuButton compare = new MenuButton();
 
-  ComparisonPanel(FxReplay replay, Ghosts ghosts, Language language) {
+  ComparisonPanel(FxReplay replay, GhostLoader ghosts, Language language) {
     this.replay = replay;
     this.ghosts = ghosts;
     this.language = language;

@@ -36,9 +36,9 @@ final class ReplayPane extends BorderPane {
   private final EntryList entries;
 
   /** How the player's window can look. */
-  record Looks(Property<Theme> theme, Property<Boolean> fullScreen) {}
+  record DisplaySettings(Property<Theme> theme, Property<Boolean> fullScreen) {}
 
-  ReplayPane(FxReplay replay, Ghosts ghosts, SceneContext context, Looks looks) {
+  ReplayPane(FxReplay replay, GhostLoader ghosts, SceneContext context, DisplaySettings display) {
     playback = replay.playback();
     world = new ReplayScene(replay, context).scene();
     entries = new EntryList(replay, context.language());
@@ -55,13 +55,13 @@ final class ReplayPane extends BorderPane {
     side.setPrefWidth(SIDE_WIDTH);
     side.setMaxWidth(SIDE_WIDTH);
     VBox.setVgrow(entries, Priority.ALWAYS);
-    setTop(bar(context, looks));
+    setTop(bar(context, display));
     setCenter(world);
     setRight(side);
     setBottom(new TransportBar(replay, context.language(), entries));
   }
 
-  private ToolBar bar(SceneContext context, Looks looks) {
+  private ToolBar bar(SceneContext context, DisplaySettings display) {
     BarButtons buttons = new BarButtons(context.language());
     ToolBar bar =
         new ToolBar(
@@ -72,9 +72,9 @@ final class ReplayPane extends BorderPane {
             buttons.trail(world),
             buttons.goalLine(world, new SimpleBooleanProperty(context.marks().asked())),
             new Spacer(),
-            buttons.theme(looks.theme()),
+            buttons.theme(display.theme()),
             new Separator(Orientation.VERTICAL),
-            buttons.fullScreen(looks.fullScreen()));
+            buttons.fullScreen(display.fullScreen()));
     bar.setId("replay-bar");
     return bar;
   }

@@ -34,13 +34,13 @@ public final class ReplayWindow implements AutoCloseable {
 
   private final Stage stage;
   private final FxReplay replay;
-  private final Ghosts ghosts;
+  private final GhostLoader ghosts;
   private final Pulse pulse;
   private final WindowVideo video;
   private final ReplayPane pane;
 
   /**
-   * How everything looks.
+   * How everything display.
    *
    * @param optics of the drones' cameras
    */
@@ -55,13 +55,14 @@ public final class ReplayWindow implements AutoCloseable {
     replay = new FxReplay(flight);
     pulse = new Pulse(() -> {}, () -> !replay.playback().playingProperty().get());
     video = new WindowVideo(replay::snapshot, appearance.optics(), MediaFolder.ofUser());
-    ghosts = new Ghosts(replay, language, pulse::wake, ReplayFlight::read);
+    ghosts = new GhostLoader(replay, language, pulse::wake, ReplayFlight::read);
     BooleanProperty fullScreen = new SimpleBooleanProperty();
     stage.fullScreenProperty().subscribe(fullScreen::set);
     fullScreen.subscribe(stage::setFullScreen);
     SceneContext context =
         new SceneContext(replay.simulation(), language, pulse, video, ReplayMarks.of(replay));
-    pane = new ReplayPane(replay, ghosts, context, new ReplayPane.Looks(theme, fullScreen));
+    pane =
+        new ReplayPane(replay, ghosts, context, new ReplayPane.DisplaySettings(theme, fullScreen));
     pulse.onBeat(nanos -> video.advance());
     video.onReport(
         report ->

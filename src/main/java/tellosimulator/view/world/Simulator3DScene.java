@@ -61,7 +61,7 @@ public final class Simulator3DScene extends Region {
   private final WindArrow wind;
   private final FaultTags faults;
   private final SelectionMark selection;
-  private final FluencyWatch fluency = new FluencyWatch();
+  private final FrameRateMonitor frameRate = new FrameRateMonitor();
   private List<Region> covers = List.of();
 
   /** Lies around all that nothing else covers while the keyboard is here. */
@@ -220,14 +220,14 @@ public final class Simulator3DScene extends Region {
   }
 
   private void smoothEdges(boolean smooth) {
-    fluency.restart();
+    frameRate.restart();
     view.smoothEdges(smooth);
   }
 
   private void watchFluency(long nanos) {
-    boolean before = fluency.jerky();
-    fluency.frame(nanos);
-    if (fluency.jerky() && !before) {
+    boolean before = frameRate.jerky();
+    frameRate.frame(nanos);
+    if (frameRate.jerky() && !before) {
       view.smoothEdges(false);
     }
   }

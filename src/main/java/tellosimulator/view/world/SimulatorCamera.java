@@ -69,7 +69,7 @@ public final class SimulatorCamera {
 
   private boolean tracking;
   private boolean chasing;
-  private Optional<Glide> glide = Optional.empty();
+  private Optional<CameraTransition> transition = Optional.empty();
   private long lastNanos;
   private double age;
 
@@ -96,7 +96,7 @@ public final class SimulatorCamera {
   }
 
   /** Shows the room from a side, or the drone that it follows. */
-  public void look(RoomView wanted) {
+  void look(RoomView wanted) {
     if (wanted == RoomView.START) {
       following.set(false);
     }
@@ -109,7 +109,7 @@ public final class SimulatorCamera {
   }
 
   /** Shows the whole scene in the direction in which it looks. */
-  public void fit() {
+  void fit() {
     following.set(false);
     depart();
     orbit = absolute(orbit);
@@ -153,7 +153,7 @@ public final class SimulatorCamera {
   }
 
   /** Turns the scene about the vertical axis, clockwise seen from above. */
-  public void rotate(double degrees) {
+  void rotate(double degrees) {
     takeOver();
     orbit = orbit.turned(Math.toRadians(degrees), 0);
   }
@@ -163,7 +163,7 @@ public final class SimulatorCamera {
    *
    * @param pictureHeight height of the picture in pixels; the scene follows the pointer
    */
-  public void shift(double rightPixels, double downPixels, double pictureHeight) {
+  void shift(double rightPixels, double downPixels, double pictureHeight) {
     takeOver();
     double metersPerPixel =
         2 * orbit.distance() * Math.tan(FIELD_OF_VIEW / 2) / Math.max(1, pictureHeight);
@@ -172,7 +172,7 @@ public final class SimulatorCamera {
   }
 
   /** Comes nearer by some pixels of scrolling; negative goes away. */
-  public void zoom(double pixels) {
+  void zoom(double pixels) {
     zoomBy(Math.exp(pixels * ZOOM_PER_PIXEL));
   }
 
@@ -217,7 +217,7 @@ public final class SimulatorCamera {
 
   /** Whether it is on its way to another view. */
   boolean glides() {
-    return glide.isPresent();
+    return transition.isPresent();
   }
 
   /**
@@ -231,8 +231,8 @@ public final class SimulatorCamera {
     age += seconds;
     framing.setPicture(picture);
     follow.advance(target(), droneHeading(), seconds, LAG * orbit.distance());
-    glide.ifPresent(moving -> moving.advance(seconds));
-    glide = glide.filter(moving -> !moving.over());
+    transition.ifPresent(moving -> moving.advance(seconds));
+    transition = transition.filter(moving -> !moving.over());
     if (fitted) {
       fitAgain(simulation.snapshot());
     }
@@ -264,7 +264,7 @@ public final class SimulatorCamera {
   /** Moves smoothly from what is seen now to what will be seen. */
   private void depart() {
     boolean jumps = reducedMotion.get() || framing.picture().isEmpty();
-    glide = jumps ? Optional.empty() : Optional.of(new Glide(shown()));
+    transition = jumps ? Optional.empty() : Optional.of(new CameraTransition(shown()));
   }
 
   /** A hand moves on from what is seen now. */
@@ -272,7 +272,7 @@ public final class SimulatorCamera {
     Orbit seen = shown();
     Orbit about = seen.about(seen.shift().minus(pivot()));
     orbit = about.turned(chasing ? -follow.heading() : 0, 0);
-    glide = Optional.empty();
+    transition = Optional.empty();
     fitted = false;
     view.set(Optional.empty());
   }
@@ -280,7 +280,7 @@ public final class SimulatorCamera {
   /** What is seen now, in the room frame. */
   private Orbit shown() {
     Orbit wanted = absolute(orbit);
-    return glide.map(moving -> moving.towards(wanted)).orElse(wanted);
+    return transition.map(moving -> moving.towards(wanted)).orElse(wanted);
   }
 
   private Orbit absolute(Orbit own) {

@@ -4,25 +4,25 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import org.junit.jupiter.api.Test;
 
-class FluencyWatchTest {
+class FrameRateMonitorTest {
 
-  private final FluencyWatch watch = new FluencyWatch();
+  private final FrameRateMonitor monitor = new FrameRateMonitor();
   private long nanos;
 
   @Test
   void manyFramesASecondAreFluent() {
     show(30, 25);
 
-    assertThat(watch.jerky()).isFalse();
+    assertThat(monitor.jerky()).isFalse();
   }
 
   @Test
   void fewFramesASecondAreNotButOnlyAfterTheWarmUp() {
     show(15, 6);
-    assertThat(watch.jerky()).isFalse();
+    assertThat(monitor.jerky()).isFalse();
 
     show(15, 6);
-    assertThat(watch.jerky()).isTrue();
+    assertThat(monitor.jerky()).isTrue();
   }
 
   @Test
@@ -32,7 +32,7 @@ class FluencyWatchTest {
       nanos += 600_000_000;
     }
 
-    assertThat(watch.jerky()).isTrue();
+    assertThat(monitor.jerky()).isTrue();
   }
 
   @Test
@@ -40,27 +40,27 @@ class FluencyWatchTest {
     show(30, 7);
     for (int i = 0; i < 30; i++) {
       nanos += 500_000_000;
-      watch.frame(nanos);
+      monitor.frame(nanos);
     }
     show(30, 6);
 
-    assertThat(watch.jerky()).isFalse();
+    assertThat(monitor.jerky()).isFalse();
   }
 
   @Test
   void itJudgesAnewAfterARestart() {
     show(15, 12);
-    watch.restart();
-    assertThat(watch.jerky()).isFalse();
+    monitor.restart();
+    assertThat(monitor.jerky()).isFalse();
 
     show(15, 12);
-    assertThat(watch.jerky()).isTrue();
+    assertThat(monitor.jerky()).isTrue();
   }
 
   private void show(int rate, int seconds) {
     for (int i = 0; i < rate * seconds; i++) {
       nanos += 1_000_000_000 / rate;
-      watch.frame(nanos);
+      monitor.frame(nanos);
     }
   }
 }

@@ -14,10 +14,10 @@ import tellosimulator.view.text.Language;
 import tellosimulator.view.text.Messages;
 
 /**
- * Where a ghost comes from: another recording, or the same commands flown again, by a thread of its
+ * Loads a ghost: from another recording, or from the same commands flown again, by a thread of its
  * own. What was asked for last is shown, however long it takes. For the JavaFX thread.
  */
-final class Ghosts {
+final class GhostLoader {
 
   private static final ErrorPolicy FAILED = ErrorPolicy.finish("A recording could not be read");
 
@@ -46,12 +46,12 @@ final class Ghosts {
    * @param changed is told when there is something new to show
    * @param reader reads recordings
    */
-  Ghosts(FxReplay replay, Language language, Runnable changed, Reader reader) {
+  GhostLoader(FxReplay replay, Language language, Runnable changed, Reader reader) {
     this.replay = replay;
     this.language = language;
     this.changed = changed;
     this.reader = reader;
-    messages = language.messages(Ghosts.class);
+    messages = language.messages(GhostLoader.class);
   }
 
   /** Lets somebody choose the folder of a recording. */

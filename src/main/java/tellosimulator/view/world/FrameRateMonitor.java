@@ -1,11 +1,11 @@
 package tellosimulator.view.world;
 
 /**
- * Watches whether a picture is fluent while something moves in it. Pauses between frames, as those
+ * Monitors whether a picture is fluent while something moves in it. Pauses between frames, as those
  * of an idle window, do not count, nor do the first seconds, in which code is still compiled. For
  * one thread.
  */
-final class FluencyWatch {
+final class FrameRateMonitor {
 
   /** Fewest frames a second of a fluent picture. Decided: those of films. */
   static final double LEAST_RATE = 24;

@@ -28,7 +28,7 @@ import tellosimulator.testing.CapturedLog;
 import tellosimulator.view.text.Language;
 
 /** Recordings whose reading ends when the test says so. */
-class GhostsFxTest {
+class GhostLoaderFxTest {
 
   private static final Path SLOW = Path.of("slow");
   private static final Path FAST = Path.of("fast");
@@ -39,7 +39,7 @@ class GhostsFxTest {
   @TempDir private Path folder;
   private ReplayFlight flight;
   private FxReplay replay;
-  private Ghosts ghosts;
+  private GhostLoader ghosts;
 
   @BeforeEach
   void prepare() throws Exception {
@@ -48,7 +48,7 @@ class GhostsFxTest {
     onFxThread(
         () -> {
           replay = new FxReplay(flight);
-          ghosts = new Ghosts(replay, new Language(Locale.ENGLISH), () -> {}, this::read);
+          ghosts = new GhostLoader(replay, new Language(Locale.ENGLISH), () -> {}, this::read);
           return ghosts;
         });
   }

@@ -1,7 +1,7 @@
 package tellosimulator.view.world;
 
 /** A camera's smooth move from one orbit to another. For one thread. */
-final class Glide {
+final class CameraTransition {
 
   /** How long it takes [s]. Decided: long enough to see from where one comes. */
   static final double SECONDS = 0.3;
@@ -10,7 +10,7 @@ final class Glide {
   private boolean begun;
   private double elapsed;
 
-  Glide(Orbit from) {
+  CameraTransition(Orbit from) {
     this.from = from;
   }
 
