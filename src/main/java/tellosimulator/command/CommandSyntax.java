@@ -285,7 +285,7 @@ public enum CommandSyntax {
   }
 
   /** Whether it changes nothing about the drone: a question, or {@code command}. */
-  public boolean readOnly() {
+  boolean readOnly() {
     return this == COMMAND || verb.endsWith("?");
   }
 

@@ -169,7 +169,7 @@ public final class OperatorSession {
   }
 
   /** Ends SDK mode, as without power: the drone is free. */
-  public void close() {
+  void close() {
     former = last();
     adopt(unlinked);
     released = false;

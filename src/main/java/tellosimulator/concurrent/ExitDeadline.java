@@ -7,7 +7,7 @@ import java.util.concurrent.locks.LockSupport;
  * Ends the process where ending it in order takes too long, as when a terminal takes no more text.
  * Needs no memory once it is made. For any thread.
  */
-public final class ExitDeadline {
+final class ExitDeadline {
 
   private final CountDownLatch begun = new CountDownLatch(1);
 
@@ -17,7 +17,7 @@ public final class ExitDeadline {
    * @param code the exit code
    * @param nanos how long the end may take [ns]
    */
-  public ExitDeadline(int code, long nanos) {
+  ExitDeadline(int code, long nanos) {
     Worker.once(
         "exit-deadline",
         ErrorPolicy.finish("The end in time is not sure"),
@@ -25,7 +25,7 @@ public final class ExitDeadline {
   }
 
   /** Lets the time run. */
-  public void begin() {
+  void begin() {
     begun.countDown();
   }
 

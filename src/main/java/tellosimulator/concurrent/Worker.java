@@ -104,7 +104,7 @@ public final class Worker implements AutoCloseable {
   }
 
   /** Whether a thread is a worker's; what such a thread does not catch ends the program. */
-  public static boolean owns(Thread thread) {
+  static boolean owns(Thread thread) {
     return thread instanceof WorkerThread;
   }
 

@@ -89,7 +89,7 @@ public final class FaultText {
    *
    * @throws FaultTextException if there is none, with the nearest one
    */
-  public static FaultKind kind(String word) {
+  static FaultKind kind(String word) {
     FaultKind known = FaultKind.byWord().get(word);
     if (known == null) {
       throw unknown(word, FaultKind.byWord().keySet());

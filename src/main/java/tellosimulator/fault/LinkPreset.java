@@ -77,7 +77,7 @@ public enum LinkPreset {
   }
 
   /** What acts all the time. */
-  public List<Fault> faults() {
+  List<Fault> faults() {
     return this == IDEAL ? List.of() : Parsed.FAULTS.get(this);
   }
 

@@ -8,7 +8,7 @@ import tellosimulator.sim.SimEvent;
 import tellosimulator.sim.SimListener;
 
 /** Writes what happens to the log, at the level that its {@link Severity} gives it. */
-public final class EventLog implements SimListener {
+final class EventLog implements SimListener {
 
   private static final Logger LOG = LoggerFactory.getLogger("tellosimulator.event");
 

@@ -151,7 +151,7 @@ public final class HeadlessSimulator implements AutoCloseable {
   }
 
   /** A recent state of everything; for any thread. */
-  public SimSnapshot snapshot() {
+  SimSnapshot snapshot() {
     return simulation.snapshot();
   }
 

@@ -51,7 +51,7 @@ public final class DroneProxy implements AutoCloseable {
   }
 
   /** Where it takes commands. */
-  public List<InetSocketAddress> addresses() {
+  List<InetSocketAddress> addresses() {
     return relay.addresses();
   }
 

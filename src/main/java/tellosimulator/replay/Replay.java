@@ -88,7 +88,7 @@ public final class Replay {
   }
 
   /** Whether all inputs are known, so that the same version does the same to the byte. */
-  public boolean exact() {
+  boolean exact() {
     return commands.isEmpty();
   }
 

@@ -37,7 +37,7 @@ public final class Gallery {
   }
 
   /** The name that was meant. */
-  public static Optional<String> meant(String name) {
+  static Optional<String> meant(String name) {
     return Spelling.meant(name, NAMES);
   }
 

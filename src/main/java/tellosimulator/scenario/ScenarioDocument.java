@@ -56,7 +56,7 @@ public final class ScenarioDocument {
     return new ScenarioDocument(noted, Optional.of(text), folder, Kept.ALL);
   }
 
-  public Scenario scenario() {
+  Scenario scenario() {
     return noted.scenario();
   }
 

@@ -58,7 +58,7 @@ public final class FrameBuffer {
    *
    * @param height of that part in pixels, even
    */
-  public static FrameBuffer on(Picture picture, int height) {
+  static FrameBuffer on(Picture picture, int height) {
     FrameBuffer frameBuffer = new FrameBuffer(picture.width(), height, ColorSpace.YUV);
     frameBuffer.first = picture.y();
     frameBuffer.second = picture.u();

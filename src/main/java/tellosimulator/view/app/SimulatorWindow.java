@@ -60,7 +60,7 @@ import tellosimulator.view.world.ViewCamera;
 import tellosimulator.world.Decor;
 
 /** The window: its parts, put together. For the JavaFX thread. */
-public final class SimulatorWindow implements AutoCloseable {
+final class SimulatorWindow implements AutoCloseable {
 
   /**
    * Size of the scene before the window has its own [px]. Measured: without one, the toolkit styles
@@ -364,7 +364,7 @@ public final class SimulatorWindow implements AutoCloseable {
   }
 
   /** Is at first as it was left, and remembers how it is left; not where it is. */
-  public void remember(Settings settings) {
+  void remember(Settings settings) {
     settings.bind("show.trail", world.trailVisibleProperty(), SettingCodec.flag());
     settings.bind("show.goal-line", world.goalLineVisibleProperty(), SettingCodec.flag());
     settings.bind("show.inset", world.insetVisibleProperty(), SettingCodec.flag());
@@ -380,12 +380,12 @@ public final class SimulatorWindow implements AutoCloseable {
   }
 
   /** Lets one open the report of the last flight. */
-  public void offer(ReportOffer report) {
+  void offer(ReportOffer report) {
     log.offer(report);
   }
 
   /** Lets another window of the same program remember. */
-  public void forget(Settings settings) {
+  void forget(Settings settings) {
     REMEMBERED.forEach(settings::unbind);
     simulatorControls.forget(settings);
     networkControls.forget(settings);
@@ -412,7 +412,7 @@ public final class SimulatorWindow implements AutoCloseable {
   }
 
   /** Opens it, or takes the place of another one in the same stage. */
-  public void show() {
+  void show() {
     context.pulse().start();
     boolean opens = !stage.isShowing();
     stage.show();

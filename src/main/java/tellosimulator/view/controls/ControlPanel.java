@@ -16,7 +16,7 @@ import tellosimulator.view.settings.Settings;
  * there is no room for all of them, it folds as many cards as it must, the least used first; who
  * has opened a card keeps it, and scrolls. For the JavaFX thread.
  */
-public abstract class ControlPanel extends ScrollPane {
+abstract class ControlPanel extends ScrollPane {
 
   private final DoubleProperty availableHeight =
       new SimpleDoubleProperty(this, "availableHeight", Double.MAX_VALUE);

@@ -6,7 +6,7 @@ import tellosimulator.view.text.Message;
 import tellosimulator.view.text.Messages;
 
 /** A label for a message about the control above it; it takes no room while there is none. */
-public final class MessageLabel extends Label {
+final class MessageLabel extends Label {
 
   private final Messages messages;
   private Optional<Message> said = Optional.empty();
@@ -26,7 +26,7 @@ public final class MessageLabel extends Label {
   }
 
   /** Says it, or nothing. */
-  public void say(Optional<Message> problem) {
+  void say(Optional<Message> problem) {
     if (problem.equals(said)) {
       return;
     }

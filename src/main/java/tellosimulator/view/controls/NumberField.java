@@ -89,7 +89,7 @@ public final class NumberField extends TextField {
     rule = newRule;
   }
 
-  public void setRange(NumberRange newRange) {
+  void setRange(NumberRange newRange) {
     if (!newRange.equals(range)) {
       range = newRange;
       recheck();
@@ -102,7 +102,7 @@ public final class NumberField extends TextField {
   }
 
   /** What was shown or handed over last. */
-  public double number() {
+  double number() {
     return shown;
   }
 
@@ -117,7 +117,7 @@ public final class NumberField extends TextField {
   }
 
   /** Shows the number again, whatever was typed. */
-  public void restore() {
+  void restore() {
     edited = false;
     mark(Optional.empty());
     write();

@@ -43,7 +43,7 @@ public final class RecentFiles {
   }
 
   /** Absolute paths. */
-  public ReadOnlyProperty<List<Path>> filesProperty() {
+  ReadOnlyProperty<List<Path>> filesProperty() {
     return files;
   }
 

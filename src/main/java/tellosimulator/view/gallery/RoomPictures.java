@@ -34,7 +34,7 @@ public final class RoomPictures {
    *
    * @param name one of {@link Gallery#NAMES}
    */
-  public ReadOnlyObjectProperty<Image> picture(String name) {
+  ReadOnlyObjectProperty<Image> picture(String name) {
     if (!begun) {
       begun = true;
       Worker.once("room-pictures", FAILED, this::drawAll);

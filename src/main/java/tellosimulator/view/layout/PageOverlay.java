@@ -54,7 +54,7 @@ public final class PageOverlay extends StackPane {
     }
   }
 
-  public void showAbout() {
+  void showAbout() {
     show(new AboutPage(context));
   }
 

@@ -19,7 +19,7 @@ public enum Theme {
     return stylesheet;
   }
 
-  public Theme other() {
+  Theme other() {
     return this == LIGHT ? DARK : LIGHT;
   }
 }

@@ -3,7 +3,7 @@ package tellosimulator.view.layout;
 import java.util.OptionalDouble;
 
 /** How large everything in the window is drawn. JavaFX takes it only when it starts. */
-public enum UiScale {
+enum UiScale {
   /** As the system says. */
   SYSTEM(OptionalDouble.empty()),
   PERCENT_100(OptionalDouble.of(1)),
@@ -23,7 +23,7 @@ public enum UiScale {
    * Lets JavaFX start with this scale; to be called before it starts. On macOS the system alone
    * decides.
    */
-  public void apply() {
+  void apply() {
     factor.ifPresent(
         value -> {
           System.setProperty("glass.gtk.uiScale", Double.toString(value));

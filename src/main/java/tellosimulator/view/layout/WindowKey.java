@@ -88,7 +88,7 @@ public enum WindowKey {
   }
 
   /** What is written on the keys, for people. */
-  public String symbols(Messages messages) {
+  String symbols(Messages messages) {
     String shift = withShift ? messages.now("shift") + "+" : "";
     String prefix = shift + (withShortcut ? shortcut(messages) : "");
     return codes.stream()
@@ -117,7 +117,7 @@ public enum WindowKey {
   }
 
   /** The key of the text that says what it does, in this package's messages. */
-  public String textKey() {
+  String textKey() {
     return "key-" + name().toLowerCase(Locale.ROOT).replace('_', '-');
   }
 }

@@ -135,7 +135,7 @@ public final class WindowState {
   }
 
   /** How large everything is drawn, from the next start on. */
-  public ObjectProperty<UiScale> uiScaleProperty() {
+  ObjectProperty<UiScale> uiScaleProperty() {
     return uiScale;
   }
 }

@@ -52,7 +52,7 @@ public final class LogQueue implements SimListener {
    * @param key of a text in this package's messages
    * @param values for the places in the text
    */
-  public void note(LogLevel level, String key, Object... values) {
+  void note(LogLevel level, String key, Object... values) {
     add(noted(level, About.ALL, key, values));
   }
 

@@ -74,7 +74,7 @@ public final class DemoFlight implements AutoCloseable {
   }
 
   /** Switches the selected drone on, if it is off, and flies. */
-  public void switchOnAndStart() {
+  void switchOnAndStart() {
     FxDroneModel drone = drone();
     if (drone.onProperty().get()) {
       start();
@@ -98,7 +98,7 @@ public final class DemoFlight implements AutoCloseable {
   }
 
   /** Flies the selected drone, which must be on and stand on the floor. */
-  public void start() {
+  void start() {
     FxDroneModel drone = drone();
     switch (drone.phaseProperty().get()) {
       case GROUNDED, IDLING -> fly(drone);
@@ -109,7 +109,7 @@ public final class DemoFlight implements AutoCloseable {
   }
 
   /** Breaks the flight off and lands. */
-  public void stop() {
+  void stop() {
     starts++;
     if (stage.get() == Stage.FLYING) {
       comeDown();
@@ -128,32 +128,32 @@ public final class DemoFlight implements AutoCloseable {
     problem.set(Message.NONE);
   }
 
-  public ReadOnlyObjectProperty<Stage> stageProperty() {
+  ReadOnlyObjectProperty<Stage> stageProperty() {
     return stage.getReadOnlyProperty();
   }
 
   /** Whether it flies or brings the drone down. */
-  public ReadOnlyBooleanProperty runningProperty() {
+  ReadOnlyBooleanProperty runningProperty() {
     return running.getReadOnlyProperty();
   }
 
   /** What was commanded last; empty when it does not run. */
-  public ReadOnlyStringProperty commandProperty() {
+  ReadOnlyStringProperty commandProperty() {
     return command.getReadOnlyProperty();
   }
 
   /** Which of the commands that is, from 1; 0 when it does not run. */
-  public ReadOnlyIntegerProperty stepProperty() {
+  ReadOnlyIntegerProperty stepProperty() {
     return step.getReadOnlyProperty();
   }
 
   /** How many commands the tour has. */
-  public ReadOnlyIntegerProperty stepsProperty() {
+  ReadOnlyIntegerProperty stepsProperty() {
     return steps.getReadOnlyProperty();
   }
 
   /** Why it did not come to its end; {@link Message#NONE} if there is nothing to say. */
-  public ReadOnlyObjectProperty<Message> problemProperty() {
+  ReadOnlyObjectProperty<Message> problemProperty() {
     return problem.getReadOnlyProperty();
   }
 

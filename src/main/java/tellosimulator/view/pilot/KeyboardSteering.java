@@ -64,7 +64,7 @@ public final class KeyboardSteering {
   }
 
   /** Listens to the keys of a scene until the subscription ends; to be called once. */
-  public Subscription install(Scene newScene) {
+  Subscription install(Scene newScene) {
     scene = Optional.of(newScene);
     EventHandler<KeyEvent> taking = this::take;
     newScene.addEventFilter(KeyEvent.ANY, taking);
@@ -85,7 +85,7 @@ public final class KeyboardSteering {
   }
 
   /** The keys that are held down. */
-  public ObservableSet<SteeringKey> pressed() {
+  ObservableSet<SteeringKey> pressed() {
     return readOnlyPressed;
   }
 

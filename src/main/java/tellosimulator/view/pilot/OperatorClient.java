@@ -14,7 +14,7 @@ import tellosimulator.view.text.Message;
  * An operator who sends one drone one command at a time through the drone's real port, and looks at
  * each beat whether the reply has come. For the JavaFX thread; it never waits.
  */
-public final class OperatorClient implements AutoCloseable {
+final class OperatorClient implements AutoCloseable {
 
   /**
    * How a command ended.
@@ -49,7 +49,7 @@ public final class OperatorClient implements AutoCloseable {
   }
 
   /** Sends a command; {@link #answer} says how it ends. */
-  public void ask(String newCommand) {
+  void ask(String newCommand) {
     command = newCommand;
     timeout = Optional.empty();
     early = Optional.empty();
@@ -61,7 +61,7 @@ public final class OperatorClient implements AutoCloseable {
   }
 
   /** Sends a command whose reply interests nobody, or that has none. */
-  public void tell(String unanswered) {
+  void tell(String unanswered) {
     try {
       socket.send(unanswered);
     } catch (IOException e) {
@@ -74,7 +74,7 @@ public final class OperatorClient implements AutoCloseable {
    *
    * @param nanos the beat's time [ns]
    */
-  public Optional<Answer> answer(long nanos) {
+  Optional<Answer> answer(long nanos) {
     if (!drone.onProperty().get()) {
       return Optional.of(new Answer(Message.of("switched-off", number())));
     }

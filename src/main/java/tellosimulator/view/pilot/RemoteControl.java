@@ -14,7 +14,7 @@ import tellosimulator.view.text.Message;
  * Sends single commands to the selected drone through its real port, without waiting for replies; a
  * refusal becomes a sentence. For the JavaFX thread; it moves on with the pulse.
  */
-public final class RemoteControl implements AutoCloseable {
+final class RemoteControl implements AutoCloseable {
 
   private final ViewContext context;
   private final ReadOnlyObjectWrapper<Message> problem = new ReadOnlyObjectWrapper<>(Message.NONE);
@@ -32,7 +32,7 @@ public final class RemoteControl implements AutoCloseable {
   }
 
   /** Takes off; switches the drone on first, if it is off. */
-  public void takeOff() {
+  void takeOff() {
     problem.set(Message.NONE);
     if (!drone().onProperty().get()) {
       FxDroneModel drone = drone();
@@ -57,7 +57,7 @@ public final class RemoteControl implements AutoCloseable {
   }
 
   /** Takes off, or lands what flies. */
-  public void takeOffOrLand() {
+  void takeOffOrLand() {
     if (phase().flying()) {
       ask("land");
     } else {
@@ -66,7 +66,7 @@ public final class RemoteControl implements AutoCloseable {
   }
 
   /** Sends a command that is answered. */
-  public void ask(String command) {
+  void ask(String command) {
     ask(drone(), command);
   }
 
@@ -78,7 +78,7 @@ public final class RemoteControl implements AutoCloseable {
   }
 
   /** Sends a command that has no answer, such as {@code rc}. */
-  public void tell(String command) {
+  void tell(String command) {
     send(drone(), command);
   }
 
@@ -88,12 +88,12 @@ public final class RemoteControl implements AutoCloseable {
   }
 
   /** What the selected drone is doing. */
-  public FlightPhase phase() {
+  FlightPhase phase() {
     return drone().phaseProperty().get();
   }
 
   /** What was refused last; {@link Message#NONE} after a command that succeeded. */
-  public ReadOnlyObjectProperty<Message> problemProperty() {
+  ReadOnlyObjectProperty<Message> problemProperty() {
     return problem.getReadOnlyProperty();
   }
 
