@@ -42,7 +42,7 @@ final class Autopilot {
 
   private final Behavior behavior;
   private final RcSteering rc;
-  private final Settling settling = new Settling();
+  private final Settling settling;
   private Maneuver maneuver;
   private Setpoint setpoint = new Setpoint.MotorsOff();
   private Vec3 shift = Vec3.ZERO;
@@ -54,6 +54,7 @@ final class Autopilot {
   Autopilot(Behavior behavior, RcSteering rc) {
     this.behavior = behavior;
     this.rc = rc;
+    this.settling = new Settling(behavior.steadyTime());
     this.maneuver = new Parked();
   }
 

@@ -168,7 +168,7 @@ final class Flight {
   }
 
   void land(CompletionHandler newHandler) {
-    fly(new Landing(basePosition(), baseHeading()), newHandler);
+    fly(new Landing(basePosition(), baseHeading(), behavior), newHandler);
     model.setPhase(FlightPhase.LANDING);
   }
 

@@ -3,6 +3,7 @@ package tellosimulator.controller;
 import tellosimulator.math.Vec3;
 import tellosimulator.model.DroneSpec;
 import tellosimulator.physics.Setpoint;
+import tellosimulator.profile.Behavior;
 import tellosimulator.words.Phrase;
 
 /** Sinks until it stands on something, stops the motors and waits a moment. */
@@ -18,6 +19,7 @@ final class Landing implements Maneuver {
   private static final double LEAD = 0.05;
 
   private final Setpoint.Heading heading;
+  private final Behavior behavior;
   private Vec3 target;
   private double speed;
   private double time;
@@ -28,8 +30,9 @@ final class Landing implements Maneuver {
    * @param start where it is, room frame [m]
    * @param heading where the nose points [rad]
    */
-  Landing(Vec3 start, double heading) {
+  Landing(Vec3 start, double heading, Behavior behavior) {
     this.target = start;
+    this.behavior = behavior;
     this.heading = new Setpoint.Heading(heading, 0);
   }
 
@@ -47,7 +50,7 @@ final class Landing implements Maneuver {
     }
     contact = sensed.onGround() ? contact + seconds : 0;
     double height = sensed.motion().position().z();
-    if (time > DroneSpec.LANDING_DELAY) {
+    if (time > behavior.landingDelay()) {
       double limit =
           height > DroneSpec.SLOW_LANDING_HEIGHT
               ? DroneSpec.LANDING_SPEED
@@ -62,7 +65,7 @@ final class Landing implements Maneuver {
 
   @Override
   public boolean planned() {
-    return settled >= DroneSpec.LANDING_SETTLE;
+    return settled >= behavior.landingSettle();
   }
 
   @Override

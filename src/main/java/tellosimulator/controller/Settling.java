@@ -17,9 +17,6 @@ final class Settling {
   /** Greatest speed [m/s]. Decided: 5 cm/s, so a bit less. */
   private static final double SPEED = 0.03;
 
-  /** How long it must stay so [s]. Measured: about 0.3. */
-  private static final double STEADY = 0.3;
-
   /** After this a drone that wind shakes need only be about where it shall be [s]. Assumed. */
   private static final double SHAKEN = 2;
 
@@ -31,8 +28,16 @@ final class Settling {
   /** After this it gives up [s]. Assumed. */
   private static final double PATIENCE = 8;
 
+  private final double steadyTime;
   private double steady;
   private double waited;
+
+  /**
+   * @param steadyTime how long it must stay on its target [s]; with 0 it must be there
+   */
+  Settling(double steadyTime) {
+    this.steadyTime = steadyTime;
+  }
 
   void restart() {
     steady = 0;
@@ -52,7 +57,7 @@ final class Settling {
   }
 
   boolean settled() {
-    return steady >= STEADY;
+    return steady > 0 && steady >= steadyTime;
   }
 
   boolean givenUp() {

@@ -18,9 +18,6 @@ final class Takeoff implements Maneuver {
   /** Time over which the hover creeps up [s]. Measured: from 2.2 to 4.3 s. */
   private static final double CREEP_TIME = 2.1;
 
-  /** What balancing out takes at the least [s]; the plan ends that much before the answer. */
-  private static final double SETTLING = 0.3;
-
   private final Path path;
   private final SpeedProfile profile;
   private final double creep;
@@ -39,7 +36,7 @@ final class Takeoff implements Maneuver {
         SpeedProfile.over(
             path.length(), behavior.takeoffSpeed(), CLIMB_ACCELERATION, CLIMB_BRAKING);
     this.creep = behavior.takeoffCreep();
-    this.planTime = behavior.takeoffTime() - SETTLING;
+    this.planTime = behavior.takeoffTime() - behavior.steadyTime();
     this.heading = new Setpoint.Heading(heading, 0);
   }
 

@@ -80,12 +80,6 @@ public final class DroneSpec {
   /** Height at which a landing slows down [m]. Measured: about 60 cm. */
   public static final double SLOW_LANDING_HEIGHT = 0.6;
 
-  /** From {@code land} to the first motion [s]. Assumed: 3.0 s in all from 80 cm. */
-  public static final double LANDING_DELAY = 0.45;
-
-  /** From stopped motors to balanced out [s]. Assumed: 3.0 s in all from 80 cm. */
-  public static final double LANDING_SETTLE = 0.1;
-
   /** From {@code takeoff} to leaving the floor [s]. Measured: 0.75. */
   public static final double LIFT_OFF_DELAY = 0.75;
 

@@ -46,6 +46,30 @@ public enum Behavior {
     return pick(3.0, 5.5);
   }
 
+  /**
+   * From {@code land} to the first motion down [s]. Measured: 0.75 (xg590/Tello-Python). Assumed
+   * for the report: 3.0 s in all from 80 cm.
+   */
+  public double landingDelay() {
+    return pick(0.45, 0.75);
+  }
+
+  /**
+   * From stopped motors after a landing to {@code ok} [s]. Measured: 1.1 to 1.4 s after touchdown
+   * once, hardly any on another drone; 0.75 keeps to 3.0 s from 80 cm, give or take a quarter.
+   */
+  public double landingSettle() {
+    return pick(0.1, 0.75);
+  }
+
+  /**
+   * How long a drone must be on its target, and still, before {@code ok} [s]. Report: it balances
+   * out first. Measured: {@code ok} comes as the speed reaches 0 (xg590/Tello-Python, four moves).
+   */
+  public double steadyTime() {
+    return pick(0.3, 0.0);
+  }
+
   /** Standard deviation of where a move ends [m]. Measured: ±5 cm. */
   public double positionSigma() {
     return pick(0.0, 0.025);

@@ -83,6 +83,31 @@ class FlightTimesTest {
     assertThat(measured.state().motion().position().z()).isBetween(0.80, 0.94);
   }
 
+  /**
+   * A published flight answered moves of 50 cm after 2.24, 1.94, 2.14 and 2.34 s, 2.17 s in the
+   * mean, and {@code land} from 118 cm after 4.23 s; another drone {@code forward 100} after 3.6 s.
+   * See {@code docs/fidelity.md}.
+   */
+  @ParameterizedTest
+  @CsvSource({
+    "forward 50, 2.17",
+    "left 50, 2.17",
+    "back 50, 2.17",
+    "right 50, 2.17",
+    "forward 100, 3.6",
+    "land, 4.23"
+  })
+  void answersAsRealDronesDidAsMeasured(String command, double published) {
+    SteppedDrone measured = SteppedDrone.of(Profile.EDU, Behavior.MEASURED);
+    measured.ask("command");
+    measured.ask("takeoff");
+    double sent = measured.seconds();
+
+    assertThat(measured.ask(command)).isEqualTo("ok");
+
+    assertThat(measured.seconds() - sent).isCloseTo(published, Percentage.withPercentage(15));
+  }
+
   @Test
   void landsFrom80CmInThreeSeconds() {
     hoverAt30Cm();

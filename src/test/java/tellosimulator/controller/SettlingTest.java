@@ -17,7 +17,7 @@ class SettlingTest {
   private static final Setpoint TARGET =
       new Setpoint.Track(Vec3.ZERO, Vec3.ZERO, Vec3.ZERO, new Setpoint.Heading(0, 0));
 
-  private final Settling settling = new Settling();
+  private final Settling settling = new Settling(0.3);
 
   private void observe(double off, boolean pushed, double seconds) {
     Motion motion = Motion.restingAt(new Pose(new Vec3(off, 0, 0), Attitude.LEVEL));

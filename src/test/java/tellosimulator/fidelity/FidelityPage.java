@@ -119,7 +119,12 @@ public final class FidelityPage {
   private String range(int command, ToDoubleFunction<Motion> part) {
     double[] values =
         simulated(command, flown -> flown.motion().map(part::applyAsDouble).orElse(Double.NaN));
-    return String.format(Locale.ROOT, "%.0f (%.0f to %.0f)", values[1], values[0], values[2]);
+    return Math.round(values[1])
+        + " ("
+        + Math.round(values[0])
+        + " to "
+        + Math.round(values[2])
+        + ")";
   }
 
   private FlownCommand first(int command) {
