@@ -34,17 +34,17 @@ final class Simulator implements AutoCloseable {
 
   /** Starts it without a window, and waits until it is ready. */
   Simulator(String... options) throws IOException {
-    this(jar(), "--headless", List.of(options));
+    this(jar(), "--headless", List.of(options), settings());
   }
 
-  private Simulator(List<String> program, String way, List<String> options) throws IOException {
+  private Simulator(List<String> program, String way, List<String> options, Path settings)
+      throws IOException {
     List<String> command = new ArrayList<>(program);
     command.add(way);
     command.addAll(options);
     ProcessBuilder builder = new ProcessBuilder(command);
-    String fresh = Files.createTempDirectory("fresh").toString();
-    builder.environment().put("XDG_CONFIG_HOME", fresh);
-    builder.environment().put("XDG_DATA_HOME", fresh);
+    builder.environment().put("XDG_CONFIG_HOME", settings.toString());
+    builder.environment().put("XDG_DATA_HOME", settings.toString());
     start = System.nanoTime();
     process = builder.start();
     figures = new ProcessFigures(process);
@@ -64,20 +64,38 @@ final class Simulator implements AutoCloseable {
     }
   }
 
+  /** An empty folder: whoever starts with it starts for the first time. */
+  private static Path settings() throws IOException {
+    return Files.createTempDirectory("settings");
+  }
+
   private static List<String> jar() {
     return List.of(ProcessFigures.tool("java"), "-jar", System.getProperty("simulator.jar"));
   }
 
   /** Starts the app image without a window, and waits until it is ready. */
   static Simulator ofImage(Path launcher, String... options) throws IOException {
-    return new Simulator(List.of(launcher.toString()), "--headless", List.of(options));
+    return new Simulator(List.of(launcher.toString()), "--headless", List.of(options), settings());
   }
 
   /** Starts it with a window as a first user sees it, and waits until that can be used. */
+  static Simulator inFirstWindow(String... options) throws IOException {
+    return inWindow(settings(), options);
+  }
+
+  /** The same as it starts later, when the gallery does not lie over the room. */
   static Simulator inWindow(String... options) throws IOException {
+    Path settings = settings();
+    Path file = settings.resolve("tello-simulator").resolve("settings.properties");
+    Files.createDirectories(file.getParent());
+    Files.writeString(file, "show.inset=false\n");
+    return inWindow(settings, options);
+  }
+
+  private static Simulator inWindow(Path settings, String... options) throws IOException {
     List<String> all = new ArrayList<>(List.of("--log-level", "debug"));
     all.addAll(List.of(options));
-    Simulator simulator = new Simulator(jar(), "--on", all);
+    Simulator simulator = new Simulator(jar(), "--on", all, settings);
     simulator.usableSeconds();
     return simulator;
   }
@@ -97,7 +115,8 @@ final class Simulator implements AutoCloseable {
             "--drone",
             "127.0.0.1:" + dronePort,
             "--record",
-            recordings));
+            recordings),
+        settings());
   }
 
   private void readErrors() {

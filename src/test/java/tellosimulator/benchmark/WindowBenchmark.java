@@ -21,7 +21,14 @@ final class WindowBenchmark {
 
   private static final int WARM_UP_QUERIES = 5_000;
   private static final int QUERIES = 10_000;
-  private static final double LEAST_FRAMES = 20;
+
+  /** Longest start of a window that can be used [s]. Source of these targets: issue 19. */
+  private static final double LONGEST_START = 2.5;
+
+  /** Fewest frames a second in the default room, and in the gate race. */
+  private static final double LEAST_FRAMES = 24;
+
+  private static final double LEAST_RACE_FRAMES = 20;
 
   private static final int SWARM = 20;
   private static final double LEAST_SWARM_FRAMES = 15;
@@ -35,7 +42,9 @@ final class WindowBenchmark {
     }
     List<Measurement> rows = new ArrayList<>();
     rows.add(start());
-    rows.add(frames());
+    rows.add(
+        frames("Window of 1280 × 800 with one drone flying and the log scrolling", LEAST_FRAMES));
+    rows.add(frames("… in scenario `gate-race`", LEAST_RACE_FRAMES, "--scenario", "gate-race"));
     rows.add(swarmFrames());
     rows.addAll(queries());
     rows.add(heapAfter(minutes));
@@ -49,21 +58,24 @@ final class WindowBenchmark {
   private static Measurement start() throws IOException {
     List<Double> seconds = new ArrayList<>();
     for (int i = 0; i < STARTS; i++) {
-      try (Simulator simulator = Simulator.inWindow(NOT_ON_THE_USUAL_PORTS)) {
+      try (Simulator simulator = Simulator.inFirstWindow(NOT_ON_THE_USUAL_PORTS)) {
         seconds.add(simulator.usableSeconds());
       }
     }
     double median = new Statistics(seconds).median();
     return new Measurement(
         "From the start of the JVM to a window that can be used, median of " + STARTS,
-        "at most 3 s",
+        "at most " + LONGEST_START + " s",
         String.format(Locale.ROOT, "%.2f s", median),
-        median <= 3);
+        median <= LONGEST_START);
   }
 
   /** One drone that flies by {@code rc}, and refused commands that let the log scroll. */
-  private static Measurement frames() throws IOException {
-    try (Simulator simulator = Simulator.inWindow(NOT_ON_THE_USUAL_PORTS);
+  private static Measurement frames(String what, double least, String... scenario)
+      throws IOException {
+    List<String> options = new ArrayList<>(List.of(NOT_ON_THE_USUAL_PORTS));
+    options.addAll(List.of(scenario));
+    try (Simulator simulator = Simulator.inWindow(options.toArray(String[]::new));
         Operator operator = new Operator(simulator.port(1));
         Circling circling = new Circling(simulator.port(1))) {
       operator.expect("command", "ok");
@@ -79,10 +91,10 @@ final class WindowBenchmark {
       List<Double> rates = simulator.frameRates();
       double median = new Statistics(rates.subList(WARM_UP_PERIODS, rates.size())).median();
       return new Measurement(
-          "Window of 1280 × 800 with one drone flying and the log scrolling",
-          "at least 20 frames/s",
+          what,
+          String.format(Locale.ROOT, "at least %.0f frames/s", least),
           String.format(Locale.ROOT, "%.1f frames/s", median),
-          median >= LEAST_FRAMES);
+          median >= least);
     }
   }
 
