@@ -4,12 +4,19 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.util.ArrayDeque;
 import java.util.Deque;
+import java.util.concurrent.locks.LockSupport;
 import tellosimulator.Main;
 
 /** The program as users start it, with a guest that fills its memory when something is typed. */
 public final class HungryProgram {
 
   private static final int LEAST_BYTE = 16;
+
+  /**
+   * From one try that finds nothing to the next [ns]: each costs two collections of the whole heap,
+   * which takes seconds beside other work, and the program must come to its own.
+   */
+  private static final long REST_NANOS = 1_000_000_000;
 
   private HungryProgram() {}
 
@@ -40,6 +47,9 @@ public final class HungryProgram {
       try {
         eaten.add(new byte[size]);
       } catch (OutOfMemoryError e) {
+        if (size == LEAST_BYTE) {
+          LockSupport.parkNanos(REST_NANOS);
+        }
         size = Math.max(LEAST_BYTE, size / 2);
       }
     }
