@@ -2,6 +2,7 @@ package tellosimulator.view.log;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static tellosimulator.testing.SteppedDrone.address;
+import static tellosimulator.view.testing.WindowFixture.waitUntil;
 
 import atlantafx.base.theme.PrimerLight;
 import java.io.IOException;
@@ -269,21 +270,25 @@ class LogPaneFxTest {
     robot.drag("#log-list .scroll-bar:vertical .thumb").dropBy(0, -60);
     pulse();
 
-    assertThat(autoscroll().isSelected()).isFalse();
+    waitUntil(() -> !autoscroll().isSelected());
     assertThat(lastVisible()).isLessThan(100);
   }
 
   @Test
   void keysScrollAwayFromTheEndAndBack() {
     commands(100);
-    robot.clickOn("#log-list").type(KeyCode.HOME);
+    robot.clickOn("#log-list");
+    waitUntil(() -> list().isFocused());
+
+    robot.type(KeyCode.HOME);
     pulse();
-    assertThat(autoscroll().isSelected()).isFalse();
+    waitUntil(() -> !autoscroll().isSelected());
     assertThat(visible()).startsWith(0);
 
     robot.type(KeyCode.END);
     pulse();
-    assertThat(autoscroll().isSelected()).isTrue();
+    waitUntil(() -> autoscroll().isSelected());
+    assertThat(lastVisible()).isEqualTo(100);
   }
 
   @Test
