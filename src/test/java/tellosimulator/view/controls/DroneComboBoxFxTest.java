@@ -53,8 +53,8 @@ class DroneComboBoxFxTest {
         .isEqualTo(DroneColors.of(window.context().simulation().drones().get(1)));
 
     robot.clickOn("#power");
-    assertThat(window.drone(2).state().phase()).isEqualTo(FlightPhase.GROUNDED);
-    assertThat(window.drone(1).state().phase()).isEqualTo(FlightPhase.OFF);
+    window.until(() -> window.drone(2).state().phase() == FlightPhase.GROUNDED);
+    window.until(() -> window.drone(1).state().phase() == FlightPhase.OFF);
     window.until(() -> entry(robot).getText().equals("Drone 2 · on the ground · 42 %"));
 
     robot.clickOn("#battery-charge");

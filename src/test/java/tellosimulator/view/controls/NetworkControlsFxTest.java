@@ -75,7 +75,7 @@ class NetworkControlsFxTest {
 
     robot.clickOn("#power");
 
-    assertThat(window.drone(1).state().phase()).isEqualTo(FlightPhase.GROUNDED);
+    window.until(() -> window.drone(1).state().phase() == FlightPhase.GROUNDED);
     window.until(() -> window.text("#power").equals("Stop Drone"));
     assertThat(window.text("#operator")).isEqualTo("Waits for `command`");
     String address = "127.0.0.1:" + window.simulation().addresses(1).get(0).getPort();
@@ -84,7 +84,7 @@ class NetworkControlsFxTest {
 
     robot.clickOn("#power");
 
-    assertThat(window.drone(1).state().phase()).isEqualTo(FlightPhase.OFF);
+    window.until(() -> window.drone(1).state().phase() == FlightPhase.OFF);
     window.until(() -> window.text("#power").equals("Start Drone"));
     try (DatagramSocket free = new DatagramSocket(window.simulation().addresses(1).get(0))) {
       assertThat(free.isBound()).isTrue();
@@ -107,12 +107,12 @@ class NetworkControlsFxTest {
       robot.clickOn("#power");
       window.until(() -> !window.sentence("#power-error").isEmpty());
 
-      assertThat(window.drone(1).state().phase()).isEqualTo(FlightPhase.OFF);
+      window.until(() -> window.drone(1).state().phase() == FlightPhase.OFF);
       assertThat(window.sentence("#power-error"))
           .startsWith("Port " + port + " of 127.0.0.1 is taken")
           .contains("Tello simulator", "choose another command port");
-      assertThat(window.text("#power")).isEqualTo("Start Drone");
-      assertThat(robot.lookup("#power").queryAs(ToggleButton.class).isSelected()).isFalse();
+      window.until(() -> window.text("#power").equals("Start Drone"));
+      window.until(() -> !robot.lookup("#power").queryAs(ToggleButton.class).isSelected());
       window.speak(Locale.GERMAN);
       assertThat(window.sentence("#power-error")).startsWith("Port " + port + " von 127.0.0.1");
 
@@ -121,7 +121,7 @@ class NetworkControlsFxTest {
       assertThat(window.sentence("#power-error")).isEmpty();
       robot.clickOn("#power");
 
-      assertThat(window.drone(1).state().phase()).isEqualTo(FlightPhase.GROUNDED);
+      window.until(() -> window.drone(1).state().phase() == FlightPhase.GROUNDED);
       assertThat(window.simulation().addresses(1)).containsExactly(address("127.0.0.1", another));
     }
   }
@@ -261,7 +261,8 @@ class NetworkControlsFxTest {
     window.settle();
     robot.clickOn("#behaviour-measured");
 
-    assertThat(window.drone(1).product()).isEqualTo(new Product(Profile.TELLO, Behavior.MEASURED));
+    Product chosen = new Product(Profile.TELLO, Behavior.MEASURED);
+    window.until(() -> window.drone(1).product().equals(chosen));
     assertThat(window.drone(1).link().statePort()).isEqualTo(18890);
 
     robot.clickOn("#behaviour-measured"); // one of them is always pressed
