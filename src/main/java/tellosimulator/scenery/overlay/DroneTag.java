@@ -1,11 +1,8 @@
 package tellosimulator.scenery.overlay;
 
-import java.util.List;
-import java.util.Optional;
 import tellosimulator.math.Pose;
 import tellosimulator.math.Vec3;
 import tellosimulator.scenery.drone.Livery;
-import tellosimulator.scenery.mesh.Instance;
 import tellosimulator.scenery.mesh.Rgb;
 import tellosimulator.scenery.mesh.Texture;
 import tellosimulator.scenery.texture.AlphaMask;
@@ -13,10 +10,7 @@ import tellosimulator.scenery.texture.AlphaMask.Point;
 import tellosimulator.scenery.texture.Canvas;
 import tellosimulator.scenery.texture.StrokeFont;
 
-/**
- * What shows people where a drone is: its number above it or, where there is one alone, an
- * arrowhead that points down at it from afar. Immutable; for any thread.
- */
+/** The number of a drone, above it and its ring. Immutable; for any thread. */
 final class DroneTag {
 
   /** Height above the drone's feet [m]. Decided: clear of the propellers. */
@@ -30,51 +24,25 @@ final class DroneTag {
 
   private static final Point CENTER = new Point(32, 32);
 
-  /** Size of an arrowhead, as a share of the distance from the camera. Decided: by eye. */
-  private static final double ARROWHEAD_SIZE = 0.024;
-
-  /** Nearer than this a drone needs no arrowhead [m]. Decided: it is 40 pixels wide there. */
-  private static final double ARROWHEAD_DISTANCE = 2.5;
-
   private final Billboard billboard;
-  private final double nearest;
 
-  private DroneTag(Billboard billboard, double nearest) {
-    this.billboard = billboard;
-    this.nearest = nearest;
-  }
-
-  /** A number, seen from everywhere. */
-  static DroneTag number(int number, Livery livery) {
-    return new DroneTag(Billboard.standing(texture(number, livery), SIZE), 0);
-  }
-
-  /** An arrowhead, seen from afar. */
-  static DroneTag arrowhead(Livery livery) {
-    Texture texture =
-        new Canvas(TEXELS, Rgb.WHITE)
-            .paint(livery.color(), mask -> mask.fill(triangle(22)))
-            .cutOut(new AlphaMask(TEXELS).fill(triangle(31)));
-    return new DroneTag(Billboard.standing(texture, ARROWHEAD_SIZE), ARROWHEAD_DISTANCE);
+  DroneTag(int number, Livery livery) {
+    billboard = Billboard.standing(texture(number, livery), SIZE);
   }
 
   /**
-   * The tag at its place; empty if it is not needed.
+   * The tag at its place, in front of everything.
    *
-   * @param drone its position, room frame [m]
+   * @param drone room frame
+   * @param clear how much higher than the drone it is seen [m]
    */
-  Optional<Instance> above(Vec3 drone, Pose camera) {
-    return camera.position().distanceTo(drone) < nearest
-        ? Optional.empty()
-        : Optional.of(billboard.at(drone.plusScaled(Vec3.UP, HEIGHT), camera));
-  }
-
-  /** One that stands on its tip. */
-  private static List<Point> triangle(double size) {
-    return List.of(
-        new Point(CENTER.x() - size, CENTER.y() - 0.85 * size),
-        new Point(CENTER.x() + size, CENTER.y() - 0.85 * size),
-        new Point(CENTER.x(), CENTER.y() + size));
+  Marker above(Pose drone, double clear, Eye eye) {
+    Pose camera = eye.pose();
+    Vec3 up = camera.attitude().toRoom(Vec3.UP);
+    Vec3 place = drone.position().plusScaled(Vec3.UP, HEIGHT).plusScaled(up, clear);
+    double distance = camera.position().distanceTo(drone.position());
+    double near = eye.beforeAll(distance);
+    return Marker.inFront(billboard.inFront(place, camera, 0, near), distance);
   }
 
   /** White digits on a disc of the drone's colour, with a white rim. */

@@ -44,8 +44,7 @@ final class GoalTags {
     Vec3 place = over(mark.place());
     Billboard billboard = billboards.computeIfAbsent(look, GoalTags::billboard);
     double distance = eye.pose().position().distanceTo(place);
-    // Those that are farther are farther in front of everything, too.
-    double near = eye.nearest() * (2 + distance / (1 + distance));
+    double near = eye.beforeAll(distance);
     return Marker.inFront(billboard.inFront(place, eye.pose(), aside, near), distance);
   }
 

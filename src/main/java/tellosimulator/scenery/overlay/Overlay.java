@@ -6,6 +6,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import tellosimulator.goal.GoalMark;
+import tellosimulator.math.Pose;
 import tellosimulator.math.Vec3;
 import tellosimulator.scenery.drone.Livery;
 import tellosimulator.scenery.mesh.Instance;
@@ -14,9 +15,9 @@ import tellosimulator.sim.SimSnapshot;
 import tellosimulator.sim.SimSnapshot.DroneSnapshot;
 
 /**
- * The overlay of a scene as one window shows it: trails, plumb lines and drone tags; goals, the way
- * to the next one, and where drones touched something. It follows the drones from snapshot to
- * snapshot. For one thread at a time.
+ * The overlay of a scene as one window shows it: trails, plumb lines, rings and drone tags; goals,
+ * the way to the next one, and where drones touched something. It follows the drones from snapshot
+ * to snapshot. For one thread at a time.
  */
 public final class Overlay {
 
@@ -24,7 +25,12 @@ public final class Overlay {
   private static final double MIDDLE = 0.02;
 
   private final List<Trail> trails = new ArrayList<>();
+  private final List<PlumbLine> plumbLines = new ArrayList<>();
+  private final List<HeadingRing> rings = new ArrayList<>();
+
+  /** Empty where a drone is alone. */
   private final List<DroneTag> tags = new ArrayList<>();
+
   private final Map<Integer, Rgb> colors = new HashMap<>();
   private final GoalMarkers goalMarkers = new GoalMarkers();
   private final GoalTags goalTags = new GoalTags();
@@ -43,10 +49,11 @@ public final class Overlay {
       Livery livery = Livery.of(drone);
       colors.put(drone.state().drone(), livery.color());
       trails.add(new Trail(drone));
-      tags.add(
-          first.drones().size() > 1
-              ? DroneTag.number(drone.state().drone(), livery)
-              : DroneTag.arrowhead(livery));
+      plumbLines.add(new PlumbLine(livery));
+      rings.add(new HeadingRing(livery, first.drones().size()));
+      if (first.drones().size() > 1) {
+        tags.add(new DroneTag(drone.state().drone(), livery));
+      }
     }
   }
 
@@ -93,8 +100,9 @@ public final class Overlay {
     }
     List<DroneSnapshot> drones = snapshot.drones();
     Vec3 camera = eye.pose().position();
-    for (DroneSnapshot drone : drones) {
-      PlumbLine.from(drone.state().motion().position(), camera).ifPresent(instances::add);
+    for (int i = 0; i < drones.size(); i++) {
+      DroneSnapshot drone = drones.get(i);
+      instances.addAll(plumbLines.get(i).from(drone.state().motion().position(), camera));
       if (goalLineShown) {
         addGoalLine(instances, drone, camera);
       }
@@ -118,11 +126,12 @@ public final class Overlay {
     for (ContactMark contact : contacts) {
       markers.add(Marker.at(contact.place(), contactMarkers.of(contact, eye.pose()), eye));
     }
-    for (int i = 0; i < tags.size(); i++) {
-      Vec3 drone = drones.get(i).state().motion().position();
-      tags.get(i)
-          .above(drone, eye.pose())
-          .ifPresent(tag -> markers.add(Marker.at(drone, tag, eye)));
+    for (int i = 0; i < rings.size(); i++) {
+      Pose drone = drones.get(i).state().motion().pose();
+      rings.get(i).around(drone, eye).ifPresent(markers::add);
+      if (!tags.isEmpty()) {
+        markers.add(tags.get(i).above(drone, rings.get(i).reach(drone, eye), eye));
+      }
     }
     Map<Vec3, Integer> at = new HashMap<>();
     for (GoalMark mark : goals) {

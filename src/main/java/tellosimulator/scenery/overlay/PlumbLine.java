@@ -1,9 +1,10 @@
 package tellosimulator.scenery.overlay;
 
-import java.util.Optional;
+import java.util.List;
 import tellosimulator.math.Attitude;
 import tellosimulator.math.Pose;
 import tellosimulator.math.Vec3;
+import tellosimulator.scenery.drone.Livery;
 import tellosimulator.scenery.mesh.Instance;
 import tellosimulator.scenery.mesh.Mesh;
 import tellosimulator.scenery.mesh.MeshBuilder;
@@ -12,10 +13,14 @@ import tellosimulator.scenery.mesh.Part;
 import tellosimulator.scenery.mesh.Rgb;
 import tellosimulator.scenery.mesh.Shading;
 import tellosimulator.scenery.mesh.Texture;
+import tellosimulator.scenery.texture.AlphaMask;
+import tellosimulator.scenery.texture.AlphaMask.Arc;
+import tellosimulator.scenery.texture.AlphaMask.Point;
+import tellosimulator.scenery.texture.Canvas;
 
 /**
- * The dashed line from a drone straight down to the floor, in another colour than its path.
- * Immutable; for any thread.
+ * The dashed line from a drone straight down to the floor, in another colour than its path, and a
+ * target of the drone's colour where it meets the floor. Immutable; for any thread.
  */
 final class PlumbLine {
 
@@ -41,9 +46,32 @@ final class PlumbLine {
   private static final Mesh MESH =
       MeshBuilder.of(new Quad(new Vec3(0, -0.5, 0), new Vec3(0, 1, 0), Vec3.UP));
 
-  private static final Part PART = new Part(MESH, dashes(), Shading.TRANSLUCENT);
+  private static final Part LINE = new Part(MESH, dashes(), Shading.TRANSLUCENT);
 
-  private PlumbLine() {}
+  /** Radius of the target, as a share of the distance from the camera. Decided: by eye. */
+  private static final double RADIUS = 0.014;
+
+  /** Least radius of the target [m]. Decided: by eye. */
+  private static final double LEAST_RADIUS = 0.05;
+
+  /** Above the floor [m]. Decided: it does not flicker from 10 m away. */
+  private static final double OFFSET = 0.006;
+
+  private static final int TEXELS_OF_TARGET = 64;
+
+  private static final Point CENTER = new Point(32, 32);
+
+  private static final Mesh TARGET = MeshBuilder.of(Quad.onFloor(2));
+
+  private final Part target;
+
+  PlumbLine(Livery livery) {
+    Texture texture =
+        new Canvas(TEXELS_OF_TARGET, livery.color())
+            .paint(Rgb.WHITE, mask -> mask.stroke(Arc.circle(CENTER, 17).points(), 8))
+            .cutOut(new AlphaMask(TEXELS_OF_TARGET).dot(CENTER, 30));
+    target = new Part(TARGET, texture, Shading.TRANSLUCENT);
+  }
 
   private static Texture dashes() {
     int[] texels = new int[2 * DASHES * TEXELS];
@@ -54,18 +82,25 @@ final class PlumbLine {
   }
 
   /**
-   * A billboard that turns to the camera about the vertical axis; empty while a drone is down.
+   * The line, which turns to the camera about the vertical axis, and the target; empty while a
+   * drone is down.
    *
    * @param drone its position, room frame [m]
    * @param camera its position, room frame [m]
    */
-  static Optional<Instance> from(Vec3 drone, Vec3 camera) {
+  List<Instance> from(Vec3 drone, Vec3 camera) {
     if (drone.z() <= LOWEST) {
-      return Optional.empty();
+      return List.of();
     }
     Vec3 towards = camera.minus(drone);
     double heading = StrictMath.atan2(towards.y(), towards.x());
-    Pose foot = new Pose(drone.withZ(0), Attitude.ofHeading(heading));
-    return Optional.of(new Instance(PART, foot, new Vec3(1, WIDTH * towards.norm(), drone.z()), 1));
+    Vec3 floor = drone.withZ(0);
+    Pose foot = new Pose(floor, Attitude.ofHeading(heading));
+    double width = WIDTH * towards.norm();
+    double radius = Math.max(LEAST_RADIUS, RADIUS * camera.distanceTo(floor));
+    Pose level = new Pose(drone.withZ(OFFSET), Attitude.LEVEL);
+    return List.of(
+        new Instance(target, level, radius, 1),
+        new Instance(LINE, foot, new Vec3(1, width, drone.z()), 1));
   }
 }

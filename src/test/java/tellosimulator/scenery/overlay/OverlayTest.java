@@ -42,8 +42,10 @@ class OverlayTest {
     int withTrail = overlay.instances(snapshot(), CAMERA).size();
     overlay.showTrails(false);
 
-    assertThat(overlay.instances(snapshot(), CAMERA)).as("the plumb line").hasSize(1);
-    assertThat(withTrail).isGreaterThan(1);
+    assertThat(overlay.instances(snapshot(), CAMERA))
+        .as("the plumb line and its target")
+        .hasSize(2);
+    assertThat(withTrail).isGreaterThan(2);
   }
 
   @Test
@@ -54,7 +56,7 @@ class OverlayTest {
     overlay.showTrails(true);
 
     List<Instance> instances = overlay.instances(snapshot(), CAMERA);
-    assertThat(instances).hasSizeGreaterThan(1);
+    assertThat(instances).hasSizeGreaterThan(2);
     double highest =
         instances.stream()
             .map(instance -> instance.part().mesh())
@@ -86,13 +88,13 @@ class OverlayTest {
   }
 
   @Test
-  void aDroneAloneIsPointedAtFromAfar() {
-    Eye far = new Eye(new Pose(new Vec3(-4, 0, 1), Attitude.LEVEL), 0.1);
+  void aDroneThatIsSmallHasARing() {
+    assertThat(overlay.instances(snapshot(), from(-4, 1))).hasSize(1);
+    assertThat(overlay.instances(snapshot(), from(-2, 1))).isEmpty();
+  }
 
-    List<Instance> instances = overlay.instances(snapshot(), far);
-
-    assertThat(instances).hasSize(1);
-    assertThat(instances.get(0).pose().position().z()).as("above it").isGreaterThan(0);
+  private static Eye from(double x, double z) {
+    return new Eye(new Pose(new Vec3(x, 0, z), Attitude.LEVEL), 0.1);
   }
 
   /** Takes off, and moves up by 150 cm. */
