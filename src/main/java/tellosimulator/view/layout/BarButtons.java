@@ -17,8 +17,9 @@ import tellosimulator.view.text.Messages;
 import tellosimulator.view.world.Simulator3DScene;
 
 /**
- * Makes the buttons of the bars at the top of windows. The id of a button is the key of its texts.
- * For the JavaFX thread.
+ * Makes the buttons of the bars at the top of windows. The id of a button is the key of its texts,
+ * a hint and mostly a word, for which {@link LabeledToolBar} has room or not. For the JavaFX
+ * thread.
  */
 public final class BarButtons {
 
@@ -77,16 +78,23 @@ public final class BarButtons {
 
   /** Fills the screen. */
   public ToggleButton fullScreen(Property<Boolean> state) {
-    return toggle("full-screen", Feather.MAXIMIZE, state);
+    return wordless("full-screen", Feather.MAXIMIZE, state);
   }
 
   Button button(String id, Ikon icon, Runnable action) {
     Button button = new Button("", new FontIcon(icon));
+    button.textProperty().bind(messages.text(id + "-word"));
     button.getStyleClass().addAll(Styles.BUTTON_ICON, Styles.FLAT);
     return prepared(button, id, action);
   }
 
   ToggleButton toggle(String id, Ikon icon, Property<Boolean> state) {
+    ToggleButton button = wordless(id, icon, state);
+    button.textProperty().bind(messages.text(id + "-word"));
+    return button;
+  }
+
+  private ToggleButton wordless(String id, Ikon icon, Property<Boolean> state) {
     ToggleButton button = new ToggleButton("", new FontIcon(icon));
     button.getStyleClass().addAll(Styles.BUTTON_ICON, Styles.FLAT);
     button.selectedProperty().bindBidirectional(state);
@@ -98,9 +106,7 @@ public final class BarButtons {
     button.getStyleClass().add(Styles.SMALL);
     Tooltips.install(button, messages.text(id + "-tip"));
     button.accessibleTextProperty().bind(messages.text(id + "-tip"));
-    if (button.getGraphic() != null) {
-      button.setContentDisplay(ContentDisplay.GRAPHIC_ONLY);
-    }
+    button.setContentDisplay(ContentDisplay.GRAPHIC_ONLY);
     button.setOnAction(event -> action.run());
     return button;
   }

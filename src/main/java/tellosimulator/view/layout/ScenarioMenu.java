@@ -5,6 +5,7 @@ import atlantafx.base.theme.Tweaks;
 import java.io.File;
 import java.nio.file.Path;
 import java.util.Optional;
+import javafx.scene.control.ContentDisplay;
 import javafx.scene.control.MenuButton;
 import javafx.scene.control.MenuItem;
 import javafx.scene.input.KeyCode;
@@ -37,6 +38,8 @@ public final class ScenarioMenu extends MenuButton {
     getStyleClass().addAll(Styles.BUTTON_ICON, Styles.FLAT, Styles.SMALL, Tweaks.NO_ARROW);
     Tooltips.install(this, messages.text("scenario-file-tip"));
     accessibleTextProperty().bind(messages.text("scenario-file"));
+    textProperty().bind(messages.text("scenario-file"));
+    setContentDisplay(ContentDisplay.GRAPHIC_ONLY);
     MenuItem reload = item("scenario-reload", KeyCode.R, actions::reload);
     reload.setDisable(scenario.plain());
     MenuItem saveAs = item("scenario-save-as", KeyCode.S, this::chooseToSave);

@@ -7,6 +7,7 @@ import java.util.Locale;
 import javafx.beans.property.Property;
 import javafx.beans.value.ObservableValue;
 import javafx.scene.control.CheckMenuItem;
+import javafx.scene.control.ContentDisplay;
 import javafx.scene.control.Menu;
 import javafx.scene.control.MenuButton;
 import javafx.scene.control.MenuItem;
@@ -30,6 +31,8 @@ final class SettingsMenu extends MenuButton {
     setId("settings");
     Tooltips.install(this, messages.text("settings"));
     accessibleTextProperty().bind(messages.text("settings"));
+    textProperty().bind(messages.text("settings"));
+    setContentDisplay(ContentDisplay.GRAPHIC_ONLY);
     getStyleClass().addAll(Styles.BUTTON_ICON, Styles.FLAT, Styles.SMALL, Tweaks.NO_ARROW);
     MenuItem about = new MenuItem();
     about.setId("about");

@@ -4,14 +4,13 @@ import atlantafx.base.controls.Spacer;
 import javafx.geometry.Orientation;
 import javafx.scene.control.Separator;
 import javafx.scene.control.ToggleButton;
-import javafx.scene.control.ToolBar;
 import org.kordamp.ikonli.feather.Feather;
 import tellosimulator.view.model.ViewContext;
 import tellosimulator.view.text.Language;
 import tellosimulator.view.world.Simulator3DScene;
 
 /** The bar at the top: from where one looks, how one flies, and how the window looks. */
-public final class WindowBar extends ToolBar {
+public final class WindowBar extends LabeledToolBar {
 
   private final BarButtons buttons;
   private final WindowState state;

@@ -12,6 +12,7 @@ import javafx.scene.layout.Priority;
 import javafx.scene.layout.VBox;
 import tellosimulator.view.fx.CommonStyles;
 import tellosimulator.view.layout.BarButtons;
+import tellosimulator.view.layout.LabeledToolBar;
 import tellosimulator.view.layout.Theme;
 import tellosimulator.view.model.SceneContext;
 import tellosimulator.view.world.RoomView;
@@ -64,7 +65,7 @@ final class ReplayPane extends BorderPane {
   private ToolBar bar(SceneContext context, DisplaySettings display) {
     BarButtons buttons = new BarButtons(context.language());
     ToolBar bar =
-        new ToolBar(
+        new LabeledToolBar(
             buttons.camera(world),
             buttons.fit(world),
             buttons.follow(world),

@@ -112,6 +112,32 @@ class SmallWindowFxTest {
     assertThat(window.shows("drones")).isTrue();
   }
 
+  @ParameterizedTest
+  @CsvSource({"en, Scenarios, Follow", "de, Szenarien, Folgen"})
+  void asManyButtonsOfTheBarHaveWordsAsThereIsRoomFor(Locale language, String first, String other) {
+    window.change(() -> window.context().language().localeProperty().set(language));
+    resize(1280, 800);
+    waitUntil(() -> shown("view-follow") == ContentDisplay.LEFT);
+    assertThat(window.text("view-follow")).isEqualTo(other);
+    assertThat(overflows()).isFalse();
+
+    resize(1024, 768);
+    waitUntil(() -> shown("view-follow") == ContentDisplay.GRAPHIC_ONLY);
+    assertThat(window.find("view-follow", Control.class).getTooltip().getText()).isNotBlank();
+    assertThat(shown("scenarios")).as("the most important").isEqualTo(ContentDisplay.LEFT);
+    assertThat(window.text("scenarios")).isEqualTo(first);
+    assertThat(overflows()).isFalse();
+
+    resize(1280, 800);
+    waitUntil(() -> shown("view-follow") == ContentDisplay.LEFT);
+  }
+
+  /** Whether buttons of the bar have gone into a menu at its end. */
+  private boolean overflows() {
+    return onFxThread(() -> window.find("window-bar").lookup(".tool-bar-overflow-button"))
+        .isVisible();
+  }
+
   private void resize(double width, double height) {
     window.passFrames(80); // for more than a second it keeps the size with which it was opened
     window.change(

@@ -44,6 +44,7 @@ class TranslatedWindowFxTest {
           "Radius cm",
           "−60 s",
           "Pause",
+          "Plan",
           "Wind",
           "0 cm/s",
           "live",
