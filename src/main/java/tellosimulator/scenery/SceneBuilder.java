@@ -74,7 +74,9 @@ public final class SceneBuilder {
     }
     seen.forEach(drone -> addPropellers(drones, drone)); // last, because they may be translucent
     return new Scene(
-        interior.instances(arena.room(), arena.decor(), finish),
+        without.isEmpty()
+            ? interior.onSlab(arena.room(), arena.decor(), finish)
+            : interior.instances(arena.room(), arena.decor(), finish),
         ground(snapshot),
         furniture.instances(arena.obstacles()),
         drones,

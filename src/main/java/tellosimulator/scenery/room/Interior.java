@@ -17,9 +17,9 @@ import tellosimulator.world.Room;
 import tellosimulator.world.Surface;
 
 /**
- * The inside of a room: floor, walls and ceiling, and the decals on them. It has no outside: a wall
- * between the camera and the room is a back face and not drawn. Keeps what it made for the latest
- * room of each finish. For any thread.
+ * The inside of a room: floor, walls and ceiling, and the decals on them. It has no outside but the
+ * slab on which it stands: a wall between the camera and the room is a back face and not drawn.
+ * Keeps what it made for the latest room of each finish. For any thread.
  */
 public final class Interior {
 
@@ -52,6 +52,7 @@ public final class Interior {
   }
 
   private final Map<Finish, Cached<Look, List<Instance>>> instances = new EnumMap<>(Finish.class);
+  private final Map<Finish, Cached<Look, List<Instance>>> onSlab = new EnumMap<>(Finish.class);
   private final Posters posters = new Posters();
   private final Cached<Double, Texture> plainFloor = new Cached<>(PlainTextures::floor);
   private final Cached<Double, Texture> texturedFloor = new Cached<>(Parquet.TEXTURED::texture);
@@ -66,12 +67,25 @@ public final class Interior {
   public Interior() {
     for (Finish finish : Finish.values()) {
       instances.put(finish, new Cached<>(look -> make(look, finish)));
+      onSlab.put(finish, new Cached<>(look -> withSlab(look, finish)));
     }
   }
 
   /** The room, in drawing order; the same list while room and decor are the same. */
   public synchronized List<Instance> instances(Room room, Decor decor, Finish finish) {
     return instances.get(finish).get(new Look(room, decor));
+  }
+
+  /** The same on its slab, for those who may look from outside. */
+  public synchronized List<Instance> onSlab(Room room, Decor decor, Finish finish) {
+    return onSlab.get(finish).get(new Look(room, decor));
+  }
+
+  private List<Instance> withSlab(Look look, Finish finish) {
+    List<Instance> all = new ArrayList<>();
+    Slab.parts(look.room).forEach(part -> all.add(Instance.atOrigin(part)));
+    all.addAll(instances.get(finish).get(look));
+    return List.copyOf(all);
   }
 
   private List<Instance> make(Look look, Finish finish) {
