@@ -3,7 +3,7 @@ package tellosimulator.view.world;
 /** A view of the room that one chooses with a key or in a menu. */
 public enum RoomView {
   /** From behind and above, a little from the right. Decided: one sees floor and two walls. */
-  START(20, 29),
+  START(20, 33),
   /** From the front wall: one sees the noses of drones that look along the room's x. */
   FRONT(180, 14),
   /** From the right wall. */

@@ -41,7 +41,9 @@ record ViewWindow(double left, double right, double top, double bottom) {
 
   /**
    * Where a camera is nearest to some points and sees all of them in this rectangle. They touch two
-   * opposite edges of it, and lie in the middle between the other two.
+   * opposite edges of it. Between the left and the right one they lie in the middle, between the
+   * upper and the lower one as well if the camera looks down; the more level it looks, the nearer
+   * they are to the lower edge, as the walls of a room stand above its floor.
    *
    * <p>In the camera's frame, a camera at c sees a point p within the left edge if (p.y − c.y) /
    * (p.x − c.x) is at most {@code left}, so c.y − left c.x must be at least the greatest p.y − left
@@ -66,7 +68,9 @@ record ViewWindow(double left, double right, double top, double bottom) {
     double x =
         Math.min((rightmost - leftmost) / (left - right), (lowest - highest) / (top - bottom));
     double y = (leftmost + left * x + rightmost + right * x) / 2;
-    double z = (highest + top * x + lowest + bottom * x) / 2;
+    double ahead = attitude.toRoom(new Vec3(1, 0, 0)).z();
+    double low = 1 - ahead * ahead / 2;
+    double z = (1 - low) * (highest + top * x) + low * (lowest + bottom * x);
     return attitude.toRoom(new Vec3(x, y, z));
   }
 }

@@ -86,8 +86,8 @@ class SimulatorCameraFxTest {
 
   @Test
   void aDroneThatLeavesThePictureIsTakenBackIntoIt() {
-    fixture.look(RoomView.FRONT);
-    Vec3 high = new Vec3(2.3, 0, 2.8);
+    fixture.look(RoomView.START);
+    Vec3 high = new Vec3(-2.3, -2.3, 2.9);
     assertThat(seen(high)).isEmpty();
 
     fixture.put(new Pose(high, Attitude.LEVEL), FlightPhase.FLYING);

@@ -33,6 +33,24 @@ class ViewWindowTest {
     assertThat(place.distanceTo(new Vec3(-2.9042109, 0, 0))).isLessThan(1e-6);
   }
 
+  /** So that walls are seen above a floor, and no empty space below it. */
+  @ParameterizedTest
+  @CsvSource({"0, 1", "0, 0.5", "45, 1", "90, 0.5"})
+  void theMoreLevelOneLooksTheLowerAreFlatThings(double elevationDeg, double halfWidth) {
+    ViewWindow all = ViewWindow.of(FIELD_OF_VIEW, SIZE, new Rectangle2D(0, 0, 1000, 600));
+    Attitude attitude = new Orbit(0, Math.toRadians(elevationDeg), 1, Vec3.ZERO).attitude();
+    Vec3 right = new Vec3(0, -halfWidth, 0);
+    List<Vec3> line = List.of(right, right.times(-1));
+
+    Vec3 place = all.nearest(line, attitude);
+
+    Viewpoint viewpoint = new Viewpoint(new Pose(place, attitude), FIELD_OF_VIEW, true, 0.01, 1000);
+    double down = viewpoint.project(right.times(0.99), 1000, 600).orElseThrow().getY();
+    assertThat(down)
+        .isCloseTo(
+            300 + 300 * StrictMath.pow(Math.cos(Math.toRadians(elevationDeg)), 2), within(3.0));
+  }
+
   @ParameterizedTest
   @EnumSource(RoomView.class)
   void inEachDirectionAllPointsAreSeenAndTouchTwoEdges(RoomView view) {
