@@ -19,4 +19,13 @@ public record Eye(Pose pose, double nearest) {
   double beforeAll(double distance) {
     return nearest * (2 + distance / (1 + distance));
   }
+
+  /**
+   * The same for what is in front of the room, but behind what is in front of everything [m].
+   *
+   * @param distance of what is shown [m]
+   */
+  double beforeRoom(double distance) {
+    return 2 * beforeAll(distance);
+  }
 }

@@ -25,8 +25,10 @@ import tellosimulator.scenery.overlay.LatheMesh.Range;
 import tellosimulator.world.Shape;
 
 /**
- * The markers of goals in the room: balls to reach, circles to land on, and outlines of gates with
- * an arrow where one shall fly. Keeps the parts that it has made. For one thread.
+ * The markers of goals in the room: balls to reach, circles to land on, and outlines of the gates
+ * that come next, with an arrow where one shall fly. Other gates keep their own color: a tint over
+ * it would be mud, and their tags say whether they are done. Keeps the parts that it has made. For
+ * one thread.
  */
 final class GoalMarkers {
 
@@ -122,19 +124,16 @@ final class GoalMarkers {
         markers.add(marker(beacon(BEACON_INSIDE, mark, color), pose, high, eye));
         markers.add(marker(beacon(BEACON_OUTSIDE, mark, color), pose, high, eye));
       }
-    } else if (place instanceof GoalMark.Opening opening) {
+    } else if (place instanceof GoalMark.Opening opening && active) {
       Part outline =
           parts.computeIfAbsent(
               new Look(opening.gate(), color, mark.state()),
-              look ->
-                  GateOutline.of(opening.gate(), GoalTextures.plain(color, 0.65 * opacity(mark))));
+              look -> GateOutline.of(opening.gate(), GoalTextures.plain(color, 0.62)));
       markers.add(
           new Marker(
               new Instance(outline, opening.pose()),
               eye.pose().position().distanceTo(place.middle())));
-      if (active) {
-        opening.way().ifPresent(way -> markers.add(arrow(mark, opening, way, color, eye)));
-      }
+      opening.way().ifPresent(way -> markers.add(arrow(mark, opening, way, color, eye)));
     }
   }
 
@@ -168,8 +167,8 @@ final class GoalMarkers {
   private static double opacity(GoalMark mark) {
     return switch (mark.state()) {
       case ACTIVE -> 0.95;
-      case DONE -> 0.65;
-      case LATER -> 0.75;
+      case DONE -> 0.7;
+      case LATER -> 0.85;
     };
   }
 

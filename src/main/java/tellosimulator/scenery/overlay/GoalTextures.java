@@ -1,7 +1,6 @@
 package tellosimulator.scenery.overlay;
 
 import java.util.Arrays;
-import java.util.function.DoubleBinaryOperator;
 import tellosimulator.scenery.mesh.Rgb;
 import tellosimulator.scenery.mesh.Texture;
 
@@ -21,6 +20,9 @@ final class GoalTextures {
 
   /** Edge of the texture of a circle [texels]. */
   private static final int CIRCLE = 128;
+
+  /** Opacity of the white of a circle. */
+  private static final double WHITE = 0.5;
 
   /** Length of the gradient of a beacon, and of a dash with its gap [texels]. */
   static final int LENGTH = 16;
@@ -50,29 +52,12 @@ final class GoalTextures {
   }
 
   /**
-   * A disc with a strong rim and a ring within.
+   * A disc with a strong rim and a ring within, on white through which the floor shines: it is seen
+   * on dark and on light floors.
    *
    * @param opacity of its rim, 0 to 1
    */
   static Texture circle(Rgb color, double opacity) {
-    return disc(
-        (x, y) -> {
-          double radius = Math.sqrt(x * x + y * y);
-          double rim = edge(1 - radius) * edge(radius - 0.86);
-          double ring = edge(0.55 - radius) * edge(radius - 0.45);
-          double middle = edge(0.1 - radius);
-          double inside = 0.25 * edge(1 - radius);
-          return opacity * Math.max(Math.max(rim, inside), 0.8 * Math.max(ring, middle));
-        },
-        color);
-  }
-
-  /** How far a place is within an edge, 0 to 1 over two texels. */
-  private static double edge(double within) {
-    return Math.max(0, Math.min(1, 0.5 + within * CIRCLE / 4));
-  }
-
-  private static Texture disc(DoubleBinaryOperator opacity, Rgb color) {
     int[] argb = new int[CIRCLE * CIRCLE];
     Arrays.setAll(
         argb,
@@ -80,9 +65,20 @@ final class GoalTextures {
           int row = i / CIRCLE;
           double x = (i - row * CIRCLE + 0.5) * 2 / CIRCLE - 1;
           double y = (row + 0.5) * 2 / CIRCLE - 1;
-          return color.argb(opacity.applyAsDouble(x, y));
+          double radius = Math.sqrt(x * x + y * y);
+          double rim = edge(0.96 - radius) * edge(radius - 0.8);
+          double ring = edge(0.54 - radius) * edge(radius - 0.42);
+          double middle = edge(0.13 - radius);
+          double drawn = opacity * Math.max(rim, Math.max(ring, middle));
+          double covered = drawn + (1 - drawn) * WHITE * edge(1 - radius);
+          return Rgb.WHITE.towards(color, covered == 0 ? 1 : drawn / covered).argb(covered);
         });
     return new Texture(CIRCLE, CIRCLE, argb);
+  }
+
+  /** How far a place is within an edge, 0 to 1 over two texels. */
+  private static double edge(double within) {
+    return Math.max(0, Math.min(1, 0.5 + within * CIRCLE / 4));
   }
 
   /** Light that rises from the rim of a circle and fades. */

@@ -81,11 +81,11 @@ final class HeadingRing {
     if (distance < NEAREST) {
       return Optional.empty();
     }
-    double nearer = eye.beforeAll(distance) / distance;
+    double nearer = eye.beforeRoom(distance) / distance;
     Vec3 shown = camera.plusScaled(middle.minus(camera), nearer);
     Pose pose = new Pose(shown, attitude(drone, eye));
     Instance ring = new Instance(part, pose, share * distance * nearer, 1);
-    return Optional.of(Marker.inFront(ring, distance));
+    return Optional.of(Marker.beforeRoom(ring, distance));
   }
 
   /**

@@ -24,6 +24,15 @@ record Marker(Instance instance, double distance) {
    * @param distance of what it is about [m]
    */
   static Marker inFront(Instance instance, double distance) {
+    return new Marker(instance, distance - 2 * FAR);
+  }
+
+  /**
+   * Something that is drawn in front of the room, but not of what is in front of all.
+   *
+   * @param distance of what it is about [m]
+   */
+  static Marker beforeRoom(Instance instance, double distance) {
     return new Marker(instance, distance - FAR);
   }
 }

@@ -2,6 +2,7 @@ package tellosimulator.scenery.overlay;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.util.Arrays;
 import java.util.List;
 import java.util.OptionalInt;
 import java.util.function.Predicate;
@@ -77,6 +78,23 @@ class GoalOverlayTest {
   }
 
   @Test
+  void aCircleIsSeenOnDarkAndOnLightFloorsWhateverItsState() {
+    for (GoalState state : GoalState.values()) {
+      show(mark(1, state, new GoalMark.Circle(new Vec3(1, 1, 0), 0.2)));
+
+      assertThat(shown())
+          .anyMatch(one -> has(one, MarkColors.of(state), 170) && has(one, Rgb.WHITE, 120));
+    }
+  }
+
+  /** Whether a texture has a color, at least so opaque [of 255]. */
+  private static boolean has(Instance instance, Rgb color, int opaque) {
+    return Arrays.stream(instance.part().material().texture().argbArray())
+        .filter(texel -> texel >>> 24 >= opaque)
+        .anyMatch(texel -> distance(Rgb.of(texel & 0xffffff), color) <= 8);
+  }
+
+  @Test
   void onlyTheCircleThatComesNextShines() {
     overlay.showGoalLine(false);
     GoalMark.Circle circle = new GoalMark.Circle(new Vec3(1, 1, 0.6), 0.2);
@@ -91,14 +109,16 @@ class GoalOverlayTest {
   }
 
   @Test
-  void onlyTheGateThatComesNextHasAnArrowAndOnlyIfThereIsAWay() {
+  void onlyTheGateThatComesNextHasAnOutlineAndAnArrowIfThereIsAWay() {
     overlay.showGoalLine(false);
     show(mark(1, GoalState.ACTIVE, gate(Direction.ALONG)));
     assertThat(shown()).as("outline, arrow, number").hasSize(others + 3);
     show(mark(1, GoalState.ACTIVE, gate(Direction.EITHER)));
     assertThat(shown()).as("outline, number").hasSize(others + 2);
-    show(mark(1, GoalState.LATER, gate(Direction.ALONG)));
-    assertThat(shown()).as("outline, number").hasSize(others + 2);
+    for (GoalState state : List.of(GoalState.LATER, GoalState.DONE)) {
+      show(mark(1, state, gate(Direction.ALONG)));
+      assertThat(shown()).as("in its own color, with a number or a tick").hasSize(others + 1);
+    }
   }
 
   @Test
