@@ -14,7 +14,7 @@ import tellosimulator.view.drone.DroneColors;
 import tellosimulator.view.model.FxDroneModel;
 import tellosimulator.view.text.Messages;
 
-/** A drone in large type: its number in its colour, what it does, its battery. */
+/** A drone in large type: its number in its color, what it does, its battery. */
 final class DroneChip extends HBox {
 
   private static final PseudoClass IN_TROUBLE = PseudoClass.getPseudoClass("in-trouble");
@@ -23,17 +23,25 @@ final class DroneChip extends HBox {
   /** A battery below this is low [%]. Decided: the drone still has time to land. */
   private static final double LOW_PERCENT = 20;
 
+  /** From so many drones on they are many. Decided: numbers alone fit into two rows. */
+  private static final int MANY = 8;
+
   private final FxDroneModel drone;
   private final Messages messages;
+  private final int drones;
   private final Label state = new Label();
   private final Label battery = new Label();
 
   /**
-   * @param worded whether it says what the drone does
+   * @param drones how many chips there are: one says what its drone does, others only if that is in
+   *     trouble; of many, those say their battery that is low
    */
-  DroneChip(FxDroneModel drone, Messages messages, boolean worded) {
+  DroneChip(FxDroneModel drone, Messages messages, int drones) {
     this.drone = drone;
     this.messages = messages;
+    this.drones = drones;
+    state.managedProperty().bind(state.visibleProperty());
+    battery.managedProperty().bind(battery.visibleProperty());
     Color color = DroneColors.of(drone);
     Label number = new Label(String.valueOf(drone.number()));
     number.getStyleClass().add("badge");
@@ -43,21 +51,19 @@ final class DroneChip extends HBox {
     setId("projector-drone-" + drone.number());
     getStyleClass().add("chip");
     setMinWidth(USE_PREF_SIZE);
-    getChildren().add(number);
-    if (worded) {
-      getChildren().add(state);
-    }
-    getChildren().add(battery);
+    getChildren().addAll(number, state, battery);
   }
 
   /** Takes over how the drone is now. */
   void refresh() {
     FlightPhase phase = drone.phaseProperty().get();
     state.setText(messages.now("phase." + phase.name().toLowerCase(Locale.ROOT)));
-    pseudoClassStateChanged(
-        IN_TROUBLE, phase == FlightPhase.FALLING || phase == FlightPhase.CRASHED);
+    boolean inTrouble = phase == FlightPhase.FALLING || phase == FlightPhase.CRASHED;
+    pseudoClassStateChanged(IN_TROUBLE, inTrouble);
+    state.setVisible(drones == 1 || inTrouble);
     double percent = drone.batteryPercentProperty().get();
     battery.setText(messages.now("battery", percent));
     battery.pseudoClassStateChanged(LOW, percent < LOW_PERCENT);
+    battery.setVisible(drones < MANY || percent < LOW_PERCENT);
   }
 }

@@ -34,9 +34,6 @@ public final class ProjectorPane extends BorderPane {
   /** Smallest type [px]. Decided: larger than that of panels. */
   private static final double SMALLEST = 18;
 
-  /** With more drones, each says less. Decided: what fits below each other into two rows. */
-  private static final int FEW = 4;
-
   private static final PseudoClass REACHED = PseudoClass.getPseudoClass("reached");
   private static final PseudoClass NEXT = PseudoClass.getPseudoClass("next");
   private static final PseudoClass FAILED = PseudoClass.getPseudoClass("failed");
@@ -60,10 +57,10 @@ public final class ProjectorPane extends BorderPane {
     language = context.language();
     messages = language.messages(ProjectorPane.class);
     command = new LastCommandRow(context, "projector-command", false);
-    boolean few = context.simulation().drones().size() <= FEW;
+    int count = context.simulation().drones().size();
     drones =
         context.simulation().drones().stream()
-            .map(drone -> new DroneChip(drone, messages, few))
+            .map(drone -> new DroneChip(drone, messages, count))
             .toList();
     initializeSelf();
     initializeParts();
@@ -109,14 +106,9 @@ public final class ProjectorPane extends BorderPane {
   private void layoutParts() {
     HBox top = new HBox(goals, new Spacer(), clock);
     top.getStyleClass().add("edge");
-    if (drones.size() == 1) { // in one row, which leaves more of the picture free
-      HBox row = new HBox(drones.get(0), command);
-      row.getStyleClass().add("row");
-      bottom.getChildren().setAll(row);
-    } else {
-      droneRow.getChildren().setAll(drones);
-      bottom.getChildren().setAll(droneRow, command);
-    }
+    droneRow.getChildren().setAll(drones);
+    droneRow.getChildren().add(command); // in the same row, which leaves more of the picture free
+    bottom.getChildren().setAll(droneRow);
     bottom.getStyleClass().add("edge");
     setTop(top);
     setBottom(bottom);

@@ -5,14 +5,18 @@ import static tellosimulator.view.testing.WindowFixture.onFxThread;
 import static tellosimulator.view.testing.WindowFixture.waitUntil;
 
 import java.nio.file.Path;
+import java.util.stream.Collectors;
 import javafx.geometry.Bounds;
 import javafx.scene.Node;
+import javafx.scene.Parent;
 import javafx.scene.control.Label;
 import javafx.scene.input.KeyCode;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 import org.testfx.api.FxRobot;
 import tellosimulator.math.Pose;
 import tellosimulator.sim.Control;
@@ -90,6 +94,51 @@ class ProjectorViewFxTest {
     assertThat(command.getMinX()).isGreaterThan(drone.getMaxX());
     assertThat(command.getMinY()).isLessThan(drone.getMaxY());
     assertThat(drone.getMaxX()).as("as wide as its text").isLessThan(640);
+  }
+
+  @ParameterizedTest
+  @ValueSource(ints = {3, 20})
+  void severalDronesLeaveTheMostOfThePictureFree(int count) {
+    window.close();
+    window = WholeWindow.ofDrones(count, folder);
+    window.switchOn();
+    project();
+    window.tell(count, "command");
+    assertThat(window.reply(count)).isEqualTo("ok");
+    waitUntil(() -> window.shows("projector-command"));
+    window.passFrames(5);
+
+    Bounds first = onFxThread(() -> bounds("projector-drone-1"));
+    Bounds command = onFxThread(() -> bounds("projector-command"));
+    Bounds all = onFxThread(() -> bounds("projector"));
+
+    assertThat(all.getMaxY() - first.getMinY())
+        .as("a row, or three of them")
+        .isLessThan(all.getHeight() * (count == 3 ? 0.14 : 0.32));
+    assertThat(command.getMaxX()).isLessThanOrEqualTo(all.getMaxX());
+  }
+
+  @Test
+  void aDroneAmongOthersSaysWhatItDoesOnlyInTrouble() {
+    window.close();
+    window = WholeWindow.ofDrones(2, folder);
+    window.switchOn();
+    project();
+    window.fly("command", "takeoff");
+    waitUntil(() -> chip(1).equals("1 100 %") || chip(1).equals("1 99 %"));
+
+    window.tell(1, "emergency");
+    waitUntil(() -> chip(1).contains("falling") || chip(1).contains("crashed"));
+  }
+
+  /** What is written on the chip of a drone. */
+  private String chip(int drone) {
+    return onFxThread(
+        () ->
+            window.find("projector-drone-" + drone, Parent.class).getChildrenUnmodifiable().stream()
+                .filter(Node::isVisible)
+                .map(label -> ((Label) label).getText())
+                .collect(Collectors.joining(" ")));
   }
 
   private Bounds bounds(String id) {
