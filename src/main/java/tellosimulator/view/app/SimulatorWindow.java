@@ -347,11 +347,11 @@ final class SimulatorWindow implements AutoCloseable {
     }
   }
 
-  /** Leaves room to the scene. */
+  /** Leaves room to the scene: where goals are listed, the drones are a line that unfolds. */
   private void fit(boolean narrow) {
     pilot.narrowProperty().set(narrow);
     goals.unfold(!narrow);
-    drones.unfold(!narrow);
+    drones.unfold(!narrow && context.scenario().challenge().goals().isEmpty());
   }
 
   /** The plan's keys would steer a drone that one does not see. */
