@@ -137,8 +137,10 @@ class SceneBuilderTest {
             before.arena().withRoom(new Room(9, 9, 3)),
             before.drones());
 
-    Mesh floor = scenes.scene(after).instances().get(0).part().mesh();
+    Mesh floor = scenes.scene(after, 1).instances().get(0).part().mesh();
     assertThat(floor.position(0)).isEqualTo(new Vec3(-4.5, 4.5, 0));
+    assertThat(scenes.scene(after).room())
+        .anyMatch(one -> one.part().mesh().position(0).equals(new Vec3(-4.5, 4.5, 0)));
   }
 
   @Test
@@ -149,7 +151,8 @@ class SceneBuilderTest {
             .toList();
 
     assertThat(order.lastIndexOf(Shading.DECAL)).isLessThan(order.indexOf(Shading.GLOSSY));
-    assertThat(order.get(0)).isEqualTo(Shading.UNLIT);
+    assertThat(order.get(0)).as("the shadow on the ground outside").isEqualTo(Shading.DECAL);
+    assertThat(order.get(1)).isEqualTo(Shading.UNLIT);
   }
 
   private static List<Instance> lit(Scene scene) {

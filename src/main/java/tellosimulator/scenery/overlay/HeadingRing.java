@@ -102,7 +102,7 @@ final class HeadingRing {
     Vec3 up = eye.pose().attitude().toRoom(Vec3.UP);
     double along = up.dot(attitude.toRoom(new Vec3(1, 0, 0)));
     double across = up.dot(attitude.toRoom(new Vec3(0, 1, 0)));
-    return share * distance * Math.max(TIP * along, Math.hypot(along, across));
+    return share * distance * Math.max(TIP * along, StrictMath.hypot(along, across));
   }
 
   /** Turned as the drone, and level if one looks down on it. */

@@ -96,7 +96,7 @@ final class Slab {
               for (int i = 0; i < argb.length; i++) {
                 double x = beyond(i % TEXELS, width, reach);
                 double y = beyond(i / TEXELS, depth, reach);
-                argb[i] = Rgb.BLACK.argb(DARKEST * Falloff.at(1 - Math.hypot(x, y)));
+                argb[i] = Rgb.BLACK.argb(DARKEST * Falloff.at(1 - StrictMath.hypot(x, y)));
               }
               return argb;
             });
