@@ -186,7 +186,7 @@ final class SimulatorWindow implements AutoCloseable {
 
   /**
    * The stage's only scene, which now shows this. Another scene would bring its own size into a
-   * window that is maximized, and leave full screen.
+   * window that is maximised, and leave full screen.
    */
   private static Scene scene(Stage stage, Parent root) {
     if (stage.getScene() == null) {

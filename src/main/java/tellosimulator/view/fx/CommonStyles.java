@@ -3,7 +3,7 @@ package tellosimulator.view.fx;
 import javafx.scene.Parent;
 
 /**
- * What all windows have in common over the theme: colors that can be read, one hover style and one
+ * What all windows have in common over the theme: colours that can be read, one hover style and one
  * focus ring. For the JavaFX thread.
  */
 public final class CommonStyles {

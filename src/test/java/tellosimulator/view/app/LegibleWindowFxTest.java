@@ -33,7 +33,7 @@ import org.testfx.api.FxRobot;
 import tellosimulator.view.layout.Theme;
 
 /**
- * Each text of the window can be read, in both themes: it is large enough, and its color has
+ * Each text of the window can be read, in both themes: it is large enough, and its colour has
  * contrast against what is behind it, which is taken from a picture of the window. And one sees
  * which control has the focus, and over which the mouse is.
  */
@@ -48,7 +48,7 @@ class LegibleWindowFxTest {
   /** Documented: WCAG 2.1, 1.4.11, for what shows the focus. */
   private static final double LEAST_CONTRAST_OF_RINGS = 3;
 
-  /** By this contrast a result may be wrong, because pictures have whole steps of color. */
+  /** By this contrast a result may be wrong, because pictures have whole steps of colour. */
   private static final double ROUNDING = 0.05;
 
   private final FxRobot robot = new FxRobot();

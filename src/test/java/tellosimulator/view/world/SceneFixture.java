@@ -113,7 +113,7 @@ public final class SceneFixture implements BeforeEachCallback, AfterEachCallback
           stage.setWidth(WIDTH);
           stage.setHeight(HEIGHT);
           stage.show();
-          scene.requestFocus(); // or a button would have it, in the color of the first drone
+          scene.requestFocus(); // or a button would have it, in the colour of the first drone
           return scene;
         });
     waitUntil(() -> scene.getWidth() == WIDTH && scene.getHeight() == HEIGHT);
