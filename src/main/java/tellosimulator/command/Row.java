@@ -9,8 +9,8 @@ import tellosimulator.profile.Sdk;
 import tellosimulator.words.Phrase;
 
 /**
- * What is known of a command besides its name and its record. Immutable; made step by step by the
- * table of {@link CommandSyntax}.
+ * A row of the table of commands: how a command is written and treated. Immutable; {@link
+ * CommandSyntax} makes each step by step.
  *
  * @param verbWords the fixed words that it begins with
  * @param since the SDK that brought it

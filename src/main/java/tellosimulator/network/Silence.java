@@ -1,6 +1,6 @@
 package tellosimulator.network;
 
-/** What is known when nothing comes to drones that are on. */
+/** Why nothing comes to drones that are on, as far as that is known. */
 public enum Silence {
   /** A program has the port that operator programs have, so one has probably begun. */
   PROGRAM_ELSEWHERE,

@@ -5,7 +5,7 @@ import java.util.Set;
 import tellosimulator.model.Battery;
 import tellosimulator.words.Phrase;
 
-/** What people are told while a drone's battery empties. */
+/** Makes the notes for people about a battery that empties. */
 final class BatteryNotes {
 
   /** Percentages worth a line: no flip, soon no takeoff, no takeoff, lands by itself. */

@@ -7,7 +7,7 @@ import tellosimulator.model.Perception;
 import tellosimulator.sensor.PadDetector;
 import tellosimulator.time.SimTime;
 
-/** How a drone comes to see mission pads. For the simulation thread. */
+/** Updates what a drone sees of mission pads. For the simulation thread. */
 final class PadSense {
 
   private final PadDetector detector = new PadDetector();
