@@ -15,6 +15,7 @@ import com.tngtech.archunit.core.domain.AccessTarget;
 import com.tngtech.archunit.core.domain.JavaAccess;
 import com.tngtech.archunit.core.domain.JavaClass;
 import com.tngtech.archunit.core.domain.JavaClasses;
+import com.tngtech.archunit.core.domain.JavaMember;
 import com.tngtech.archunit.core.domain.JavaModifier;
 import com.tngtech.archunit.core.importer.ClassFileImporter;
 import java.util.Arrays;
@@ -26,6 +27,7 @@ import java.util.Set;
 import java.util.SplittableRandom;
 import java.util.TreeMap;
 import java.util.TreeSet;
+import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
@@ -123,6 +125,11 @@ class ArchitectureTest {
           "sin", "cos", "tan", "asin", "acos", "atan", "atan2", "sinh", "cosh", "tanh", "exp",
           "expm1", "log", "log10", "log1p", "pow", "cbrt", "hypot");
 
+  private static final Pattern BRITISH =
+      Pattern.compile(
+          "(?i)colour|centre|metre|grey|behaviour|neighbour|licence|analys(e|ing)"
+              + "|(initial|normal|organ|quant|raster|real|recogn|serial|synchron)is(e|ing|ation)");
+
   private static final JavaClasses CLASSES = compiledBeside(Main.class);
 
   private static final JavaClasses TEST_CLASSES = compiledBeside(ArchitectureTest.class);
@@ -208,6 +215,21 @@ class ArchitectureTest {
 
     assertThat(owners).hasSizeGreaterThan(500).containsKeys("Main", "ArchitectureTest");
     assertThat(owners.values()).allMatch(types -> types.size() == 1);
+  }
+
+  @Test
+  void identifiersAreSpeltAsThoseOfJavaFx() {
+    Set<String> british =
+        Stream.concat(CLASSES.stream(), TEST_CLASSES.stream())
+            .flatMap(
+                type ->
+                    Stream.concat(
+                        Stream.of(type.getSimpleName()),
+                        type.getMembers().stream().map(JavaMember::getName)))
+            .filter(name -> BRITISH.matcher(name).find())
+            .collect(Collectors.toSet());
+
+    assertThat(british).isEmpty();
   }
 
   @Test
