@@ -34,6 +34,9 @@ public final class ProjectorPane extends BorderPane {
   /** Smallest type [px]. Decided: larger than that of panels. */
   private static final double SMALLEST = 18;
 
+  /** So many drones leave room beside them. Decided. */
+  private static final int FEW = 4;
+
   private static final PseudoClass REACHED = PseudoClass.getPseudoClass("reached");
   private static final PseudoClass NEXT = PseudoClass.getPseudoClass("next");
   private static final PseudoClass FAILED = PseudoClass.getPseudoClass("failed");
@@ -69,9 +72,16 @@ public final class ProjectorPane extends BorderPane {
     context.pulse().onBeat(nanos -> advance());
   }
 
-  /** What lies over the scene. */
+  /** What lies over the scene: each box for itself, if they do not fill rows. */
   public List<Region> boxes() {
-    return List.of(goals, clock, bottom);
+    List<Region> boxes = new ArrayList<>(List.of(goals, clock));
+    if (drones.size() <= FEW) {
+      boxes.addAll(drones);
+      boxes.add(command);
+    } else {
+      boxes.add(bottom);
+    }
+    return boxes;
   }
 
   /** Begins anew: the clock at 0, and no command yet. */

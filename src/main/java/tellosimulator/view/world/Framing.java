@@ -102,17 +102,15 @@ final class Framing {
     }
     fittedPicture = picture;
     fitted = subject(snapshot);
-    List<Vec3> things = things();
-    List<Vec3> all = new ArrayList<>(SceneExtent.floor(fitted.arena.room()));
-    all.addAll(things);
-    return direction.seenFrom(nearest(all, things, direction.attitude()), middle(all));
+    List<Vec3> points = points();
+    return direction.seenFrom(nearest(points, direction.attitude()), middle(points));
   }
 
   /**
    * The nearest place from which all points are seen. A free part of the picture may grow over its
-   * covers, as long as none of the things is seen there: a corner of the floor may be.
+   * covers, as long as none of the points is seen there.
    */
-  private Vec3 nearest(List<Vec3> points, List<Vec3> things, Attitude attitude) {
+  private Vec3 nearest(List<Vec3> points, Attitude attitude) {
     Vec3 nearest = Vec3.ZERO;
     double farthestAhead = Double.NEGATIVE_INFINITY;
     for (Rectangle2D part : picture.free()) {
@@ -120,7 +118,7 @@ final class Framing {
         Rectangle2D larger = picture.between(part, (double) step / STEPS);
         Vec3 place = window(larger).nearest(points, attitude);
         double ahead = attitude.toBody(place).x();
-        if (ahead > farthestAhead && (step == 0 || shows(things, new Pose(place, attitude)))) {
+        if (ahead > farthestAhead && (step == 0 || shows(points, new Pose(place, attitude)))) {
           nearest = place;
           farthestAhead = ahead;
         }
@@ -129,9 +127,9 @@ final class Framing {
     return nearest;
   }
 
-  private boolean shows(List<Vec3> things, Pose camera) {
+  private boolean shows(List<Vec3> points, Pose camera) {
     Viewpoint viewpoint = new Viewpoint(camera, fieldOfView, true, 0, Double.POSITIVE_INFINITY);
-    return things.stream().allMatch(point -> picture.showsClearly(point, viewpoint));
+    return points.stream().allMatch(point -> picture.showsClearly(point, viewpoint));
   }
 
   /** The middle of the largest free part of the picture. */
@@ -153,9 +151,8 @@ final class Framing {
     return new Subject(snapshot.arena(), starts, goals, astray);
   }
 
-  private List<Vec3> things() {
-    List<Vec3> points =
-        new ArrayList<>(SceneExtent.things(fitted.arena, fitted.starts, fitted.goals));
+  private List<Vec3> points() {
+    List<Vec3> points = new ArrayList<>(SceneExtent.of(fitted.arena, fitted.starts, fitted.goals));
     for (Vec3 place : fitted.astray.values()) {
       points.add(place);
       points.add(place.plusScaled(Vec3.UP, AIR));
