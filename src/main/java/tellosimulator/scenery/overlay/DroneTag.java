@@ -5,6 +5,7 @@ import tellosimulator.math.Vec3;
 import tellosimulator.scenery.drone.Livery;
 import tellosimulator.scenery.mesh.Rgb;
 import tellosimulator.scenery.mesh.Texture;
+import tellosimulator.scenery.overlay.Marker.Layer;
 import tellosimulator.scenery.texture.AlphaMask;
 import tellosimulator.scenery.texture.AlphaMask.Point;
 import tellosimulator.scenery.texture.Canvas;
@@ -41,8 +42,8 @@ final class DroneTag {
     Vec3 up = camera.attitude().toRoom(Vec3.UP);
     Vec3 place = drone.position().plusScaled(Vec3.UP, HEIGHT).plusScaled(up, clear);
     double distance = camera.position().distanceTo(drone.position());
-    double near = eye.beforeAll(distance);
-    return Marker.inFront(billboard.inFront(place, camera, 0, near), distance);
+    double near = Layer.DRONE_TAGS.distance(distance, eye);
+    return Marker.inFront(Layer.DRONE_TAGS, billboard.inFront(place, camera, 0, near), distance);
   }
 
   /** White digits on a disc of the drone's colour, with a white rim. */

@@ -8,6 +8,7 @@ import tellosimulator.goal.GoalState;
 import tellosimulator.math.Vec3;
 import tellosimulator.scenery.mesh.Rgb;
 import tellosimulator.scenery.mesh.Texture;
+import tellosimulator.scenery.overlay.Marker.Layer;
 import tellosimulator.scenery.texture.AlphaMask;
 import tellosimulator.scenery.texture.AlphaMask.Point;
 import tellosimulator.scenery.texture.Canvas;
@@ -44,8 +45,9 @@ final class GoalTags {
     Vec3 place = over(mark.place());
     Billboard billboard = billboards.computeIfAbsent(look, GoalTags::billboard);
     double distance = eye.pose().position().distanceTo(place);
-    double near = eye.beforeAll(distance);
-    return Marker.inFront(billboard.inFront(place, eye.pose(), aside, near), distance);
+    double near = Layer.GOAL_TAGS.distance(distance, eye);
+    return Marker.inFront(
+        Layer.GOAL_TAGS, billboard.inFront(place, eye.pose(), aside, near), distance);
   }
 
   /** Where its lower edge is. */

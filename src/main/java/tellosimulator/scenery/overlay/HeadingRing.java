@@ -14,6 +14,7 @@ import tellosimulator.scenery.mesh.Part;
 import tellosimulator.scenery.mesh.Rgb;
 import tellosimulator.scenery.mesh.Shading;
 import tellosimulator.scenery.mesh.Texture;
+import tellosimulator.scenery.overlay.Marker.Layer;
 import tellosimulator.scenery.texture.AlphaMask;
 import tellosimulator.scenery.texture.AlphaMask.Arc;
 import tellosimulator.scenery.texture.AlphaMask.Point;
@@ -81,11 +82,11 @@ final class HeadingRing {
     if (distance < NEAREST) {
       return Optional.empty();
     }
-    double nearer = eye.beforeRoom(distance) / distance;
+    double nearer = Layer.RINGS.distance(distance, eye) / distance;
     Vec3 shown = camera.plusScaled(middle.minus(camera), nearer);
     Pose pose = new Pose(shown, attitude(drone, eye));
     Instance ring = new Instance(part, pose, share * distance * nearer, 1);
-    return Optional.of(Marker.beforeRoom(ring, distance));
+    return Optional.of(Marker.inFront(Layer.RINGS, ring, distance));
   }
 
   /**

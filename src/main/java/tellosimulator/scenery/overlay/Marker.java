@@ -18,21 +18,30 @@ record Marker(Instance instance, double distance) {
     return new Marker(instance, eye.pose().position().distanceTo(place));
   }
 
-  /**
-   * Something that is drawn in front of all that is at places of the room.
-   *
-   * @param distance of what it is about [m]
-   */
-  static Marker inFront(Instance instance, double distance) {
-    return new Marker(instance, distance - 2 * FAR);
+  /** What is in front of the room, from behind to before: a drone matters more than a goal. */
+  enum Layer {
+    GOAL_TAGS,
+    RINGS,
+    DRONE_TAGS;
+
+    /**
+     * How far from the camera one shows what is in this layer [m]: so near that hardly anything of
+     * the room is nearer, and the farther, the farther what it is about is. What reaches a tenth of
+     * that back and forth does not meet the next layer.
+     *
+     * @param distance of what it is about [m]
+     */
+    double distance(double distance, Eye eye) {
+      return eye.nearest() * (values().length - ordinal()) * (2 + distance / (1 + distance));
+    }
   }
 
   /**
-   * Something that is drawn in front of the room, but not of what is in front of all.
+   * Something that is drawn in front of the room.
    *
    * @param distance of what it is about [m]
    */
-  static Marker beforeRoom(Instance instance, double distance) {
-    return new Marker(instance, distance - FAR);
+  static Marker inFront(Layer layer, Instance instance, double distance) {
+    return new Marker(instance, distance - (1 + layer.ordinal()) * FAR);
   }
 }
