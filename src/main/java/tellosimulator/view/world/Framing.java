@@ -30,6 +30,9 @@ final class Framing {
   /** In how many steps a part grows. Decided: an eighth of what panels cover can be told. */
   private static final int STEPS = 8;
 
+  /** What differs by less is the same distance [m]. Decided: nobody sees it. */
+  private static final double SAME = 1e-6;
+
   /** What has been fitted. */
   private record Subject(
       Arena arena, List<Pose> starts, List<Goal> goals, Map<Integer, Vec3> astray) {}
@@ -102,34 +105,59 @@ final class Framing {
     }
     fittedPicture = picture;
     fitted = subject(snapshot);
-    List<Vec3> points = points();
-    return direction.seenFrom(nearest(points, direction.attitude()), middle(points));
+    List<Vec3> floor = SceneExtent.floor(fitted.arena.room());
+    List<Vec3> things = things();
+    return direction.seenFrom(
+        nearest(floor, things, direction.attitude()), middle(union(floor, things)));
   }
 
   /**
    * The nearest place from which all points are seen. A free part of the picture may grow over its
-   * covers, as long as none of the points is seen there.
+   * covers, as long as none of the things is seen there, and none but far corners of the floor. Of
+   * equally near places the lower part of the picture counts.
    */
-  private Vec3 nearest(List<Vec3> points, Attitude attitude) {
+  private Vec3 nearest(List<Vec3> floor, List<Vec3> things, Attitude attitude) {
+    List<Vec3> points = union(floor, things);
     Vec3 nearest = Vec3.ZERO;
     double farthestAhead = Double.NEGATIVE_INFINITY;
     for (Rectangle2D part : picture.free()) {
       for (int step = 0; step <= STEPS; step++) {
         Rectangle2D larger = picture.between(part, (double) step / STEPS);
-        Vec3 place = window(larger).nearest(points, attitude);
-        double ahead = attitude.toBody(place).x();
-        if (ahead > farthestAhead && (step == 0 || shows(points, new Pose(place, attitude)))) {
-          nearest = place;
-          farthestAhead = ahead;
+        for (Rectangle2D each : List.of(larger, picture.downwards(larger))) {
+          Vec3 place = window(each).nearest(points, attitude);
+          double ahead = attitude.toBody(place).x();
+          boolean free = step == 0 && each.equals(part);
+          if (ahead > farthestAhead - SAME
+              && (free || shows(floor, things, new Pose(place, attitude)))) {
+            nearest = place;
+            farthestAhead = ahead;
+          }
         }
       }
     }
     return nearest;
   }
 
-  private boolean shows(List<Vec3> points, Pose camera) {
+  private boolean shows(List<Vec3> floor, List<Vec3> things, Pose camera) {
     Viewpoint viewpoint = new Viewpoint(camera, fieldOfView, true, 0, Double.POSITIVE_INFINITY);
-    return points.stream().allMatch(point -> picture.showsClearly(point, viewpoint));
+    return things.stream().allMatch(place -> picture.showsClearly(place, viewpoint))
+        && floor.stream()
+            .allMatch(corner -> picture.showsClearly(corner, viewpoint) || high(corner, viewpoint));
+  }
+
+  /** Whether a place is seen in the upper half of the picture, if at all. */
+  private boolean high(Vec3 place, Viewpoint viewpoint) {
+    double height = picture.size().getHeight();
+    return viewpoint
+        .project(place, picture.size().getWidth(), height)
+        .filter(seen -> seen.getY() < height / 2)
+        .isPresent();
+  }
+
+  private static List<Vec3> union(List<Vec3> one, List<Vec3> other) {
+    List<Vec3> all = new ArrayList<>(one);
+    all.addAll(other);
+    return all;
   }
 
   /** The middle of the largest free part of the picture. */
@@ -151,8 +179,9 @@ final class Framing {
     return new Subject(snapshot.arena(), starts, goals, astray);
   }
 
-  private List<Vec3> points() {
-    List<Vec3> points = new ArrayList<>(SceneExtent.of(fitted.arena, fitted.starts, fitted.goals));
+  private List<Vec3> things() {
+    List<Vec3> points =
+        new ArrayList<>(SceneExtent.things(fitted.arena, fitted.starts, fitted.goals));
     for (Vec3 place : fitted.astray.values()) {
       points.add(place);
       points.add(place.plusScaled(Vec3.UP, AIR));

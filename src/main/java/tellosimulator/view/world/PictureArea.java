@@ -87,6 +87,13 @@ record PictureArea(Dimension2D size, Insets aside, List<Rectangle2D> covered) {
     return new Rectangle2D(left, top, right - left, bottom - top);
   }
 
+  /** A part, as far down as nothing covers along the lower edge. */
+  Rectangle2D downwards(Rectangle2D part) {
+    double bottom = Math.max(part.getMaxY(), grown(open(), -MARGIN).getMaxY());
+    return new Rectangle2D(
+        part.getMinX(), part.getMinY(), part.getWidth(), bottom - part.getMinY());
+  }
+
   /** What is left of a part at the four sides of something that may lie over it. */
   private static Stream<Rectangle2D> without(Rectangle2D blocked, Rectangle2D part) {
     if (!part.intersects(blocked)) {

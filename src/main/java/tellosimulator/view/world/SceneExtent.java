@@ -14,8 +14,8 @@ import tellosimulator.world.Obstacle;
 import tellosimulator.world.Room;
 
 /**
- * The places that a view of the whole scene must show: the corners of the floor and of obstacles,
- * mission pads, starts and goals. All in the room frame [m].
+ * The places that a view of the whole scene must show: the corners of the floor, and things: the
+ * corners of obstacles, mission pads, starts and goals. All in the room frame [m].
  */
 final class SceneExtent {
 
@@ -24,12 +24,18 @@ final class SceneExtent {
 
   private SceneExtent() {}
 
-  /** All of them, of a room with what is in it. */
-  static List<Vec3> of(Arena arena, List<Pose> starts, List<Goal> goals) {
+  /** The corners of the floor. */
+  static List<Vec3> floor(Room room) {
+    List<Vec3> places = new ArrayList<>();
+    Vec3 size = new Vec3(room.depth(), room.width(), 0);
+    addCorners(places, new Pose(Vec3.ZERO, Attitude.LEVEL), size);
+    return places;
+  }
+
+  /** All that is in a room. */
+  static List<Vec3> things(Arena arena, List<Pose> starts, List<Goal> goals) {
     List<Vec3> places = new ArrayList<>();
     Room room = arena.room();
-    Vec3 floor = new Vec3(room.depth(), room.width(), 0);
-    addCorners(places, new Pose(Vec3.ZERO, Attitude.LEVEL), floor);
     for (Obstacle obstacle : arena.obstacles()) {
       addCorners(places, obstacle.pose(), Footprint.size(obstacle.shape()));
     }

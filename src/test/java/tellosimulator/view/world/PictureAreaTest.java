@@ -76,7 +76,10 @@ class PictureAreaTest {
     Rectangle2D open = new Rectangle2D(MARGIN, 50 + MARGIN, 800 - 2 * MARGIN, 450 - 2 * MARGIN);
 
     assertThat(area.free()).containsExactly(open);
-    assertThat(area.between(new Rectangle2D(300, 300, 100, 100), 1)).isEqualTo(open);
+    Rectangle2D part = new Rectangle2D(300, 300, 100, 100);
+    assertThat(area.between(part, 1)).isEqualTo(open);
+    assertThat(area.downwards(part))
+        .isEqualTo(new Rectangle2D(300, 300, 100, open.getMaxY() - 300));
   }
 
   private static PictureArea area(Rectangle2D... covers) {

@@ -26,16 +26,14 @@ class SceneExtentTest {
   private static final Arena ROOM = Arena.empty(new Room(6, 4, 3), Decor.DEFAULT);
 
   @Test
-  void theFloorsCornersAreInIt() {
-    List<Vec3> places = SceneExtent.of(ROOM, List.of(), List.of());
-
-    assertThat(places)
+  void theFloorHasItsCorners() {
+    assertThat(SceneExtent.floor(ROOM.room()))
         .contains(new Vec3(2, 3, 0), new Vec3(-2, 3, 0), new Vec3(2, -3, 0), new Vec3(-2, -3, 0))
         .allMatch(place -> place.z() == 0);
   }
 
   @Test
-  void soAreObstaclesPadsStartsAndGoals() {
+  void thingsAreObstaclesPadsStartsAndGoals() {
     ObstacleAppearance cover = new ObstacleAppearance(0xff0000, Pattern.PLAIN, Map.of());
     Obstacle box = new Obstacle("box", new Shape.Box(0.4, 0.6, 2), new Vec3(1, 1, 0), 0, cover);
     MissionPad pad = new MissionPad(1, Surface.FRONT_WALL, 0, 1.5, 0);
@@ -43,7 +41,7 @@ class SceneExtentTest {
     Pose start = new Pose(new Vec3(-1, 0, 0), Attitude.LEVEL);
     Goal reach = new Goal.Reach(OptionalInt.empty(), new GoalRegion(new Vec3(0, 0, 2), 0.3));
 
-    List<Vec3> places = SceneExtent.of(arena, List.of(start), List.of(reach));
+    List<Vec3> places = SceneExtent.things(arena, List.of(start), List.of(reach));
 
     assertHas(places, new Vec3(1.2, 1.3, 2));
     assertHas(places, new Vec3(2, 0.1, 1.6));
@@ -57,7 +55,8 @@ class SceneExtentTest {
     Arena low = Arena.empty(new Room(2, 2, 1), Decor.DEFAULT);
     Pose onTable = new Pose(new Vec3(0, 0, 0.7), Attitude.LEVEL);
 
-    assertThat(SceneExtent.of(low, List.of(onTable), List.of())).allMatch(place -> place.z() <= 1);
+    assertThat(SceneExtent.things(low, List.of(onTable), List.of()))
+        .allMatch(place -> place.z() <= 1);
   }
 
   private static void assertHas(List<Vec3> places, Vec3 wanted) {
