@@ -20,9 +20,19 @@ record Marker(Instance instance, double distance) {
 
   /** What is in front of the room, from behind to before: a drone matters more than a goal. */
   enum Layer {
-    GOAL_TAGS,
-    RINGS,
-    DRONE_TAGS;
+    GOAL_TAGS(1),
+    RINGS(2),
+    DRONE_TAGS(3);
+
+    /** How many layers there are. */
+    private static final int COUNT = 3;
+
+    /** Its place, from 1 for the one that is behind all others. */
+    private final int place;
+
+    Layer(int place) {
+      this.place = place;
+    }
 
     /**
      * How far from the camera one shows what is in this layer [m]: so near that hardly anything of
@@ -32,7 +42,7 @@ record Marker(Instance instance, double distance) {
      * @param distance of what it is about [m]
      */
     double distance(double distance, Eye eye) {
-      return eye.nearest() * (values().length - ordinal()) * (2 + distance / (1 + distance));
+      return eye.nearest() * (COUNT + 1 - place) * (2 + distance / (1 + distance));
     }
   }
 
@@ -42,6 +52,6 @@ record Marker(Instance instance, double distance) {
    * @param distance of what it is about [m]
    */
   static Marker inFront(Layer layer, Instance instance, double distance) {
-    return new Marker(instance, distance - (1 + layer.ordinal()) * FAR);
+    return new Marker(instance, distance - layer.place * FAR);
   }
 }
