@@ -311,6 +311,7 @@ final class SimulatorWindow implements AutoCloseable {
     plan.shownProperty().subscribe(this::giveKeys);
     follow(state.fullScreenProperty().subscribe(stage::setFullScreen));
     projector.visibleProperty().bind(state.projectorProperty());
+    world.showInsetWhile(state.projectorProperty().not());
     bar.scenarios().onNextGroup(this::nextGroup);
     simulatorControls
         .droneCameraProperty()

@@ -9,6 +9,7 @@ import javafx.beans.property.BooleanProperty;
 import javafx.beans.property.ObjectProperty;
 import javafx.beans.property.SimpleBooleanProperty;
 import javafx.beans.property.SimpleObjectProperty;
+import javafx.beans.value.ObservableValue;
 import javafx.geometry.Bounds;
 import javafx.geometry.Dimension2D;
 import javafx.geometry.HPos;
@@ -150,6 +151,11 @@ public final class Simulator3DScene extends Region {
     return inset.shownProperty();
   }
 
+  /** Shows the inset and its buttons only while it is wanted. */
+  public void showInsetWhile(ObservableValue<Boolean> wanted) {
+    inset.visibleProperty().bind(wanted);
+  }
+
   /** Whether the inset is large. */
   public BooleanProperty insetEnlargedProperty() {
     return inset.enlargedProperty();
@@ -247,7 +253,7 @@ public final class Simulator3DScene extends Region {
   private PictureArea pictureArea() {
     List<Rectangle2D> covered = new ArrayList<>();
     covers.stream().filter(this::covers).map(this::place).forEach(covered::add);
-    if (inset.shownProperty().get()) {
+    if (inset.isVisible() && inset.shownProperty().get()) {
       covered.add(place(inset));
     }
     covered.removeIf(part -> part.getWidth() == 0 || part.getHeight() == 0);

@@ -1,61 +1,38 @@
 package tellosimulator.view.app;
 
 import static org.assertj.core.api.Assertions.assertThat;
-import static tellosimulator.view.app.AppFixture.change;
+import static org.mockito.Mockito.mock;
+import static org.mockito.Mockito.when;
 import static tellosimulator.view.testing.WindowFixture.onFxThread;
 import static tellosimulator.view.testing.WindowFixture.waitUntil;
 
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.Arrays;
-import javafx.geometry.Pos;
-import javafx.scene.control.Label;
-import javafx.scene.input.ClipboardContent;
+import java.util.EnumSet;
+import java.util.stream.Stream;
+import javafx.event.Event;
+import javafx.event.EventType;
+import javafx.scene.Node;
+import javafx.scene.input.DragEvent;
+import javafx.scene.input.Dragboard;
 import javafx.scene.input.TransferMode;
-import javafx.scene.layout.StackPane;
 import javafx.stage.Stage;
 import javafx.stage.Window;
-import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.extension.RegisterExtension;
 import org.junit.jupiter.api.io.TempDir;
 import tellosimulator.recording.RecordingFixture;
 
-/** Files that a hand drags onto the window, as from a file manager. */
+/** Files that are dragged onto the window, as from a file manager. */
 class DroppedFilesFxTest {
 
   @RegisterExtension private final AppFixture window = new AppFixture(Stage::new);
   @TempDir private Path folder;
 
-  private Path[] dragged = {};
-  private volatile boolean over;
-
-  @BeforeEach
-  void show() {
-    change(() -> ((StackPane) window.stage().getScene().getRoot()).getChildren().add(icon()));
-  }
-
-  /** What is dragged, over a corner of the window. */
-  private Label icon() {
-    Label icon = new Label("files");
-    icon.setId("dragged-files");
-    icon.setStyle("-fx-background-color: orange; -fx-padding: 12px");
-    StackPane.setAlignment(icon, Pos.BOTTOM_LEFT);
-    icon.setOnDragDetected(
-        drag -> {
-          ClipboardContent content = new ClipboardContent();
-          content.putFiles(Arrays.stream(dragged).map(Path::toFile).toList());
-          icon.startDragAndDrop(TransferMode.COPY).setContent(content);
-          drag.consume();
-        });
-    icon.setOnDragDone(done -> over = true);
-    return icon;
-  }
-
   @Test
   void aScenarioIsOpened() throws IOException {
-    drop(scenario("first.yaml"));
+    assertThat(drop(scenario("first.yaml"))).isTrue();
 
     waitUntil(() -> window.stage().getTitle().equals("first.yaml – Tello Simulator"));
   }
@@ -82,8 +59,7 @@ class DroppedFilesFxTest {
   @Test
   void severalFilesAreNotTaken() throws IOException {
     String before = window.stage().getTitle();
-    drop(scenario("first.yaml"), scenario("second.yaml"));
-    waitUntil(() -> over);
+    assertThat(drop(scenario("first.yaml"), scenario("second.yaml"))).isFalse();
 
     assertThat(window.stage().getTitle()).isEqualTo(before);
   }
@@ -92,9 +68,29 @@ class DroppedFilesFxTest {
     return Files.writeString(folder.resolve(name), "room: {width: 400}\n");
   }
 
-  private void drop(Path... files) {
-    dragged = files;
-    window.robot().drag("#dragged-files").dropTo("#scene-3d");
+  /** Moves files over the scene and, where they are taken, lets them go there. */
+  private boolean drop(Path... files) {
+    Dragboard dragboard = mock(Dragboard.class);
+    when(dragboard.getTransferModes()).thenReturn(EnumSet.of(TransferMode.COPY));
+    when(dragboard.getFiles()).thenReturn(Stream.of(files).map(Path::toFile).toList());
+    Node scene = onFxThread(() -> window.stage().getScene().lookup("#scene-3d"));
+    return onFxThread(
+        () -> {
+          boolean taken =
+              fire(scene, DragEvent.DRAG_OVER, dragboard).getAcceptedTransferMode() != null;
+          if (taken) {
+            assertThat(fire(scene, DragEvent.DRAG_DROPPED, dragboard).isDropCompleted()).isTrue();
+          }
+          return taken;
+        });
+  }
+
+  /** As the toolkit tells a node of what a hand drags. */
+  private static DragEvent fire(Node over, EventType<DragEvent> type, Dragboard dragboard) {
+    DragEvent event =
+        new DragEvent(type, dragboard, 0, 0, 0, 0, TransferMode.COPY, null, over, null);
+    Event.fireEvent(over, event);
+    return event;
   }
 
   private static int windows() {

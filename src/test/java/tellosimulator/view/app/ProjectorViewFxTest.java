@@ -45,7 +45,8 @@ class ProjectorViewFxTest {
     project();
     assertThat(window.shows("projector")).isTrue();
     assertThat(window.shows("scene-3d")).isTrue();
-    for (String part : new String[] {"window-bar", "simulator-controls", "log", "demo-flight"}) {
+    for (String part :
+        new String[] {"window-bar", "simulator-controls", "log", "demo-flight", "inset-toggle"}) {
       assertThat(window.shows(part)).as(part).isFalse();
     }
     assertThat(onFxThread(() -> window.find("projector-clock", Label.class).getFont().getSize()))
@@ -55,6 +56,7 @@ class ProjectorViewFxTest {
     assertThat(window.shows("projector")).isFalse();
     assertThat(window.shows("window-bar")).isTrue();
     assertThat(window.shows("demo-flight")).isTrue();
+    assertThat(window.shows("inset-toggle")).isTrue();
 
     project();
     project();

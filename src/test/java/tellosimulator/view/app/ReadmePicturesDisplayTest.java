@@ -70,10 +70,9 @@ class ReadmePicturesDisplayTest {
   void theWindowInFlight() throws IOException {
     open(Gallery.find("gate-race").orElseThrow());
     window.fly("command", "speed 100", "takeoff", "up 70", "forward 150", "up 50", "forward 120");
-    window.tell(1, "forward 60");
-    window.tell(1, "flip f");
-    assertThat(window.reply(1)).isEqualTo("error Not joystick");
-    assertThat(window.reply(1)).isEqualTo("ok");
+    window.fly("forward 60");
+    window.tell(1, "left 600");
+    assertThat(window.reply(1)).isEqualTo("out of range");
     take("window.png");
 
     window.change(() -> window.context().actions().togglePause());
