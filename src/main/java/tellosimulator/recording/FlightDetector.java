@@ -25,7 +25,7 @@ final class FlightDetector {
     return flying;
   }
 
-  /** Whether a flight begins with an event. */
+  /** Takes in an event; returns whether a flight begins with it. */
   boolean begins(SimEvent event) {
     boolean begins =
         !flying
@@ -51,7 +51,7 @@ final class FlightDetector {
         && allDown(snapshot);
   }
 
-  /** Whether the flight ends with a step; to be asked as often as it shall be noticed. */
+  /** Takes in a step; returns whether the flight ends with it. For each step that is looked at. */
   boolean ends(SimSnapshot snapshot) {
     if (!allDown(snapshot)) {
       down = Optional.empty();

@@ -20,10 +20,14 @@ class SettlingTest {
   private final Settling settling = new Settling(0.3);
 
   private void observe(double off, boolean pushed, double seconds) {
-    Motion motion = Motion.restingAt(new Pose(new Vec3(off, 0, 0), Attitude.LEVEL));
+    Motion motion = at(off);
     for (int i = 0; i < seconds / SimTime.STEP; i++) {
       settling.observe(TARGET, motion, false, pushed);
     }
+  }
+
+  private static Motion at(double off) {
+    return Motion.restingAt(new Pose(new Vec3(off, 0, 0), Attitude.LEVEL));
   }
 
   @ParameterizedTest
@@ -40,6 +44,18 @@ class SettlingTest {
     observe(off, true, seconds);
 
     assertThat(settling.settled()).isEqualTo(settled);
+  }
+
+  @Test
+  void withoutTimeItIsEnoughToBeThere() {
+    Settling atOnce = new Settling(0);
+    assertThat(atOnce.settled()).as("before it was looked at").isFalse();
+
+    atOnce.observe(TARGET, at(0.1), false, false);
+    assertThat(atOnce.settled()).isFalse();
+
+    atOnce.observe(TARGET, at(0), false, false);
+    assertThat(atOnce.settled()).isTrue();
   }
 
   @Test

@@ -7,7 +7,7 @@ import tellosimulator.benchmark.Measurement;
 /** What nobody should read in a log: names of classes, and places in the code. */
 final class LeakedInternals {
 
-  private static final Pattern INSIDES =
+  private static final Pattern INTERNALS =
       Pattern.compile(
           "Exception|Error\\b|\\bat [\\w.$]+\\([\\w.]+|java\\.(lang|io|util)|please report");
 
@@ -15,7 +15,7 @@ final class LeakedInternals {
 
   /** The first line that speaks of the program's insides; empty if there is none. */
   static String first(String text) {
-    return text.lines().filter(line -> INSIDES.matcher(line).find()).findFirst().orElse("");
+    return text.lines().filter(line -> INTERNALS.matcher(line).find()).findFirst().orElse("");
   }
 
   static Measurement row(String what, SimulatorProcess simulator) throws IOException {

@@ -4,6 +4,7 @@ import atlantafx.base.controls.Spacer;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.stream.Stream;
 import javafx.css.PseudoClass;
 import javafx.scene.control.Label;
 import javafx.scene.layout.BorderPane;
@@ -147,8 +148,17 @@ public final class ProjectorPane extends BorderPane {
                         Locale.ROOT,
                         "-fx-font-size: %.0fpx",
                         Math.max(SMALLEST, TYPE * height.doubleValue()))));
+    Stream.concat(Stream.of(goals, clock, command), drones.stream()).forEach(this::keepWidest);
     visibleProperty().subscribe(this::advance);
     language.localeProperty().subscribe(this::advance);
+  }
+
+  /** A box only grows until the type changes, or the camera, fitted beside it, would move. */
+  private void keepWidest(Region box) {
+    double least = box.getMinWidth();
+    box.widthProperty()
+        .subscribe(width -> box.setMinWidth(Math.max(box.getMinWidth(), width.doubleValue())));
+    heightProperty().subscribe(() -> box.setMinWidth(least));
   }
 
   private void advance() {

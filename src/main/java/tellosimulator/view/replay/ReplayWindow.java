@@ -40,7 +40,7 @@ public final class ReplayWindow implements AutoCloseable {
   private final ReplayPane pane;
 
   /**
-   * How everything display.
+   * How everything looks.
    *
    * @param optics of the drones' cameras
    */

@@ -91,7 +91,7 @@ final class DroneCameraInset extends StackPane {
    * @param nanos the time of the frame [ns]
    */
   void advance(long nanos) {
-    if (!shown.get()) {
+    if (!watched()) {
       return;
     }
     picture.advance();
@@ -142,6 +142,7 @@ final class DroneCameraInset extends StackPane {
     still.setOnAction(action -> capture().saveStill());
     record.setOnAction(action -> capture().toggleRecording());
     shown.addListener((property, before, now) -> watch());
+    visibleProperty().addListener((property, before, now) -> watch());
     simulation.selectedProperty().addListener((property, before, now) -> watch());
   }
 
@@ -149,8 +150,13 @@ final class DroneCameraInset extends StackPane {
     return video.capture(simulation.selected().number());
   }
 
+  /** Whether somebody sees the picture. */
+  private boolean watched() {
+    return shown.get() && isVisible();
+  }
+
   private void watch() {
-    if (shown.get()) {
+    if (watched()) {
       picture.watch(video.stream(simulation.selected().number()));
     } else {
       picture.rest();

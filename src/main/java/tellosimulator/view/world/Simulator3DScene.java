@@ -230,7 +230,7 @@ public final class Simulator3DScene extends Region {
     view.smoothEdges(smooth);
   }
 
-  private void watchFluency(long nanos) {
+  private void monitorFrameRate(long nanos) {
     boolean before = frameRate.jerky();
     frameRate.frame(nanos);
     if (frameRate.jerky() && !before) {
@@ -239,7 +239,7 @@ public final class Simulator3DScene extends Region {
   }
 
   private void advance(long nanos) {
-    watchFluency(nanos);
+    monitorFrameRate(nanos);
     camera.advance(nanos, pictureArea());
     showScene(nanos);
     selection.advance(nanos, viewCamera.get() == ViewCamera.SIMULATOR, camera.viewpoint());

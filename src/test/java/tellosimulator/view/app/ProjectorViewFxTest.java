@@ -83,6 +83,26 @@ class ProjectorViewFxTest {
     assertThat(window.text("last-command-reason")).contains("9999");
   }
 
+  /** The camera is fitted beside the boxes, and would move with each word. */
+  @Test
+  void theBoxOfTheLastCommandDoesNotShrink() {
+    window.switchOn();
+    project();
+    window.tell(1, "command");
+    assertThat(window.reply(1)).isEqualTo("ok");
+    window.tell(1, "go 500 400 300 100");
+    String refusal = window.reply(1);
+    waitUntil(() -> window.text("projector-command-outcome").equals(refusal));
+    window.passFrames(3);
+    double wide = onFxThread(() -> bounds("projector-command")).getWidth();
+
+    window.tell(1, "stop");
+    waitUntil(() -> window.text("projector-command-text").equals("stop"));
+    window.passFrames(3);
+
+    assertThat(onFxThread(() -> bounds("projector-command")).getWidth()).isEqualTo(wide);
+  }
+
   @Test
   void oneDroneAndTheLastCommandShareARow() {
     window.switchOn();
@@ -127,7 +147,7 @@ class ProjectorViewFxTest {
     window.switchOn();
     project();
     window.fly("command", "takeoff");
-    waitUntil(() -> chip(1).equals("1 100 %") || chip(1).equals("1 99 %"));
+    waitUntil(() -> chip(1).matches("1 \\d+ %"));
 
     window.tell(1, "emergency");
     waitUntil(() -> chip(1).contains("falling") || chip(1).contains("crashed"));
