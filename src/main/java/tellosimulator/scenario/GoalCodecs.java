@@ -52,7 +52,10 @@ final class GoalCodecs {
             .key("seconds", "How long without a break.")
             .need(
                 NumberCodec.of(
-                    Phrase.of("seconds from 0.1 to %s", NumberCodec.plain(Goal.LONGEST_HOVER)),
+                    Phrase.of(
+                        "seconds from %s to %s",
+                        NumberCodec.plain(Goal.SHORTEST_HOVER),
+                        NumberCodec.plain(Goal.LONGEST_HOVER)),
                     Goal.SHORTEST_HOVER,
                     Goal.LONGEST_HOVER),
                 Goal.Hover::seconds);
