@@ -10,6 +10,7 @@ import tellosimulator.scenery.mesh.Rgb;
 import tellosimulator.scenery.mesh.Shading;
 import tellosimulator.scenery.mesh.Texture;
 import tellosimulator.scenery.texture.Falloff;
+import tellosimulator.scenery.texture.ProceduralTexture;
 import tellosimulator.world.Room;
 
 /**
@@ -88,18 +89,13 @@ final class Slab {
             new Vec3(0, -width, 0),
             new Vec3(depth, 0, 0));
     Texture texture =
-        Texture.lazy(
+        ProceduralTexture.of(
             TEXELS,
-            TEXELS,
-            () -> {
-              int[] argb = new int[TEXELS * TEXELS];
-              for (int i = 0; i < argb.length; i++) {
-                double x = beyond(i % TEXELS, width, reach);
-                double y = beyond(i / TEXELS, depth, reach);
-                argb[i] = Rgb.BLACK.argb(DARKEST * Falloff.at(1 - StrictMath.hypot(x, y)));
-              }
-              return argb;
-            });
+            () ->
+                (x, y) -> {
+                  double away = StrictMath.hypot(beyond(x, width, reach), beyond(y, depth, reach));
+                  return Rgb.BLACK.argb(DARKEST * Falloff.at(1 - away));
+                });
     return new Part(MeshBuilder.of(ground), texture, Shading.DECAL);
   }
 
