@@ -3,10 +3,16 @@ package tellosimulator.recording;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.NavigableMap;
+import java.util.Optional;
+import java.util.TreeMap;
 import java.util.stream.Stream;
+import tellosimulator.board.BoardLights;
+import tellosimulator.command.LightCommands;
 import tellosimulator.math.Attitude;
 import tellosimulator.math.Frames;
 import tellosimulator.math.Pose;
@@ -41,17 +47,45 @@ public final class FlightSnapshots {
   private final SimSnapshot beginning;
   private final List<Track> tracks;
 
+  /** What the lights of each drone's board were told to do, by its number and by time [s]. */
+  private final Map<Integer, NavigableMap<Double, BoardLights>> lights;
+
   /** The moments of a recorded flight. */
   public FlightSnapshots(RecordedFlight flight) {
     this(
         new Simulation(config(flight), drone -> (peer, text) -> {}, report -> {}, List.of())
             .snapshot(),
-        flight.tracks());
+        flight.tracks(),
+        lights(flight.commands()));
   }
 
-  private FlightSnapshots(SimSnapshot beginning, List<Track> tracks) {
+  private FlightSnapshots(
+      SimSnapshot beginning,
+      List<Track> tracks,
+      Map<Integer, NavigableMap<Double, BoardLights>> lights) {
     this.beginning = beginning;
     this.tracks = tracks;
+    this.lights = lights;
+  }
+
+  private static Map<Integer, NavigableMap<Double, BoardLights>> lights(
+      List<RecordedCommand> commands) {
+    Map<Integer, NavigableMap<Double, BoardLights>> lights = new HashMap<>();
+    for (RecordedCommand command : commands) {
+      if (!command.outcome().wrong()) {
+        LightCommands.order(command.text())
+            .ifPresent(
+                order -> {
+                  NavigableMap<Double, BoardLights> own =
+                      lights.computeIfAbsent(command.drone(), drone -> new TreeMap<>());
+                  BoardLights before =
+                      own.isEmpty() ? BoardLights.DARK : own.lastEntry().getValue();
+                  SimTime moment = SimTime.ZERO.plus(Math.max(0, command.sent()));
+                  own.put(command.sent(), before.after(order, moment));
+                });
+      }
+    }
+    return lights;
   }
 
   /**
@@ -62,7 +96,7 @@ public final class FlightSnapshots {
   public FlightSnapshots withColor(int rgb) {
     List<DroneSnapshot> painted =
         beginning.drones().stream().map(drone -> drone.withColor(rgb)).toList();
-    return new FlightSnapshots(beginning.withDrones(painted), tracks);
+    return new FlightSnapshots(beginning.withDrones(painted), tracks, lights);
   }
 
   private static SimConfig config(RecordedFlight flight) {
@@ -129,7 +163,7 @@ public final class FlightSnapshots {
     return new SimSnapshot(moment, beginning.clock(), beginning.arena(), drones);
   }
 
-  private static DroneState state(DroneState was, Track track, double time) {
+  private DroneState state(DroneState was, Track track, double time) {
     Sample sample = track.at(time);
     Sample next = track.after(sample);
     double percent = Math.max(0, Math.min(100, sample.batteryPercent()));
@@ -143,7 +177,14 @@ public final class FlightSnapshots {
         was.reference(),
         was.perception(),
         was.video(),
-        was.lights());
+        lights(was, time));
+  }
+
+  private BoardLights lights(DroneState was, double time) {
+    return Optional.ofNullable(lights.get(was.drone()))
+        .map(orders -> orders.floorEntry(time))
+        .map(Map.Entry::getValue)
+        .orElse(was.lights());
   }
 
   private static Motion motion(Sample sample, Sample next, double time) {
