@@ -15,14 +15,14 @@ import tellosimulator.scenery.texture.StrokeFont;
 import tellosimulator.world.Room;
 
 /**
- * Ticks each metre or more along the edges of the floor, and their places in centimetres, as
- * commands and scenarios count: y along the front and the back edge, x along the sides. All numbers
- * stand as on a plan, upright for someone who looks along x, as in the start view. One mesh with
- * one texture.
+ * Ticks each metre or more along the edges of the floor, and at two of them their places in
+ * centimetres, as commands and scenarios count, with the axis's name and direction: y along the
+ * edge that is in front in the start view, x along the one at its right. All numbers stand as on a
+ * plan, upright for someone who looks along x, as in the start view. One mesh with one texture.
  */
 final class MeterMarks {
 
-  private static final String CHARACTERS = "0123456789-";
+  private static final String CHARACTERS = "0123456789-xy→";
 
   /** Cells of the texture in a row and in a column. */
   private static final int CELLS = 4;
@@ -74,9 +74,15 @@ final class MeterMarks {
     double shortest = Math.min(room.depth(), room.width());
     size = Math.min(NUMBER_HEIGHT * step, LARGEST_NUMBER * shortest);
     for (int side : new int[] {1, -1}) {
-      addEdge(new Vec3(side * room.depth() / 2, 0, 0), room.width() / 2);
-      addEdge(new Vec3(0, side * room.width() / 2, 0), room.depth() / 2);
+      addTicks(new Vec3(side * room.depth() / 2, 0, 0), room.width() / 2);
+      addTicks(new Vec3(0, side * room.width() / 2, 0), room.depth() / 2);
     }
+    int across = marks(room.width() / 2);
+    Vec3 front = new Vec3(-room.depth() / 2, 0, 0);
+    addAxis('y', front, new Vec3(0, 1, 0), -across, across);
+    int along = marks(room.depth() / 2);
+    Vec3 right = new Vec3(0, -room.width() / 2, 0);
+    addAxis('x', right, new Vec3(1, 0, 0), 1 - along, along); // the first is at the y axis
   }
 
   /** The marks of a room, room frame. */
@@ -90,23 +96,47 @@ final class MeterMarks {
     return longest <= 10 ? 1 : longest <= 25 ? 2 : longest <= 60 ? 5 : 10;
   }
 
+  /** How many marks there are on each side of an edge's middle. */
+  private int marks(double halfLength) {
+    return (int) Math.floor((halfLength - CLEARANCE * size) / step);
+  }
+
   /**
-   * Marks along an edge.
+   * Ticks along an edge.
    *
    * @param middle of the edge
    * @param halfLength of the edge [m]
    */
-  private void addEdge(Vec3 middle, double halfLength) {
+  private void addTicks(Vec3 middle, double halfLength) {
     Vec3 out = middle.normalized();
     Vec3 right = out.cross(Vec3.UP);
-    boolean alongX = Math.abs(right.x()) > 0.5;
-    int most = (int) Math.floor((halfLength - CLEARANCE * size) / step);
+    int most = marks(halfLength);
     for (int i = -most; i <= most; i++) {
-      Vec3 along = alongX ? new Vec3(1, 0, 0) : new Vec3(0, 1, 0);
-      Vec3 mark = middle.plusScaled(along, i * step);
-      addTick(mark, right, out);
-      addNumber(Math.round(i * step * CM_PER_METER), mark, out);
+      addTick(middle.plusScaled(right, i * step), right, out);
     }
+  }
+
+  /**
+   * Numbers along an edge, and between 0 and the next one the name of the axis and an arrow.
+   *
+   * @param middle of the edge
+   * @param direction of the axis
+   */
+  private void addAxis(char name, Vec3 middle, Vec3 direction, int first, int last) {
+    Vec3 out = middle.normalized();
+    for (int i = first; i <= last; i++) {
+      String number = Long.toString(Math.round(i * step * CM_PER_METER));
+      addText(number, middle.plusScaled(direction, i * step), out);
+    }
+    if (last < 1) {
+      return; // there is no room between two numbers
+    }
+    Vec3 between = middle.plusScaled(direction, step / 2);
+    addText(String.valueOf(name), between.plusScaled(direction, -size / 2), out);
+    Vec3 arrow = beside(between.plusScaled(direction, size / 2), out, size);
+    Vec3 up = Vec3.UP.cross(direction);
+    Vec3 foot = arrow.plusScaled(direction, -size / 2).plusScaled(up, -size / 2);
+    mesh.quad(new Quad(foot, direction.times(size), up.times(size)), cell(CHARACTERS.indexOf('→')));
   }
 
   private void addTick(Vec3 mark, Vec3 right, Vec3 out) {
@@ -116,22 +146,30 @@ final class MeterMarks {
   }
 
   /**
-   * A number beside its mark.
+   * A text beside its place at an edge.
    *
    * @param out from the room through the edge
    */
-  private void addNumber(long value, Vec3 mark, Vec3 out) {
-    String text = Long.toString(value);
+  private void addText(String text, Vec3 place, Vec3 out) {
     double advance = ADVANCE * size;
     double width = text.length() * advance;
     double extent = Math.abs(out.dot(RIGHT)) * width + Math.abs(out.dot(UP)) * size;
-    Vec3 middle = mark.plusScaled(out, -(GAP * size + extent / 2));
+    Vec3 middle = beside(place, out, extent);
     Vec3 foot = middle.plusScaled(UP, -size / 2).plusScaled(RIGHT, -width / 2);
     for (int i = 0; i < text.length(); i++) {
       double left = i * advance - (size - advance) / 2;
       Quad quad = new Quad(foot.plusScaled(RIGHT, left), RIGHT.times(size), UP.times(size));
       mesh.quad(quad, cell(CHARACTERS.indexOf(text.charAt(i))));
     }
+  }
+
+  /**
+   * The middle of what is clear of the tick at a place of an edge.
+   *
+   * @param extent away from the edge [m]
+   */
+  private Vec3 beside(Vec3 place, Vec3 out, double extent) {
+    return place.plusScaled(out, -(GAP * size + extent / 2));
   }
 
   private static int column(int index) {

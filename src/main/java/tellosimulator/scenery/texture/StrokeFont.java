@@ -8,8 +8,8 @@ import tellosimulator.scenery.texture.AlphaMask.Arc;
 import tellosimulator.scenery.texture.AlphaMask.Point;
 
 /**
- * A stroke font of digits and the minus sign. In font coordinates a digit is 1 high and about 0.6
- * wide, centred at the origin, y downwards.
+ * A stroke font of digits, the minus sign, the letters x and y, and an arrow to the right. In font
+ * coordinates a digit is 1 high and about 0.6 wide, centred at the origin, y downwards.
  */
 public final class StrokeFont {
 
@@ -20,7 +20,7 @@ public final class StrokeFont {
   /**
    * Draws a character.
    *
-   * @param character a digit or a minus
+   * @param character one of those that it has
    * @param height of a digit [pixels]
    */
   public static void draw(AlphaMask mask, char character, Point center, double height) {
@@ -60,9 +60,12 @@ public final class StrokeFont {
           List.of(
               bow(-0.18, 0.245, 0, 2 * Math.PI), polyline(0.24, -0.16, 0.16, 0.12, -0.08, 0.425));
       case '-' -> List.of(polyline(-0.18, 0.02, 0.18, 0.02));
+      case 'x' -> List.of(polyline(-0.2, -0.12, 0.2, 0.425), polyline(0.2, -0.12, -0.2, 0.425));
+      case 'y' -> List.of(polyline(-0.2, -0.12, 0.02, 0.3), polyline(0.2, -0.12, -0.12, 0.6));
+      case '→' -> List.of(polyline(-0.36, 0, 0.36, 0), polyline(0.12, -0.2, 0.36, 0, 0.12, 0.2));
       default ->
           throw new IllegalArgumentException(
-              "character is " + character + ", but must be a digit or -");
+              "character is " + character + ", but must be a digit, -, x, y or →");
     };
   }
 

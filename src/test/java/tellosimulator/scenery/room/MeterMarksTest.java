@@ -17,7 +17,7 @@ import tellosimulator.world.Room;
 /** The numbers on the floor, read from their mesh. */
 class MeterMarksTest {
 
-  private static final String CELLS = "0123456789-####|";
+  private static final String CELLS = "0123456789-xy→#|";
   private static final Comparator<Glyph> FROM_LEFT = Comparator.comparing(glyph -> -glyph.at.y());
   private static final Comparator<Glyph> FROM_ABOVE = Comparator.comparing(glyph -> -glyph.at.x());
 
@@ -28,19 +28,19 @@ class MeterMarksTest {
   void allNumbersAreReadAlongXInCentimeters() {
     List<Glyph> glyphs = glyphs(new Room(5, 5, 3));
 
-    assertThat(read(glyphs, at -> at.x() > 2.1, FROM_LEFT)).isEqualTo("2001000-100-200");
-    assertThat(read(glyphs, at -> at.x() < -2.1, FROM_LEFT)).isEqualTo("2001000-100-200");
+    assertThat(read(glyphs, at -> at.x() < -2.1, FROM_LEFT)).isEqualTo("200100→y0-100-200");
     Comparator<Glyph> inRows = FROM_ABOVE.thenComparing(FROM_LEFT);
-    assertThat(read(glyphs, at -> at.y() > 1.9 && Math.abs(at.x()) < 2.05, inRows))
-        .isEqualTo("2001000-100-200");
-    assertThat(read(glyphs, at -> at.y() < -1.9 && Math.abs(at.x()) < 2.05, inRows))
-        .isEqualTo("2001000-100-200");
+    assertThat(read(glyphs, at -> at.y() < -1.9 && at.x() > -2.05, inRows))
+        .isEqualTo("200100→x0-100");
+    assertThat(read(glyphs, at -> at.x() > 2.1 || (at.y() > 1.9 && at.x() > -2.05), inRows))
+        .as("the other two edges")
+        .isEmpty();
   }
 
   @Test
   void aLargeRoomHasFewerOfThem() {
-    assertThat(read(glyphs(new Room(30, 30, 3)), at -> at.x() > 13, FROM_LEFT))
-        .isEqualTo("10005000-500-1000");
+    assertThat(read(glyphs(new Room(30, 30, 3)), at -> at.x() < -13, FROM_LEFT))
+        .isEqualTo("1000500→y0-500-1000");
   }
 
   @ParameterizedTest
@@ -49,15 +49,15 @@ class MeterMarksTest {
     List<Glyph> glyphs =
         glyphs(new Room(size, size, 3)).stream().filter(glyph -> glyph.character != '|').toList();
 
-    double frontEdge = glyphs.stream().mapToDouble(glyph -> glyph.at.x()).max().orElseThrow();
+    double frontEdge = glyphs.stream().mapToDouble(glyph -> glyph.at.x()).min().orElseThrow();
     double sideEdge =
         glyphs.stream()
             .mapToDouble(glyph -> glyph.at.x())
-            .filter(x -> x < frontEdge - 1e-6)
-            .max()
+            .filter(x -> x > frontEdge + 1e-6)
+            .min()
             .orElse(0);
     double height = Math.min(0.19 * MeterMarks.step(size), 0.07 * size);
-    assertThat(frontEdge - sideEdge).isGreaterThan(height);
+    assertThat(sideEdge - frontEdge).isGreaterThan(height);
   }
 
   private static String read(
@@ -86,7 +86,7 @@ class MeterMarksTest {
       }
       char character = CELLS.charAt((int) (4 * u) + 4 * (int) (4 * v));
       glyphs.add(new Glyph(character, rounded(at)));
-      if (character != '|') {
+      if (character != '|' && character != '→') {
         assertUpright(mesh, faces, quad);
       }
     }
