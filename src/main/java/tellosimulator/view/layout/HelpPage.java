@@ -4,7 +4,6 @@ import atlantafx.base.theme.Styles;
 import java.net.InetSocketAddress;
 import java.util.List;
 import java.util.function.Function;
-import java.util.function.Predicate;
 import java.util.stream.Stream;
 import javafx.beans.property.SimpleStringProperty;
 import javafx.beans.property.StringProperty;
@@ -12,6 +11,8 @@ import javafx.beans.value.ObservableValue;
 import javafx.geometry.VPos;
 import javafx.scene.Node;
 import javafx.scene.control.Label;
+import javafx.scene.control.Tab;
+import javafx.scene.control.TabPane;
 import javafx.scene.layout.GridPane;
 import javafx.scene.layout.HBox;
 import javafx.scene.layout.Region;
@@ -37,7 +38,7 @@ final class HelpPage extends Page {
   private final Messages steering;
   private final Messages panels;
   private final StringProperty address = new SimpleStringProperty("");
-  private final HBox columns = new HBox();
+  private final TabPane tabs = new TabPane();
 
   HelpPage(ViewContext context) {
     super("help-page", "help-page", context.language().messages(HelpPage.class).text("help"));
@@ -46,7 +47,7 @@ final class HelpPage extends Page {
     steering = context.language().messages(SteeringKey.class);
     panels = context.language().messages(NetworkControls.class);
     setMaxHeight(USE_PREF_SIZE);
-    columns.getStyleClass().add("columns");
+    tabs.setTabClosingPolicy(TabPane.TabClosingPolicy.UNAVAILABLE);
     addButton("help-close", messages.text("close"));
     layoutParts();
   }
@@ -60,19 +61,34 @@ final class HelpPage extends Page {
   }
 
   private void layoutParts() {
-    VBox first = new VBox(steps(), table("mouse", MOUSE.stream().map(this::mouseRow)));
-    VBox second = new VBox(table("window-keys", keys(key -> !key.looks())));
-    second.getStyleClass().add("keys"); // the longest, and so the widest
-    VBox third =
-        new VBox(table("steering-keys", Stream.of(SteeringKey.values()).map(this::steeringRow)));
-    for (VBox column : List.of(first, second, third)) {
+    List<WindowKey> keys = Stream.of(WindowKey.values()).filter(key -> !key.looks()).toList();
+    int half = (keys.size() + 1) / 2;
+    Node steering = table("steering-keys", Stream.of(SteeringKey.values()).map(this::steeringRow));
+    Node views =
+        table(
+            "view-keys", Stream.of(WindowKey.values()).filter(WindowKey::looks).map(this::keyRow));
+    addTab("start", steps(), table("mouse", MOUSE.stream().map(this::mouseRow)));
+    addTab("flying", new VBox(steering, wrapped("steering-note")), views);
+    addTab(
+        "window",
+        table("window-keys", keys.subList(0, half).stream().map(this::keyRow)),
+        table("more-keys", keys.subList(half, keys.size()).stream().map(this::keyRow)));
+    addTab("plan", table("plan", PLAN.stream().map(this::mouseRow)));
+    layoutPage(tabs);
+  }
+
+  /** What is read at one time, side by side. */
+  private void addTab(String key, Node... columns) {
+    HBox content = new HBox(columns);
+    content.getStyleClass().add("columns");
+    for (Node column : columns) {
       column.getStyleClass().add("column");
-      columns.getChildren().add(column);
     }
-    first.getChildren().add(table("plan", PLAN.stream().map(this::mouseRow)));
-    third.getChildren().add(wrapped("steering-note"));
-    third.getChildren().add(table("view-keys", keys(WindowKey::looks)));
-    layoutPage(columns);
+    Tab tab = new Tab();
+    tab.setId("help-tab-" + key);
+    tab.textProperty().bind(messages.text("tab-" + key));
+    tab.setContent(content);
+    tabs.getTabs().add(tab);
   }
 
   private Node steps() {
@@ -87,10 +103,6 @@ final class HelpPage extends Page {
 
   private Row mouseRow(String key) {
     return new Row(key, messages.text(key), messages.text(key + "-does"));
-  }
-
-  private Stream<Row> keys(Predicate<WindowKey> wanted) {
-    return Stream.of(WindowKey.values()).filter(wanted).map(this::keyRow);
   }
 
   private Row keyRow(WindowKey key) {
