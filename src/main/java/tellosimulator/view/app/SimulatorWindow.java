@@ -3,6 +3,7 @@ package tellosimulator.view.app;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Map;
 import java.util.function.Function;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
@@ -11,6 +12,7 @@ import javafx.beans.property.BooleanProperty;
 import javafx.beans.property.DoubleProperty;
 import javafx.beans.property.ReadOnlyObjectProperty;
 import javafx.beans.property.SimpleDoubleProperty;
+import javafx.geometry.Orientation;
 import javafx.scene.Parent;
 import javafx.scene.Scene;
 import javafx.scene.input.KeyCombination;
@@ -81,16 +83,8 @@ final class SimulatorWindow implements AutoCloseable {
    */
   private static final double NARROW = 600;
 
-  /** What {@link #remember} binds. */
-  private static final List<String> REMEMBERED =
-      List.of(
-          "show.trail",
-          "show.goal-line",
-          "show.inset",
-          "show.inset-enlarged",
-          "show.smooth-edges",
-          "log.time-stamps",
-          "grid-cm");
+  /** The setting of the grid [cm]. */
+  private static final String GRID = "grid-cm";
 
   private final Stage stage;
   private final ViewContext context;
@@ -209,7 +203,7 @@ final class SimulatorWindow implements AutoCloseable {
             new SimulatorPane.Middle(
                 world,
                 new VBox(ASIDE_GAP, hint, goals, drones),
-                new LastCommandRow(context, "last-command", true),
+                new LastCommandRow(context, "last-command", Orientation.HORIZONTAL),
                 pilot,
                 plan),
             simulatorControls,
@@ -307,6 +301,11 @@ final class SimulatorWindow implements AutoCloseable {
     simulatorControls.availableHeightProperty().bind(pane.sideHeight());
     networkControls.availableHeightProperty().bind(pane.sideHeight());
     pane.freeWidthProperty().map(width -> width.doubleValue() < NARROW).subscribe(this::fit);
+    context
+        .scenario()
+        .challengeProperty()
+        .map(asked -> asked.goals().isEmpty())
+        .subscribe(none -> fit(pane.freeWidthProperty().get() < NARROW));
     plan.shownProperty().bindBidirectional(state.planShownProperty());
     plan.shownProperty().subscribe(this::giveKeys);
     follow(state.fullScreenProperty().subscribe(stage::setFullScreen));
@@ -366,18 +365,24 @@ final class SimulatorWindow implements AutoCloseable {
 
   /** Is at first as it was left, and remembers how it is left; not where it is. */
   void remember(Settings settings) {
-    settings.bind("show.trail", world.trailVisibleProperty(), SettingCodec.flag());
-    settings.bind("show.goal-line", world.goalLineVisibleProperty(), SettingCodec.flag());
-    settings.bind("show.inset", world.insetVisibleProperty(), SettingCodec.flag());
-    settings.bind("show.inset-enlarged", world.insetEnlargedProperty(), SettingCodec.flag());
-    settings.bind("show.smooth-edges", world.antialiasingProperty(), SettingCodec.flag());
-    settings.bind("log.time-stamps", log.timeStampsProperty(), SettingCodec.flag());
+    flags().forEach((key, flag) -> settings.bind(key, flag, SettingCodec.flag()));
     simulatorControls.remember(settings);
     networkControls.remember(settings);
     if (context.scenario().plain()) {
       rememberGrid(settings);
     }
     context.pulse().onBeat(settings::beat);
+  }
+
+  /** What is remembered, by its key. */
+  private Map<String, BooleanProperty> flags() {
+    return Map.of(
+        "show.trail", world.trailVisibleProperty(),
+        "show.goal-line", world.goalLineVisibleProperty(),
+        "show.inset", world.insetVisibleProperty(),
+        "show.inset-enlarged", world.insetEnlargedProperty(),
+        "show.smooth-edges", world.antialiasingProperty(),
+        "log.time-stamps", log.timeStampsProperty());
   }
 
   /** Lets one open the report of the last flight. */
@@ -387,7 +392,8 @@ final class SimulatorWindow implements AutoCloseable {
 
   /** Lets another window of the same program remember. */
   void forget(Settings settings) {
-    REMEMBERED.forEach(settings::unbind);
+    flags().keySet().forEach(settings::unbind);
+    settings.unbind(GRID);
     simulatorControls.forget(settings);
     networkControls.forget(settings);
   }
@@ -396,7 +402,7 @@ final class SimulatorWindow implements AutoCloseable {
     ReadOnlyObjectProperty<Decor> decor = context.simulation().decorProperty();
     DoubleProperty gridCm = new SimpleDoubleProperty(gridCm(decor.get()));
     settings.bind(
-        "grid-cm",
+        GRID,
         gridCm,
         SettingCodec.decimal(
             Frames.centimeters(Decor.SMALLEST_GRID), Frames.centimeters(Decor.LARGEST_GRID)));

@@ -2,8 +2,10 @@ package tellosimulator.view.controls;
 
 import java.util.Optional;
 import javafx.css.PseudoClass;
+import javafx.geometry.Orientation;
 import javafx.scene.control.Label;
 import javafx.scene.layout.HBox;
+import javafx.scene.layout.VBox;
 import tellosimulator.view.model.LastCommand.Outcome;
 import tellosimulator.view.model.LastCommand.Shown;
 import tellosimulator.view.model.ViewContext;
@@ -29,9 +31,9 @@ public final class LastCommandRow extends HBox {
   /**
    * @param id that of the row; its labels have it with {@code -text}, {@code -outcome} and {@code
    *     -reason}
-   * @param explained whether it says, too, why a command failed
+   * @param explanation where it says why a command failed: beside the rest, or below it
    */
-  public LastCommandRow(ViewContext context, String id, boolean explained) {
+  public LastCommandRow(ViewContext context, String id, Orientation explanation) {
     this.context = context;
     language = context.language();
     messages = language.messages(LastCommandRow.class);
@@ -47,9 +49,13 @@ public final class LastCommandRow extends HBox {
     reason.setId(id + "-reason");
     reason.getStyleClass().add("reason");
     reason.setMinWidth(0);
-    getChildren().addAll(command, outcome);
-    if (explained) {
-      getChildren().add(reason);
+    if (explanation == Orientation.HORIZONTAL) {
+      getChildren().addAll(command, outcome, reason);
+    } else {
+      reason.setWrapText(true);
+      HBox said = new HBox(command, outcome);
+      said.getStyleClass().add("said");
+      getChildren().add(new VBox(said, reason));
     }
     show(Optional.empty());
     context.pulse().onBeat(nanos -> show(context.lastCommand().newest()));

@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.stream.Stream;
 import javafx.css.PseudoClass;
+import javafx.geometry.Orientation;
 import javafx.scene.control.Label;
 import javafx.scene.layout.BorderPane;
 import javafx.scene.layout.FlowPane;
@@ -60,7 +61,7 @@ public final class ProjectorPane extends BorderPane {
     this.context = context;
     language = context.language();
     messages = language.messages(ProjectorPane.class);
-    command = new LastCommandRow(context, "projector-command", false);
+    command = new LastCommandRow(context, "projector-command", Orientation.VERTICAL);
     int count = context.simulation().drones().size();
     drones =
         context.simulation().drones().stream()
@@ -148,17 +149,25 @@ public final class ProjectorPane extends BorderPane {
                         Locale.ROOT,
                         "-fx-font-size: %.0fpx",
                         Math.max(SMALLEST, TYPE * height.doubleValue()))));
-    Stream.concat(Stream.of(goals, clock, command), drones.stream()).forEach(this::keepWidest);
+    Stream.concat(Stream.of(goals, clock, command), drones.stream()).forEach(this::keepLargest);
     visibleProperty().subscribe(this::advance);
     language.localeProperty().subscribe(this::advance);
   }
 
   /** A box only grows until the type changes, or the camera, fitted beside it, would move. */
-  private void keepWidest(Region box) {
-    double least = box.getMinWidth();
+  private void keepLargest(Region box) {
+    double narrowest = box.getMinWidth();
+    double lowest = box.getMinHeight();
     box.widthProperty()
         .subscribe(width -> box.setMinWidth(Math.max(box.getMinWidth(), width.doubleValue())));
-    heightProperty().subscribe(() -> box.setMinWidth(least));
+    box.heightProperty()
+        .subscribe(height -> box.setMinHeight(Math.max(box.getMinHeight(), height.doubleValue())));
+    heightProperty()
+        .subscribe(
+            () -> {
+              box.setMinWidth(narrowest);
+              box.setMinHeight(lowest);
+            });
   }
 
   private void advance() {

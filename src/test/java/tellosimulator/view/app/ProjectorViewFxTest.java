@@ -76,6 +76,7 @@ class ProjectorViewFxTest {
     String refusal = window.reply(1);
     waitUntil(() -> window.text("projector-command-text").equals("up 9999"));
     waitUntil(() -> window.text("projector-command-outcome").equals(refusal));
+    assertThat(window.text("projector-command-reason")).contains("9999");
 
     project();
     assertThat(window.text("last-command-text")).isEqualTo("up 9999");
@@ -94,13 +95,13 @@ class ProjectorViewFxTest {
     String refusal = window.reply(1);
     waitUntil(() -> window.text("projector-command-outcome").equals(refusal));
     window.passFrames(3);
-    double wide = onFxThread(() -> bounds("projector-command")).getWidth();
+    Bounds largest = onFxThread(() -> bounds("projector-command"));
 
     window.tell(1, "stop");
     waitUntil(() -> window.text("projector-command-text").equals("stop"));
     window.passFrames(3);
 
-    assertThat(onFxThread(() -> bounds("projector-command")).getWidth()).isEqualTo(wide);
+    assertThat(onFxThread(() -> bounds("projector-command"))).isEqualTo(largest);
   }
 
   @Test
