@@ -12,6 +12,7 @@ import tellosimulator.world.Footprint;
 import tellosimulator.world.MissionPad;
 import tellosimulator.world.Obstacle;
 import tellosimulator.world.Room;
+import tellosimulator.world.Shape;
 
 /**
  * The places that a view of the whole scene must show: the corners of the floor, and things: the
@@ -21,6 +22,9 @@ final class SceneExtent {
 
   /** Height over a start that is seen too [m]. Decided: a drone takes off to less. */
   private static final double TAKEOFF = 1;
+
+  /** Height over a goal that is seen too [m]. Decided: its tag, seen from some metres away. */
+  private static final double TAG = 0.3;
 
   private SceneExtent() {}
 
@@ -37,7 +41,9 @@ final class SceneExtent {
     List<Vec3> places = new ArrayList<>();
     Room room = arena.room();
     for (Obstacle obstacle : arena.obstacles()) {
-      addCorners(places, obstacle.pose(), Footprint.size(obstacle.shape()));
+      Vec3 size = Footprint.size(obstacle.shape());
+      boolean tagged = obstacle.shape() instanceof Shape.Gate && !goals.isEmpty();
+      addCorners(places, obstacle.pose(), tagged ? size.plusScaled(Vec3.UP, TAG) : size);
     }
     for (MissionPad pad : arena.pads()) {
       addCorners(places, pad.pose(room), new Vec3(MissionPad.EDGE, MissionPad.EDGE, 0));
@@ -62,6 +68,7 @@ final class SceneExtent {
       places.add(middle.plus(new Vec3(0, side, 0)));
       places.add(middle.withZ(Math.max(0, middle.z() + side)));
     }
+    places.add(middle.plusScaled(Vec3.UP, region.radius() + TAG));
   }
 
   /**
