@@ -9,13 +9,15 @@ import javafx.geometry.Pos;
 import javafx.scene.Node;
 import javafx.scene.control.ToggleButton;
 import javafx.scene.layout.HBox;
+import javafx.scene.layout.Priority;
 import javafx.scene.layout.VBox;
 import org.kordamp.ikonli.feather.Feather;
 import org.kordamp.ikonli.javafx.FontIcon;
 
 /**
  * A part of a panel below a heading, which folds it away and back. What nobody has folded or opened
- * is folded by its panel where there is no room for everything. For the JavaFX thread.
+ * is folded while it is of no use, and by its panel where there is no room for everything. For the
+ * JavaFX thread.
  */
 class Card extends VBox {
 
@@ -34,6 +36,7 @@ class Card extends VBox {
   private final HBox top = new HBox(head);
   private final VBox content = new VBox();
   private boolean room = true;
+  private boolean useful = true;
 
   /**
    * @param name in settings; the heading's id is {@code card-} with it
@@ -46,6 +49,7 @@ class Card extends VBox {
     head.textProperty().bind(title);
     content.getStyleClass().add("card-content");
     top.setAlignment(Pos.CENTER_LEFT);
+    VBox.setVgrow(content, Priority.ALWAYS);
     getChildren().addAll(top, content);
     head.setOnAction(pressed -> folding.set(head.isSelected() ? Folding.OPEN : Folding.FOLDED));
     folding.subscribe(this::show);
@@ -82,8 +86,15 @@ class Card extends VBox {
     show();
   }
 
+  /** Says whether it is of use now, which counts as long as a person does not decide. */
+  final void setUseful(boolean newUseful) {
+    useful = newUseful;
+    show();
+  }
+
   private void show() {
-    boolean open = folding.get() == Folding.AUTOMATIC ? room : folding.get() == Folding.OPEN;
+    boolean open =
+        folding.get() == Folding.AUTOMATIC ? room && useful : folding.get() == Folding.OPEN;
     content.setVisible(open);
     content.setManaged(open);
     head.setSelected(open);

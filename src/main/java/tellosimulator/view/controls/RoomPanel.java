@@ -56,7 +56,7 @@ final class RoomPanel extends Card {
     startY = slider(context, "start-y", startRange(room().width()));
     initializeParts();
     layoutCard(width, depth, height, grid, startX, startY);
-    setupBindings();
+    setupBindings(context);
     context.pulse().onBeat(nanos -> beat());
   }
 
@@ -72,8 +72,12 @@ final class RoomPanel extends Card {
     showStart();
   }
 
-  private void setupBindings() {
+  private void setupBindings(ViewContext context) {
     simulation.selectedProperty().addListener((property, before, now) -> forgetStart());
+    context
+        .scenario()
+        .challengeProperty()
+        .subscribe(asked -> setUseful(asked.goals().isEmpty())); // a task has its own room
   }
 
   /** What was typed was meant for the other drone. */
