@@ -32,8 +32,8 @@ public final class DroneList extends VBox {
 
   private static final double ROW_HEIGHT = 24;
 
-  /** Rows that are seen at once. Decided: a third of a common screen. */
-  private static final int MOST_ROWS = 8;
+  /** Rows that are seen at once. Decided: the room has the rest of a common screen. */
+  private static final int MOST_ROWS = 5;
 
   /** Time between two looks at the drones [ns]. Decided: four a second. */
   private static final long PERIOD_NANOS = 250_000_000;

@@ -113,7 +113,7 @@ class LegibleWindowFxTest {
     for (String over :
         List.of("power", "help", "show-log", "time-factor", "log-search", "demo-flight")) {
       robot.moveTo("#" + over);
-      assertThat(border(over)).as(over).isNotNull();
+      waitUntil(() -> border(over) != null);
       assertThat(border(over).getInsets().getTop()).as("nothing moves").isZero();
     }
   }

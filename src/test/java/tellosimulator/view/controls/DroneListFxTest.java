@@ -56,7 +56,7 @@ class DroneListFxTest {
   void onlyRowsThatAreSeenAreMade(FxRobot robot) {
     int rows = robot.lookup(".drone-row").queryAll().size();
 
-    assertThat(rows).isBetween(8, 12);
+    assertThat(rows).isBetween(5, 9);
   }
 
   @Test
