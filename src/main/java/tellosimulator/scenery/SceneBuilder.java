@@ -3,6 +3,7 @@ package tellosimulator.scenery;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.concurrent.ConcurrentHashMap;
 import tellosimulator.math.Attitude;
@@ -11,6 +12,7 @@ import tellosimulator.math.Vec3;
 import tellosimulator.model.DroneState;
 import tellosimulator.profile.Profile;
 import tellosimulator.scenery.drone.DroneParts;
+import tellosimulator.scenery.drone.Enlargement;
 import tellosimulator.scenery.drone.ExtensionBoard;
 import tellosimulator.scenery.drone.Livery;
 import tellosimulator.scenery.drone.PropellerSpin;
@@ -18,6 +20,7 @@ import tellosimulator.scenery.drone.StatusLight;
 import tellosimulator.scenery.furniture.ContactShadows;
 import tellosimulator.scenery.furniture.Furniture;
 import tellosimulator.scenery.mesh.Instance;
+import tellosimulator.scenery.mesh.Part;
 import tellosimulator.scenery.mesh.Rgb;
 import tellosimulator.scenery.pad.PadDecals;
 import tellosimulator.scenery.room.BlobShadow;
@@ -49,7 +52,25 @@ public final class SceneBuilder {
 
   /** The scene as people see it, without an overlay. */
   public Scene scene(SimSnapshot snapshot) {
-    return scene(snapshot, OptionalInt.empty(), Finish.forPeople(snapshot.decor().walls()));
+    return scene(
+        snapshot,
+        OptionalInt.empty(),
+        Finish.forPeople(snapshot.decor().walls()),
+        Optional.empty());
+  }
+
+  /**
+   * The scene as people see it from a place, without an overlay: what would be hard to tell from
+   * there is drawn larger.
+   *
+   * @param eye room frame
+   */
+  public Scene scene(SimSnapshot snapshot, Vec3 eye) {
+    return scene(
+        snapshot,
+        OptionalInt.empty(),
+        Finish.forPeople(snapshot.decor().walls()),
+        Optional.of(eye));
   }
 
   /**
@@ -58,14 +79,24 @@ public final class SceneBuilder {
    * @param drone its number, from 1
    */
   public Scene scene(SimSnapshot snapshot, int drone) {
-    return scene(snapshot, OptionalInt.of(drone), Finish.forFilm(snapshot.decor().walls()));
+    return scene(
+        snapshot,
+        OptionalInt.of(drone),
+        Finish.forFilm(snapshot.decor().walls()),
+        Optional.empty());
   }
 
-  private Scene scene(SimSnapshot snapshot, OptionalInt without, Finish finish) {
+  private Scene scene(
+      SimSnapshot snapshot, OptionalInt without, Finish finish, Optional<Vec3> eye) {
     Arena arena = snapshot.arena();
-    List<DroneSnapshot> seen =
+    int count = snapshot.drones().size();
+    List<DrawnDrone> seen =
         snapshot.drones().stream()
             .filter(drone -> without.isEmpty() || without.getAsInt() != drone.state().drone())
+            .map(
+                drone ->
+                    new DrawnDrone(
+                        drone, eye.map(from -> Enlargement.of(drone, count, from)).orElse(1.0)))
             .toList();
     List<Instance> drones = new ArrayList<>();
     seen.forEach(drone -> addBody(drones, drone));
@@ -97,35 +128,31 @@ public final class SceneBuilder {
     return ground;
   }
 
-  private void addBody(List<Instance> instances, DroneSnapshot drone) {
+  private void addBody(List<Instance> instances, DrawnDrone drawn) {
+    DroneSnapshot drone = drawn.drone();
     DroneParts own = parts(drone);
-    Pose pose = drone.state().motion().pose();
-    instances.add(new Instance(own.body(), pose));
-    instances.add(new Instance(own.lamp(StatusLight.seen(drone)), pose));
+    instances.add(drawn.instance(own.body()));
+    instances.add(drawn.instance(own.lamp(StatusLight.seen(drone))));
     if (drone.product().profile() == Profile.TT) {
-      boards.parts(drone.state()).forEach(part -> instances.add(new Instance(part, pose)));
+      boards.parts(drone.state()).forEach(part -> instances.add(drawn.instance(part)));
     }
   }
 
-  private void addGlow(List<Instance> instances, DroneSnapshot drone) {
-    StatusLight light = StatusLight.seen(drone);
+  private void addGlow(List<Instance> instances, DrawnDrone drawn) {
+    StatusLight light = StatusLight.seen(drawn.drone());
     if (light != StatusLight.DARK) {
-      instances.add(new Instance(parts(drone).glow(light), drone.state().motion().pose()));
+      instances.add(drawn.instance(parts(drawn.drone()).glow(light)));
     }
   }
 
-  private void addPropellers(List<Instance> instances, DroneSnapshot drone) {
-    DroneParts own = parts(drone);
-    DroneState state = drone.state();
-    Pose pose = state.motion().pose();
+  private void addPropellers(List<Instance> instances, DrawnDrone drawn) {
+    DroneParts own = parts(drawn.drone());
+    DroneState state = drawn.drone().state();
     PropellerSpin spin = PropellerSpin.of(state.phase(), state.time().seconds());
     for (int i = 0; i < own.propellers().size(); i++) {
-      Vec3 hub = pose.attitude().toRoom(own.propellers().get(i));
       Attitude turned = Attitude.ofHeading(own.heading(i, spin.angle()));
       instances.add(
-          new Instance(
-              own.propeller(i, spin.blurred()),
-              new Pose(pose.position().plus(hub), pose.attitude().after(turned))));
+          drawn.instance(own.propeller(i, spin.blurred()), own.propellers().get(i), turned));
     }
   }
 
@@ -133,5 +160,30 @@ public final class SceneBuilder {
   private DroneParts parts(DroneSnapshot drone) {
     Rgb cover = Livery.of(drone).cover();
     return parts.computeIfAbsent(cover.argb(), argb -> new DroneParts(cover));
+  }
+
+  /**
+   * A drone as it is drawn.
+   *
+   * @param scale of all its parts, about its feet
+   */
+  private record DrawnDrone(DroneSnapshot drone, double scale) {
+
+    /** A part whose mesh is in the body frame. */
+    Instance instance(Part part) {
+      return new Instance(part, drone.state().motion().pose(), scale, 1);
+    }
+
+    /**
+     * A part that is turned about a place of its own.
+     *
+     * @param place body frame [m]
+     */
+    Instance instance(Part part, Vec3 place, Attitude turned) {
+      Pose pose = drone.state().motion().pose();
+      Vec3 offset = pose.attitude().toRoom(place).times(scale);
+      Pose own = new Pose(pose.position().plus(offset), pose.attitude().after(turned));
+      return new Instance(part, own, scale, 1);
+    }
   }
 }

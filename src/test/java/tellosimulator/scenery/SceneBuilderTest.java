@@ -82,6 +82,44 @@ class SceneBuilderTest {
   }
 
   @Test
+  void fromAfarADroneIsDrawnLargerAboutItsFeet() {
+    SimSnapshot flying = flying(new Pose(new Vec3(1, 0, 1), Attitude.ofHeading(1)));
+    List<Instance> lifeSize = scenes.scene(flying).drones();
+
+    List<Instance> near = scenes.scene(flying, new Vec3(0, 0, 1)).drones();
+    List<Instance> far = scenes.scene(flying, new Vec3(-5, 0, 1)).drones();
+
+    assertThat(near).as("from 1 m").isEqualTo(lifeSize);
+    double factor = 0.048 * 6 / (0.0925 + 2 * 0.0405); // 48 thousandths of 6 m, for 173.5 mm
+    assertThat(far).hasSameSizeAs(lifeSize);
+    for (int i = 0; i < far.size(); i++) {
+      Vec3 feet = new Vec3(1, 0, 1);
+      Vec3 offset = lifeSize.get(i).pose().position().minus(feet).times(factor);
+      assertThat(far.get(i).pose().position().distanceTo(feet.plus(offset))).isLessThan(1e-9);
+      assertThat(far.get(i).pose().attitude()).isEqualTo(lifeSize.get(i).pose().attitude());
+      assertThat(far.get(i).largestScale()).isCloseTo(factor, within(1e-9));
+      assertThat(far.get(i).part()).isSameAs(lifeSize.get(i).part());
+    }
+  }
+
+  @Test
+  void itIsNeverDrawnSoLargeThatItFillsAGate() {
+    SimSnapshot flying = flying(new Pose(Vec3.ZERO, Attitude.LEVEL));
+
+    assertThat(scenes.scene(flying, new Vec3(-100, 0, 1)).drones())
+        .allMatch(part -> part.largestScale() == 2.5);
+  }
+
+  @Test
+  void amongManyItIsDrawnLessLarge() {
+    Vec3 eye = new Vec3(-6, 0, 2);
+    double alone = scenes.scene(drones(1), eye).drones().get(0).largestScale();
+    double amongMany = scenes.scene(drones(20), eye).drones().get(0).largestScale();
+
+    assertThat(amongMany).isLessThan(alone);
+  }
+
+  @Test
   void aDroneHasTheColorThatWasChosenForIt() {
     SimSnapshot one = drones(1);
     DroneSnapshot was = one.drones().get(0);

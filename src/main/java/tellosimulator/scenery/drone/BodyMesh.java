@@ -30,6 +30,9 @@ final class BodyMesh {
   /** Radius of the circle that a guard follows [m]. Assumed: 2 mm of air around a propeller. */
   private static final double GUARD_RADIUS = 0.0405;
 
+  /** Across, with the guards [m]. */
+  static final double SPAN = WIDTH + 2 * GUARD_RADIUS;
+
   /** Half the angle that a guard covers [rad]. Assumed: by eye, from pictures. */
   private static final double GUARD_HALF_ANGLE = Math.toRadians(88);
 

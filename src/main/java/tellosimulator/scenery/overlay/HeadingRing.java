@@ -5,6 +5,7 @@ import java.util.Optional;
 import tellosimulator.math.Attitude;
 import tellosimulator.math.Pose;
 import tellosimulator.math.Vec3;
+import tellosimulator.scenery.drone.Enlargement;
 import tellosimulator.scenery.drone.Livery;
 import tellosimulator.scenery.mesh.Instance;
 import tellosimulator.scenery.mesh.Mesh;
@@ -39,9 +40,6 @@ final class HeadingRing {
    */
   private static final double RADIUS = 0.031;
 
-  /** By which power of their number it shrinks. Decided: rings of twenty in rows hardly meet. */
-  private static final double CROWDED = -1.0 / 6;
-
   /** From the middle to the tip of the arrowhead, in radii. Decided: by eye. */
   private static final double TIP = 1.9;
 
@@ -63,19 +61,30 @@ final class HeadingRing {
   /** Of a ring of radius 1. */
   private static final Mesh MESH = MeshBuilder.of(Quad.onFloor(TEXELS / RING));
 
+  /** Width of its line, and of that around a chosen drone [texels]. Decided: by eye. */
+  private static final double LINE = 6;
+
+  private static final double BOLD_LINE = 12;
+
   private final Part part;
+  private final Part bold;
   private final double share;
 
   /**
    * @param drones how many there are
    */
   HeadingRing(Livery livery, int drones) {
-    share = RADIUS * StrictMath.pow(drones, CROWDED);
-    part = new Part(MESH, texture(livery.color()), Shading.TRANSLUCENT);
+    share = RADIUS * Enlargement.crowded(drones);
+    part = new Part(MESH, texture(livery.color(), LINE), Shading.TRANSLUCENT);
+    bold = new Part(MESH, texture(livery.color(), BOLD_LINE), Shading.TRANSLUCENT);
   }
 
-  /** The ring of a drone; empty if the drone is large enough without. */
-  Optional<Marker> around(Pose drone, Eye eye) {
+  /**
+   * The ring of a drone; empty if the drone is large enough without.
+   *
+   * @param chosen whether it is the one of several that people have chosen
+   */
+  Optional<Marker> around(Pose drone, boolean chosen, Eye eye) {
     Vec3 middle = drone.position().plusScaled(Vec3.UP, MIDDLE);
     Vec3 camera = eye.pose().position();
     double distance = camera.distanceTo(middle);
@@ -85,7 +94,7 @@ final class HeadingRing {
     double nearer = Layer.RINGS.distance(distance, eye) / distance;
     Vec3 shown = camera.plusScaled(middle.minus(camera), nearer);
     Pose pose = new Pose(shown, attitude(drone, eye));
-    Instance ring = new Instance(part, pose, share * distance * nearer, 1);
+    Instance ring = new Instance(chosen ? bold : part, pose, share * distance * nearer, 1);
     return Optional.of(Marker.inFront(Layer.RINGS, ring, distance));
   }
 
@@ -121,19 +130,20 @@ final class HeadingRing {
     return Attitude.tiltedTo(up).after(turned);
   }
 
-  private static Texture texture(Rgb color) {
+  private static Texture texture(Rgb color, double line) {
     Rgb rim = color.luma() > BRIGHT ? DARK_RIM : Rgb.WHITE;
     return new Canvas(TEXELS, rim)
-        .paint(color, mask -> draw(mask, 0))
-        .cutOut(draw(new AlphaMask(TEXELS), 2.5));
+        .paint(color, mask -> draw(mask, line, 0))
+        .cutOut(draw(new AlphaMask(TEXELS), line, 2.5));
   }
 
   /**
    * A ring with an arrowhead upwards.
    *
+   * @param line width of its line [texels]
    * @param wider by how much all edges are moved outwards [texels]
    */
-  private static AlphaMask draw(AlphaMask mask, double wider) {
+  private static AlphaMask draw(AlphaMask mask, double line, double wider) {
     double tip = CENTER.y() - TIP * RING;
     double base = CENTER.y() - RING;
     double half = 0.62 * RING;
@@ -144,7 +154,7 @@ final class HeadingRing {
             new Point(CENTER.x() - half, base));
     List<Point> closed =
         List.of(arrowhead.get(0), arrowhead.get(1), arrowhead.get(2), arrowhead.get(0));
-    return mask.stroke(Arc.circle(CENTER, RING).points(), 6 + 2 * wider)
+    return mask.stroke(Arc.circle(CENTER, RING).points(), line + 2 * wider)
         .fill(arrowhead)
         .stroke(closed, 2 * wider);
   }

@@ -5,6 +5,7 @@ import java.util.Comparator;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.OptionalInt;
 import tellosimulator.goal.GoalMark;
 import tellosimulator.math.Pose;
 import tellosimulator.math.Vec3;
@@ -38,6 +39,7 @@ public final class Overlay {
   private final ContactMarkers contactMarkers = new ContactMarkers();
   private List<GoalMark> goals = List.of();
   private List<ContactMark> contacts = List.of();
+  private OptionalInt chosen = OptionalInt.empty();
   private boolean trailsShown = true;
   private boolean goalLineShown = true;
 
@@ -65,6 +67,11 @@ public final class Overlay {
   /** Shows the line from each drone to its next goal, or hides it. */
   public void showGoalLine(boolean shown) {
     goalLineShown = shown;
+  }
+
+  /** Marks one of several drones from now on, by its number. */
+  public void choose(int drone) {
+    chosen = colors.size() > 1 ? OptionalInt.of(drone) : OptionalInt.empty();
   }
 
   /** Shows these goals and contacts from now on. */
@@ -128,7 +135,8 @@ public final class Overlay {
     }
     for (int i = 0; i < rings.size(); i++) {
       Pose drone = drones.get(i).state().motion().pose();
-      rings.get(i).around(drone, eye).ifPresent(markers::add);
+      boolean bold = chosen.equals(OptionalInt.of(drones.get(i).state().drone()));
+      rings.get(i).around(drone, bold, eye).ifPresent(markers::add);
       if (!tags.isEmpty()) {
         markers.add(tags.get(i).above(drone, rings.get(i).reach(drone, eye), eye));
       }

@@ -381,6 +381,7 @@ final class SimulatorWindow implements AutoCloseable {
         "show.goal-line", world.goalLineVisibleProperty(),
         "show.inset", world.insetVisibleProperty(),
         "show.inset-enlarged", world.insetEnlargedProperty(),
+        "show.enlarged-drones", world.dronesEnlargedProperty(),
         "show.smooth-edges", world.antialiasingProperty(),
         "log.time-stamps", log.timeStampsProperty());
   }

@@ -19,13 +19,14 @@ import tellosimulator.translation.PhraseCatalog;
 import tellosimulator.view.fx.Tooltips;
 import tellosimulator.view.text.Language;
 import tellosimulator.view.text.Messages;
+import tellosimulator.view.world.Simulator3DScene;
 
 /** Language, theme, scale, and what else is chosen once. */
 final class SettingsMenu extends MenuButton {
 
   private final Messages messages;
 
-  SettingsMenu(Language language, WindowState state, Property<Boolean> smooth, PageOverlay pages) {
+  SettingsMenu(Language language, WindowState state, Simulator3DScene scene, PageOverlay pages) {
     super("", new FontIcon(Feather.SETTINGS));
     messages = language.messages(SettingsMenu.class);
     setId("settings");
@@ -43,7 +44,8 @@ final class SettingsMenu extends MenuButton {
             choice("language", PhraseCatalog.OFFERED, language.localeProperty()),
             choice("theme", List.of(Theme.values()), state.themeProperty()),
             choice("scale", List.of(UiScale.values()), state.uiScaleProperty()),
-            flag("smooth-edges", smooth),
+            flag("smooth-edges", scene.antialiasingProperty()),
+            flag("enlarged-drones", scene.dronesEnlargedProperty()),
             flag("reduced-motion", state.reducedMotionProperty()),
             flag("record-flights", state.flightsRecordedProperty()),
             flag("projector", state.projectorProperty()),

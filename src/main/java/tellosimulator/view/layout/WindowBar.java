@@ -42,7 +42,7 @@ public final class WindowBar extends LabeledToolBar {
             buttons.toggle("show-plan", Feather.MAP, state.planShownProperty()),
             new Spacer(),
             buttons.theme(state.themeProperty()),
-            new SettingsMenu(context.language(), state, scene.antialiasingProperty(), pages),
+            new SettingsMenu(context.language(), state, scene, pages),
             buttons.button("help", Feather.HELP_CIRCLE, pages::toggleHelp),
             buttons.fullScreen(state.fullScreenProperty()),
             new Separator(Orientation.VERTICAL),

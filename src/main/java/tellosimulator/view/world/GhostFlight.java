@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Supplier;
 import javafx.scene.layout.Pane;
-import tellosimulator.scenery.SceneBuilder;
+import tellosimulator.scenery.Scene;
 import tellosimulator.scenery.mesh.Instance;
 import tellosimulator.scenery.mesh.Rgb;
 import tellosimulator.scenery.overlay.GhostDrones;
@@ -63,14 +63,20 @@ public final class GhostFlight {
     overlay.showTrails(shown);
   }
 
+  /** The moment that is shown. */
+  SimSnapshot snapshot() {
+    return snapshot;
+  }
+
   /**
    * What is added to a scene.
    *
+   * @param own the scene of its snapshot
    * @param nanos the time of the frame [ns]
    */
-  List<Instance> instances(SceneBuilder scenes, Viewpoint viewpoint, long nanos) {
+  List<Instance> instances(Scene own, Viewpoint viewpoint, long nanos) {
     overlay.advance(snapshot, nanos);
-    List<Instance> instances = new ArrayList<>(ghosts.of(scenes.scene(snapshot).drones()));
+    List<Instance> instances = new ArrayList<>(ghosts.of(own.drones()));
     instances.addAll(overlay.instances(snapshot, viewpoint.eye()));
     return instances;
   }

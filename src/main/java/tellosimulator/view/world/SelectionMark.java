@@ -21,7 +21,7 @@ final class SelectionMark extends Pane {
   private static final double CLOSING = 0.4;
 
   /** Radius at last, and how much larger it is at first [px]. Decided: around a drone nearby. */
-  private static final double RADIUS = 26;
+  private static final double RADIUS = 36;
 
   private static final double WIDER = 60;
 

@@ -21,6 +21,7 @@ import javafx.scene.Node;
 import javafx.scene.layout.Region;
 import tellosimulator.goal.Goal;
 import tellosimulator.math.Pose;
+import tellosimulator.scenery.Scene;
 import tellosimulator.scenery.SceneBuilder;
 import tellosimulator.scenery.mesh.Instance;
 import tellosimulator.scenery.overlay.Overlay;
@@ -48,6 +49,8 @@ public final class Simulator3DScene extends Region {
       new SimpleBooleanProperty(this, "trailVisible", true);
   private final BooleanProperty goalLineVisible =
       new SimpleBooleanProperty(this, "goalLineVisible", true);
+  private final BooleanProperty dronesEnlarged =
+      new SimpleBooleanProperty(this, "dronesEnlarged", true);
   private final BooleanProperty antialiasing =
       new SimpleBooleanProperty(this, "antialiasing", true);
   private final SimulatorCamera camera;
@@ -144,6 +147,11 @@ public final class Simulator3DScene extends Region {
   /** Whether a line leads from each drone to its next goal. */
   public BooleanProperty goalLineVisibleProperty() {
     return goalLineVisible;
+  }
+
+  /** Whether drones that would be small in the picture are drawn larger than life. */
+  public BooleanProperty dronesEnlargedProperty() {
+    return dronesEnlarged;
   }
 
   /** Whether the inset shows the picture of the drone's camera. */
@@ -285,10 +293,18 @@ public final class Simulator3DScene extends Region {
     } else {
       Viewpoint viewpoint = camera.viewpoint();
       view.show(
-          scenes.scene(snapshot).withOverlay(aids(snapshot, viewpoint, nanos)), viewpoint, nanos);
+          forPeople(snapshot, viewpoint).withOverlay(aids(snapshot, viewpoint, nanos)),
+          viewpoint,
+          nanos);
       faults.advance(snapshot, Optional.of(viewpoint));
       ghost.ifPresent(other -> other.label(viewpoint));
     }
+  }
+
+  private Scene forPeople(SimSnapshot snapshot, Viewpoint viewpoint) {
+    return dronesEnlarged.get()
+        ? scenes.scene(snapshot, viewpoint.pose().position())
+        : scenes.scene(snapshot);
   }
 
   /** What only people see. */
@@ -297,8 +313,10 @@ public final class Simulator3DScene extends Region {
     ghost.ifPresent(
         other -> {
           other.showTrails(trailVisible.get());
-          aids.addAll(other.instances(scenes, viewpoint, nanos));
+          Scene scene = forPeople(other.snapshot(), viewpoint);
+          aids.addAll(other.instances(scene, viewpoint, nanos));
         });
+    overlay.choose(simulation.selected().number());
     overlay.show(marks.goals(snapshot.arena()), marks.contacts());
     aids.addAll(overlay.instances(snapshot, viewpoint.eye()));
     return aids;

@@ -3,6 +3,7 @@ package tellosimulator.scenery.overlay;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import java.util.Arrays;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -63,11 +64,29 @@ class HeadingRingTest {
   void amongManyItIsSmaller() {
     Pose drone = new Pose(Vec3.ZERO, Attitude.LEVEL);
     Eye eye = eye(-4, 4);
-    Instance ofMany = new HeadingRing(BLUE, 20).around(drone, eye).orElseThrow().instance();
+    Instance ofMany = new HeadingRing(BLUE, 20).around(drone, false, eye).orElseThrow().instance();
 
     // the sixth root of 20 is 1.65
     assertThat(instance(drone, eye).largestScale() / ofMany.largestScale())
         .isCloseTo(1.65, within(0.01));
+  }
+
+  @Test
+  void thatOfTheChosenDroneIsBolder() {
+    Pose drone = new Pose(Vec3.ZERO, Attitude.LEVEL);
+    Instance chosen = ring.around(drone, true, eye(-4, 4)).orElseThrow().instance();
+    Instance other = instance(drone, eye(-4, 4));
+
+    assertThat(chosen.pose()).isEqualTo(other.pose());
+    assertThat(chosen.scale()).isEqualTo(other.scale());
+    assertThat(covered(chosen)).isGreaterThan(1.3 * covered(other));
+  }
+
+  /** How many texels can be seen. */
+  private static double covered(Instance ring) {
+    return Arrays.stream(ring.part().material().texture().argbArray())
+        .filter(argb -> argb >>> 24 > 127)
+        .count();
   }
 
   @Test
@@ -87,7 +106,7 @@ class HeadingRingTest {
   }
 
   private Instance instance(Pose drone, Eye eye) {
-    return ring.around(drone, eye).orElseThrow().instance();
+    return ring.around(drone, false, eye).orElseThrow().instance();
   }
 
   private static Eye eye(double x, double z) {

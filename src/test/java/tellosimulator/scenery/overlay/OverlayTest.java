@@ -79,6 +79,25 @@ class OverlayTest {
   }
 
   @Test
+  void theRingOfTheChosenDroneOfSeveralIsBold() {
+    SimConfig three =
+        SimConfig.DEFAULT.withRoom(Room.DEFAULT, Formation.row(3, Vec3.ZERO, Room.DEFAULT));
+    SimSnapshot snapshot = simulation(three).snapshot();
+    Eye afar = new Eye(new Pose(new Vec3(-5, 0, 1), Attitude.LEVEL), 0.1);
+    Overlay several = new Overlay(snapshot);
+    List<Instance> before = several.instances(snapshot, afar);
+
+    several.choose(2);
+    List<Instance> after = several.instances(snapshot, afar);
+
+    assertThat(IntStream.range(0, before.size()).filter(i -> !after.get(i).equals(before.get(i))))
+        .hasSize(1);
+    List<Instance> alone = overlay.instances(snapshot(), afar);
+    overlay.choose(1);
+    assertThat(overlay.instances(snapshot(), afar)).isEqualTo(alone);
+  }
+
+  @Test
   void onlyDronesThatCouldBeTakenForEachOtherHaveNumbers() {
     SimConfig three =
         SimConfig.DEFAULT.withRoom(Room.DEFAULT, Formation.row(3, Vec3.ZERO, Room.DEFAULT));
