@@ -36,6 +36,7 @@ import tellosimulator.view.layout.KeyBindings;
 import tellosimulator.view.layout.PageOverlay;
 import tellosimulator.view.layout.QuestionPage.Question;
 import tellosimulator.view.layout.SimulatorPane;
+import tellosimulator.view.layout.Theme;
 import tellosimulator.view.layout.WindowBar;
 import tellosimulator.view.layout.WindowCommands;
 import tellosimulator.view.layout.WindowKey;
@@ -120,6 +121,7 @@ final class SimulatorWindow implements AutoCloseable {
         .themeProperty()
         .subscribe(theme -> Application.setUserAgentStylesheet(theme.stylesheet()));
     world = new Simulator3DScene(context.scene());
+    world.dimmedProperty().bind(state.themeProperty().map(theme -> theme == Theme.DARK));
     pilot = new PilotControls(context);
     simulatorControls = new SimulatorControls(context);
     networkControls = new NetworkControls(context);

@@ -57,6 +57,7 @@ final class ReplayPane extends BorderPane {
     side.setMaxWidth(SIDE_WIDTH);
     VBox.setVgrow(entries, Priority.ALWAYS);
     setTop(bar(context, display));
+    world.dimmedProperty().bind(display.theme().map(theme -> theme == Theme.DARK));
     setCenter(world);
     setRight(side);
     setBottom(new TransportBar(replay, context.language(), entries));

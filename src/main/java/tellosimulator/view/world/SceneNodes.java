@@ -1,6 +1,8 @@
 package tellosimulator.view.world;
 
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.function.Predicate;
 import javafx.geometry.Point3D;
 import javafx.scene.AmbientLight;
@@ -46,6 +48,7 @@ final class SceneNodes extends Group {
   private final InstanceGroup lamps = new InstanceGroup("lamps", parts, DepthTest.DISABLE);
   private final InstanceGroup discs = new InstanceGroup("discs", parts, DepthTest.DISABLE);
   private final InstanceGroup overlay = new InstanceGroup("overlay", parts, DepthTest.DISABLE);
+  private final Map<LightBase, Color> roomLights = new LinkedHashMap<>();
   private List<Instance> shownObstacles = List.of();
 
   SceneNodes() {
@@ -55,11 +58,19 @@ final class SceneNodes extends Group {
     raised.setTranslateZ(DECAL_OFFSET);
     getChildren()
         .addAll(room, ground, obstacles, images, shades, raised, drones, lamps, discs, overlay);
-    AmbientLight unlit = new AmbientLight(Color.WHITE);
-    unlit.getScope().addAll(room, ground, images, shades, raised, lamps, discs, overlay);
-    getChildren().add(unlit);
+    addLight(new AmbientLight(Color.WHITE), lamps, discs, overlay);
+    addRoomLight(new AmbientLight(Color.WHITE), room, ground, images, shades, raised);
     addLights(Lights.ON_FURNITURE, obstacles);
     addLights(Lights.ON_DRONES, drones);
+  }
+
+  /**
+   * Dims the lights in the room, but not the aids for people.
+   *
+   * @param brightness 0 to 1
+   */
+  void dim(double brightness) {
+    roomLights.forEach((light, color) -> light.setColor(color.deriveColor(0, 1, brightness, 1)));
   }
 
   /**
@@ -110,17 +121,23 @@ final class SceneNodes extends Group {
   }
 
   private void addLights(Lights lights, InstanceGroup lit) {
-    addLight(new AmbientLight(FxTextures.color(lights.ambient())), lit);
+    addRoomLight(new AmbientLight(FxTextures.color(lights.ambient())), lit);
     for (Lights.Directional light : lights.directional()) {
       DirectionalLight node = new DirectionalLight(FxTextures.color(light.color()));
       Vec3 direction = light.direction();
       node.setDirection(new Point3D(direction.x(), direction.y(), direction.z()));
-      addLight(node, lit);
+      addRoomLight(node, lit);
     }
   }
 
-  private void addLight(LightBase light, InstanceGroup lit) {
-    light.getScope().add(lit);
+  /** Adds a light that can be dimmed. */
+  private void addRoomLight(LightBase light, InstanceGroup... lit) {
+    roomLights.put(light, light.getColor());
+    addLight(light, lit);
+  }
+
+  private void addLight(LightBase light, InstanceGroup... lit) {
+    light.getScope().addAll(lit);
     getChildren().add(light);
   }
 }

@@ -16,6 +16,13 @@ sealed interface SceneView permits SubSceneView, SoftwareSceneView {
   void smoothEdges(boolean smooth);
 
   /**
+   * Dims the lights in the room, but not the aids for people.
+   *
+   * @param brightness 0 to 1
+   */
+  void dim(double brightness);
+
+  /**
    * Shows a scene.
    *
    * @param nanos the time of the frame [ns]

@@ -10,6 +10,7 @@ import javafx.beans.property.ObjectProperty;
 import javafx.beans.property.SimpleBooleanProperty;
 import javafx.beans.property.SimpleObjectProperty;
 import javafx.beans.value.ObservableValue;
+import javafx.css.PseudoClass;
 import javafx.geometry.Bounds;
 import javafx.geometry.Dimension2D;
 import javafx.geometry.HPos;
@@ -43,6 +44,11 @@ public final class Simulator3DScene extends Region {
   /** Between what lies in a corner and the scene's edges [px]. */
   private static final double MARGIN = 12;
 
+  /** How bright the room is in a dark window. Decided: by eye; its colours can still be told. */
+  private static final double DIMMED = 0.78;
+
+  private static final PseudoClass FROM_DRONE = PseudoClass.getPseudoClass("from-drone");
+
   private final ObjectProperty<ViewCamera> viewCamera =
       new SimpleObjectProperty<>(this, "viewCamera", ViewCamera.SIMULATOR);
   private final BooleanProperty trailVisible =
@@ -51,6 +57,7 @@ public final class Simulator3DScene extends Region {
       new SimpleBooleanProperty(this, "goalLineVisible", true);
   private final BooleanProperty dronesEnlarged =
       new SimpleBooleanProperty(this, "dronesEnlarged", true);
+  private final BooleanProperty dimmed = new SimpleBooleanProperty(this, "dimmed");
   private final BooleanProperty antialiasing =
       new SimpleBooleanProperty(this, "antialiasing", true);
   private final SimulatorCamera camera;
@@ -154,6 +161,11 @@ public final class Simulator3DScene extends Region {
     return dronesEnlarged;
   }
 
+  /** Whether the room is less bright, for a dark window; what drones film is as it is. */
+  public BooleanProperty dimmedProperty() {
+    return dimmed;
+  }
+
   /** Whether the inset shows the picture of the drone's camera. */
   public BooleanProperty insetVisibleProperty() {
     return inset.shownProperty();
@@ -229,8 +241,14 @@ public final class Simulator3DScene extends Region {
     trailVisible.subscribe(overlay::showTrails);
     goalLineVisible.subscribe(overlay::showGoalLine);
     antialiasing.subscribe(this::smoothEdges);
-    viewCamera.subscribe(this::requestLayout);
+    viewCamera.subscribe(this::showFrame);
     selection.stillProperty().bind(camera.reducedMotionProperty());
+  }
+
+  /** Where the drone's picture does not fill the region, what is around it is no room. */
+  private void showFrame(ViewCamera chosen) {
+    pseudoClassStateChanged(FROM_DRONE, chosen == ViewCamera.DRONE);
+    requestLayout();
   }
 
   private void smoothEdges(boolean smooth) {
@@ -286,7 +304,9 @@ public final class Simulator3DScene extends Region {
   private void showScene(long nanos) {
     SimSnapshot snapshot = simulation.pictured();
     overlay.advance(snapshot, nanos);
-    if (viewCamera.get() == ViewCamera.DRONE) {
+    boolean fromDrone = viewCamera.get() == ViewCamera.DRONE;
+    view.dim(dimmed.get() && !fromDrone ? DIMMED : 1);
+    if (fromDrone) {
       view.show(scenes.scene(snapshot, simulation.selected().number()), onDrone(), nanos);
       faults.advance(snapshot, Optional.empty());
       ghost.ifPresent(GhostFlight::hideLabels);

@@ -47,6 +47,12 @@ final class SoftwareSceneView implements SceneView {
   @Override
   public void smoothEdges(boolean smooth) {}
 
+  /** Everything: it shows one picture, through which the dark ground behind it is seen. */
+  @Override
+  public void dim(double brightness) {
+    node.setOpacity(brightness);
+  }
+
   @Override
   public void show(Scene scene, Viewpoint viewpoint, long nanos) {
     renderer

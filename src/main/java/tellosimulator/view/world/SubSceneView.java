@@ -53,6 +53,11 @@ final class SubSceneView implements SceneView {
   }
 
   @Override
+  public void dim(double brightness) {
+    nodes.dim(brightness);
+  }
+
+  @Override
   public void show(Scene scene, Viewpoint viewpoint, long nanos) {
     FxFrames.aim(cameraPose, viewpoint.pose());
     camera.setVerticalFieldOfView(viewpoint.vertical());
