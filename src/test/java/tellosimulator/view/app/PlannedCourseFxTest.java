@@ -14,6 +14,7 @@ import javafx.geometry.Point2D;
 import javafx.scene.Node;
 import javafx.scene.control.ComboBox;
 import javafx.scene.control.Label;
+import javafx.scene.control.ToggleButton;
 import javafx.scene.input.KeyCode;
 import javafx.stage.Stage;
 import javafx.stage.StageStyle;
@@ -74,6 +75,19 @@ class PlannedCourseFxTest {
     String added = "  - reach: {at: [100, -100, 100], radius: 30}\n";
     assertThat(Files.readString(file).replaceFirst(" *- reach: \\{at: \\[100, -100.*\n", added))
         .isEqualTo(COURSE.replace("  - land:", added + "  - land:"));
+  }
+
+  @Test
+  void theRoomsSlidersAreFoldedWhereGoalsAreAskedFor() throws IOException {
+    ToggleButton card = robot.lookup("#card-room").queryAs(ToggleButton.class);
+    assertThat(card.isSelected()).as("with the goals of the file").isFalse();
+
+    robot.clickOn(card);
+    assertThat(card.isSelected()).isTrue();
+    addGoal("reach");
+    waitUntil(() -> status().startsWith("Goal 3: "));
+
+    assertThat(card.isSelected()).as("as a person left it").isTrue();
   }
 
   @Test

@@ -139,6 +139,26 @@ class SceneDisplayTest {
   }
 
   @Test
+  void aDarkWindowHasADimmerRoom() {
+    double bright = brightness(fixture.settledPicture(), WIDTH / 2, HEIGHT - 60, 20);
+    fixture.change(() -> fixture.scene().dimmedProperty().set(true));
+    double dimmed = brightness(fixture.settledPicture(), WIDTH / 2, HEIGHT - 60, 20);
+
+    assertThat(dimmed / bright).isBetween(0.7, 0.86);
+  }
+
+  @Test
+  void aDistantDroneIsDrawnLargerUntilThatIsSwitchedOff() {
+    fly(new Vec3(0, 0, 1));
+    fixture.change(() -> fixture.scene().camera().zoomBy(0.25));
+    int enlarged = find(fixture.settledPicture(), SceneDisplayTest::isDark).count();
+    fixture.change(() -> fixture.scene().dronesEnlargedProperty().set(false));
+    int lifeSize = find(fixture.settledPicture(), SceneDisplayTest::isDark).count();
+
+    assertThat(enlarged).isGreaterThan(2 * lifeSize);
+  }
+
+  @Test
   void theInsetShowsWhatTheDronesCameraSees() {
     fly(new Vec3(0, 0, 1));
     Image ahead = fixture.insetPicture();

@@ -3,6 +3,7 @@ package tellosimulator.view.world;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import javafx.css.PseudoClass;
 import javafx.event.Event;
 import javafx.event.EventType;
 import javafx.geometry.Bounds;
@@ -101,6 +102,30 @@ class Simulator3DSceneFxTest {
     fixture.pass(0.1);
 
     assertThat(fixture.scene().viewCameraProperty().get()).isEqualTo(ViewCamera.DRONE);
+  }
+
+  /** Without 3D, the picture of the room is seen through. */
+  @Test
+  void aDarkWindowDimsTheRoomButNotWhatADroneFilms() {
+    Simulator3DScene scene = fixture.scene();
+    fixture.change(() -> scene.dimmedProperty().set(true));
+    fixture.pass(0.1);
+    assertThat(scene.view().node().getOpacity()).isEqualTo(0.78);
+
+    fixture.change(() -> scene.viewCameraProperty().set(ViewCamera.DRONE));
+    fixture.pass(0.1);
+    assertThat(scene.view().node().getOpacity()).isEqualTo(1);
+    assertThat(scene.getPseudoClassStates()).contains(PseudoClass.getPseudoClass("from-drone"));
+
+    fixture.change(
+        () -> {
+          scene.viewCameraProperty().set(ViewCamera.SIMULATOR);
+          scene.dimmedProperty().set(false);
+        });
+    fixture.pass(0.1);
+    assertThat(scene.view().node().getOpacity()).isEqualTo(1);
+    assertThat(scene.getPseudoClassStates())
+        .doesNotContain(PseudoClass.getPseudoClass("from-drone"));
   }
 
   @Test
