@@ -84,6 +84,9 @@ final class SimulatorWindow implements AutoCloseable {
    */
   private static final double NARROW = 600;
 
+  /** So many drones are listed at first. Decided: the list of more pushes the room aside. */
+  private static final int FEW_DRONES = 5;
+
   /** The setting of the grid [cm]. */
   private static final String GRID = "grid-cm";
 
@@ -349,11 +352,12 @@ final class SimulatorWindow implements AutoCloseable {
     }
   }
 
-  /** Leaves room to the scene: where goals are listed, the drones are a line that unfolds. */
+  /** Leaves room to the scene: where there is more to list, the drones are a line that unfolds. */
   private void fit(boolean narrow) {
+    boolean few = context.simulation().drones().size() <= FEW_DRONES;
     pilot.narrowProperty().set(narrow);
     goals.unfold(!narrow);
-    drones.unfold(!narrow && context.scenario().challenge().goals().isEmpty());
+    drones.unfold(!narrow && few && context.scenario().challenge().goals().isEmpty());
   }
 
   /** The plan's keys would steer a drone that one does not see. */

@@ -1,11 +1,16 @@
 package tellosimulator.view.gallery;
 
 import java.util.List;
+import tellosimulator.goal.GoalMark;
+import tellosimulator.goal.Progress;
 import tellosimulator.math.Attitude;
 import tellosimulator.math.Pose;
 import tellosimulator.math.Vec3;
 import tellosimulator.scenario.Scenario;
+import tellosimulator.scenery.Scene;
 import tellosimulator.scenery.SceneBuilder;
+import tellosimulator.scenery.overlay.Eye;
+import tellosimulator.scenery.overlay.Overlay;
 import tellosimulator.sim.SimConfig;
 import tellosimulator.sim.SimSnapshot;
 import tellosimulator.sim.Simulation;
@@ -19,8 +24,8 @@ import tellosimulator.world.Room;
 import tellosimulator.world.Walls;
 
 /**
- * Draws scenarios as they begin, from outside of the room and above, so that all of it is in the
- * picture. For one thread at a time.
+ * Draws scenarios as they begin, with their goals, from outside of the room and above, so that all
+ * of it is in the picture. For one thread at a time.
  */
 final class RoomCamera {
 
@@ -53,7 +58,14 @@ final class RoomCamera {
   int[] picture(Scenario scenario) {
     int[] argb = new int[WIDTH * HEIGHT];
     SimSnapshot beginning = beginning(plain(scenario.config()));
-    camera.draw(scenes.scene(beginning), overview(beginning.room()), frameBuffer);
+    PinholeCamera overview = overview(beginning.room());
+    Overlay goals = new Overlay(beginning);
+    goals.show(GoalMark.of(Progress.start(scenario.challenge()), beginning.arena()), List.of());
+    Scene scene =
+        scenes
+            .scene(beginning, overview.pose().position())
+            .withOverlay(goals.instances(beginning, new Eye(overview.pose(), NEAR)));
+    camera.draw(scene, overview, frameBuffer);
     frameBuffer.copyTo(argb);
     return argb;
   }
