@@ -23,6 +23,9 @@ final class SceneExtent {
   /** Height over a start that is seen too [m]. Decided: a drone takes off to less. */
   private static final double TAKEOFF = 1;
 
+  /** What is seen around a start [m]. Decided: the ring of a drone, seen from some metres away. */
+  private static final double RING = 0.2;
+
   /** Height over a goal that is seen too [m]. Decided: its tag, seen from some metres away. */
   private static final double TAG = 0.3;
 
@@ -48,10 +51,11 @@ final class SceneExtent {
     for (MissionPad pad : arena.pads()) {
       addCorners(places, pad.pose(room), new Vec3(MissionPad.EDGE, MissionPad.EDGE, 0));
     }
+    Vec3 ring = new Vec3(2 * RING, 2 * RING, 0);
     for (Pose start : starts) {
-      Vec3 place = start.position();
-      places.add(place);
-      places.add(place.withZ(Math.min(room.height(), place.z() + TAKEOFF)));
+      double height = start.position().z();
+      double air = Math.max(0, Math.min(room.height(), height + TAKEOFF) - height);
+      addCorners(places, new Pose(start.position(), Attitude.LEVEL), ring.withZ(air));
     }
     for (Goal goal : goals) {
       if (goal instanceof Goal.InRegion at) { // gates and mission pads are there already

@@ -1,6 +1,7 @@
 package tellosimulator.view.world;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 
 import java.util.List;
 import java.util.Map;
@@ -45,9 +46,29 @@ class SceneExtentTest {
 
     assertHas(places, new Vec3(1.2, 1.3, 2));
     assertHas(places, new Vec3(2, 0.1, 1.6));
-    assertHas(places, new Vec3(-1, 0, 0));
+    assertHas(places, new Vec3(-1.2, 0.2, 0)); // 20 cm around the start
+    assertHas(places, new Vec3(-0.8, -0.2, 1));
     assertHas(places, new Vec3(0, 0, 2.3));
+    assertHas(places, new Vec3(0, 0, 2.6)); // and its tag
     assertHas(places, new Vec3(0.3, 0, 2));
+  }
+
+  @Test
+  void aGateHasATagWhereItIsAGoal() {
+    ObstacleAppearance cover = new ObstacleAppearance(0xff0000, Pattern.PLAIN, Map.of());
+    Obstacle gate =
+        new Obstacle("gate", new Shape.Ring(0.4, 0.03, 1.2), new Vec3(0, 0, 0), 0, cover);
+    Arena arena = ROOM.withObstacles(List.of(gate));
+    Goal pass = new Goal.Pass(OptionalInt.empty(), "gate", Goal.Direction.EITHER);
+
+    double plain = highest(SceneExtent.things(arena, List.of(), List.of()));
+    double tagged = highest(SceneExtent.things(arena, List.of(), List.of(pass)));
+
+    assertThat(tagged - plain).isCloseTo(0.3, within(1e-9));
+  }
+
+  private static double highest(List<Vec3> places) {
+    return places.stream().mapToDouble(Vec3::z).max().orElseThrow();
   }
 
   @Test
