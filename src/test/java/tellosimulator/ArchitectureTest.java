@@ -88,7 +88,7 @@ class ArchitectureTest {
           Map.entry("view.drone", List.of("view.fx", "view.model")),
           Map.entry("view.controls", List.of("view.drone")),
           Map.entry("view.gallery", List.of("view.model")),
-          Map.entry("view.goal", List.of("view.model")),
+          Map.entry("view.goal", List.of("view.drone")),
           Map.entry("view.log", List.of("view.model")),
           Map.entry("view.pilot", List.of("view.model")),
           Map.entry("view.plan", List.of("view.controls")),

@@ -3,7 +3,10 @@ package tellosimulator.view.goal;
 import atlantafx.base.controls.Spacer;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.OptionalInt;
 import javafx.beans.binding.Bindings;
 import javafx.beans.value.ObservableValue;
 import javafx.css.PseudoClass;
@@ -14,6 +17,7 @@ import javafx.scene.layout.HBox;
 import javafx.scene.layout.Priority;
 import javafx.scene.layout.Region;
 import javafx.scene.layout.VBox;
+import javafx.scene.paint.Color;
 import org.kordamp.ikonli.feather.Feather;
 import org.kordamp.ikonli.javafx.FontIcon;
 import tellosimulator.goal.Challenge;
@@ -24,6 +28,7 @@ import tellosimulator.goal.Progress.Status;
 import tellosimulator.scenario.Description;
 import tellosimulator.scenario.LocalizedText;
 import tellosimulator.sim.Control;
+import tellosimulator.view.drone.DroneColors;
 import tellosimulator.view.fx.Tooltips;
 import tellosimulator.view.model.FxScenario;
 import tellosimulator.view.model.FxSimulation;
@@ -187,13 +192,22 @@ public final class GoalPanel extends VBox {
   private void showGoals(Challenge challenge) {
     rows.clear();
     for (int i = 0; i < challenge.goals().size(); i++) {
-      rows.add(new GoalRow(i, challenge.goals().get(i), language));
+      Goal goal = challenge.goals().get(i);
+      rows.add(new GoalRow(i, goal, color(goal), language));
     }
     goals.getChildren().setAll(rows);
     boolean asked = !rows.isEmpty();
     ofGoals.forEach(part -> setShown(part, asked));
     setShown(this, asked || !description().teaches().isEmpty());
     show();
+  }
+
+  /** That of the drone that shall reach a goal, as in the room; empty if any may. */
+  private Optional<Color> color(Goal goal) {
+    return simulation.drones().stream()
+        .filter(drone -> goal.drone().equals(OptionalInt.of(drone.number())))
+        .map(DroneColors::of)
+        .findFirst();
   }
 
   private static void setShown(Region part, boolean shown) {
@@ -252,15 +266,18 @@ public final class GoalPanel extends VBox {
     private static final PseudoClass NEXT = PseudoClass.getPseudoClass("next");
 
     private final Language language;
+    private final String styleWhileNext;
     private final Label mark = new Label();
     private final Label task = new Label();
     private final Label time = new Label();
 
     /**
      * @param index of the goal, from 0
+     * @param color of the only drone that may reach it
      */
-    GoalRow(int index, Goal goal, Language language) {
+    GoalRow(int index, Goal goal, Optional<Color> color, Language language) {
       this.language = language;
+      styleWhileNext = color.map(GoalRow::style).orElse("");
       setId("goal-" + (index + 1));
       getStyleClass().add("goal");
       mark.setText(Integer.toString(index + 1));
@@ -292,6 +309,19 @@ public final class GoalPanel extends VBox {
       time.setText(done ? String.format(language.locale(), "%.1f s", reached.getAsDouble()) : "");
       pseudoClassStateChanged(REACHED, done);
       pseudoClassStateChanged(NEXT, next);
+      mark.setStyle(next ? styleWhileNext : "");
+    }
+
+    private static String style(Color color) {
+      return String.format(
+          Locale.ROOT,
+          "-fx-background-color: %s; -fx-text-fill: %s;",
+          web(color),
+          web(DroneColors.inkOn(color)));
+    }
+
+    private static String web(Color color) {
+      return "#" + color.toString().substring(2, 8); // as the toolkit writes it: 0xrrggbbaa
     }
   }
 }

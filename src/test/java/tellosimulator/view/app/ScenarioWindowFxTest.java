@@ -99,6 +99,32 @@ class ScenarioWindowFxTest {
   }
 
   @Test
+  void aGoalOfOneDroneHasItsColorAsInTheRoom() throws IOException {
+    Files.writeString(
+        file,
+        """
+        name: Colors
+        drones:
+          - {start: [0, 0], colour: "#d01020"}
+          - {start: [0, 100], colour: "#ffee80"}
+        goals:
+          - hover: {at: [0, 0, 60], radius: 45, seconds: 3, drone: 1}
+          - hover: {at: [0, 100, 60], radius: 45, seconds: 3, drone: 2}
+          - land: {at: [100, 0], radius: 30}
+        """);
+
+    change(() -> app.open(file));
+
+    assertThat(mark(1)).contains("#d01020").contains("#ffffff");
+    assertThat(mark(2)).contains("#ffee80").contains("#000000");
+    assertThat(mark(3)).as("of any drone").isEmpty();
+  }
+
+  private String mark(int goal) {
+    return robot.lookup("#goal-" + goal + " .mark").query().getStyle();
+  }
+
+  @Test
   void aScenarioThatAsksAndSaysNothingHasNoCard() throws IOException {
     Files.writeString(file, "name: Bare\ndrones:\n  - {start: [0, 0], state-port: 9}\n");
 
