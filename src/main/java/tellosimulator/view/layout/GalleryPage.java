@@ -32,7 +32,7 @@ final class GalleryPage extends Page {
                 name -> close.accept(() -> actions.openKnown(name)),
                 file -> close.accept(() -> actions.open(file))));
     setMaxHeight(USE_PREF_SIZE);
-    addButton("gallery-open", messages.text("scenario-open"))
+    addButton("gallery-open", messages.text("gallery-open"))
         .setOnAction(pressed -> close.accept(chooseFile));
     addButton("gallery-empty", messages.text("gallery-empty"))
         .setOnAction(pressed -> close.accept(actions::openEmpty));

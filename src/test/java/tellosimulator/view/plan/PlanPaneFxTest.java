@@ -353,7 +353,7 @@ class PlanPaneFxTest {
   @Test
   void escapeLetsGoAndThenClosesThePlan() {
     robot().clickOn("#plan-add-box").type(KeyCode.ESCAPE);
-    assertThat(status()).startsWith("Drag things with the mouse");
+    assertThat(status()).startsWith("Drag with the mouse");
 
     robot().type(KeyCode.ESCAPE);
     assertThat(window.view(PlanPane.class).shownProperty().get()).isFalse();
