@@ -49,6 +49,7 @@ final class SceneNodes extends Group {
   private final InstanceGroup discs = new InstanceGroup("discs", parts, DepthTest.DISABLE);
   private final InstanceGroup overlay = new InstanceGroup("overlay", parts, DepthTest.DISABLE);
   private final Map<LightBase, Color> roomLights = new LinkedHashMap<>();
+  private double brightness = 1;
   private List<Instance> shownObstacles = List.of();
 
   SceneNodes() {
@@ -58,18 +59,23 @@ final class SceneNodes extends Group {
     raised.setTranslateZ(DECAL_OFFSET);
     getChildren()
         .addAll(room, ground, obstacles, images, shades, raised, drones, lamps, discs, overlay);
-    addLight(new AmbientLight(Color.WHITE), lamps, discs, overlay);
-    addRoomLight(new AmbientLight(Color.WHITE), room, ground, images, shades, raised);
+    addLight(new AmbientLight(Color.WHITE), lamps, overlay);
+    addRoomLight(new AmbientLight(Color.WHITE), room, ground, images, shades, raised, discs);
     addLights(Lights.ON_FURNITURE, obstacles);
     addLights(Lights.ON_DRONES, drones);
   }
 
   /**
-   * Dims the lights in the room, but not the aids for people.
+   * Dims the lights in the room. What shines, and the aids for people, stay as they are. A light
+   * that is set lets all that it shines on be drawn anew, even if nothing of it changes.
    *
-   * @param brightness 0 to 1
+   * @param newBrightness 0 to 1
    */
-  void dim(double brightness) {
+  void dim(double newBrightness) {
+    if (newBrightness == brightness) {
+      return;
+    }
+    brightness = newBrightness;
     roomLights.forEach((light, color) -> light.setColor(color.deriveColor(0, 1, brightness, 1)));
   }
 

@@ -16,7 +16,7 @@ sealed interface SceneView permits SubSceneView, SoftwareSceneView {
   void smoothEdges(boolean smooth);
 
   /**
-   * Dims the lights in the room, but not the aids for people.
+   * Dims the lights in the room; what shines, and aids for people, may stay as they are.
    *
    * @param brightness 0 to 1
    */

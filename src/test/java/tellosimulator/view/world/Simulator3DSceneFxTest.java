@@ -3,15 +3,19 @@ package tellosimulator.view.world;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import java.util.Comparator;
+import java.util.List;
 import javafx.css.PseudoClass;
 import javafx.event.Event;
 import javafx.event.EventType;
 import javafx.geometry.Bounds;
+import javafx.scene.LightBase;
 import javafx.scene.control.Button;
 import javafx.scene.control.Label;
 import javafx.scene.input.MouseButton;
 import javafx.scene.input.MouseEvent;
 import javafx.scene.input.ScrollEvent;
+import javafx.scene.paint.Color;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.extension.RegisterExtension;
@@ -29,6 +33,8 @@ class Simulator3DSceneFxTest {
   void follow() {
     fixture.follow();
   }
+
+  private static final Comparator<Color> BY_IDENTITY = (one, other) -> one == other ? 0 : 1;
 
   /** Which keys are down. */
   private enum Keys {
@@ -102,6 +108,31 @@ class Simulator3DSceneFxTest {
     fixture.pass(0.1);
 
     assertThat(fixture.scene().viewCameraProperty().get()).isEqualTo(ViewCamera.DRONE);
+  }
+
+  /** A light that is set lets the toolkit draw the whole room anew. */
+  @Test
+  void lightsAreSetOnlyWhenTheyChange() {
+    SceneNodes nodes = new SceneNodes();
+    List<Color> bright = lights(nodes);
+
+    nodes.dim(1);
+    assertThat(lights(nodes)).usingElementComparator(BY_IDENTITY).isEqualTo(bright);
+    nodes.dim(0.5);
+    List<Color> dim = lights(nodes);
+    assertThat(dim.get(0)).as("on lamps and aids").isSameAs(bright.get(0));
+    assertThat(dim.get(1).getBrightness()).isCloseTo(0.5, within(1e-6));
+    nodes.dim(0.5);
+    assertThat(lights(nodes)).usingElementComparator(BY_IDENTITY).isEqualTo(dim);
+    nodes.dim(1);
+    assertThat(lights(nodes)).isEqualTo(bright);
+  }
+
+  private static List<Color> lights(SceneNodes nodes) {
+    return nodes.getChildren().stream()
+        .filter(LightBase.class::isInstance)
+        .map(light -> ((LightBase) light).getColor())
+        .toList();
   }
 
   /** Without 3D, the picture of the room is seen through. */
