@@ -116,6 +116,8 @@ final class CommandPairing {
   private static Outcome outcome(String reply) {
     boolean refused =
         reply.startsWith("error")
+            || reply.startsWith("led error")
+            || reply.startsWith("matrix error")
             || reply.startsWith("out of range")
             || reply.startsWith("unknown command");
     return refused ? Outcome.REFUSED : Outcome.ANSWERED;

@@ -47,7 +47,7 @@ public final class FlightSnapshots {
   private final SimSnapshot beginning;
   private final List<Track> tracks;
 
-  /** What the lights of each drone's board were told to do, by its number and by time [s]. */
+  /** What the lights of a board show from a time on [s], by the number of its drone. */
   private final Map<Integer, NavigableMap<Double, BoardLights>> lights;
 
   /** The moments of a recorded flight. */
@@ -177,14 +177,16 @@ public final class FlightSnapshots {
         was.reference(),
         was.perception(),
         was.video(),
-        lights(was, time));
+        lights(was, phase(sample.phase()), time));
   }
 
-  private BoardLights lights(DroneState was, double time) {
-    return Optional.ofNullable(lights.get(was.drone()))
-        .map(orders -> orders.floorEntry(time))
-        .map(Map.Entry::getValue)
-        .orElse(was.lights());
+  private BoardLights lights(DroneState was, FlightPhase phase, double time) {
+    BoardLights shown =
+        Optional.ofNullable(lights.get(was.drone()))
+            .map(orders -> orders.floorEntry(time))
+            .map(Map.Entry::getValue)
+            .orElse(was.lights());
+    return phase == FlightPhase.OFF ? shown.poweredOff() : shown;
   }
 
   private static Motion motion(Sample sample, Sample next, double time) {

@@ -30,10 +30,7 @@ class FlightSnapshotsTest {
 
   @BeforeEach
   void read() throws Exception {
-    new RecordingFixture(folder)
-        .runWith("\"profile\":\"edu\"", "\"profile\":\"tt\"")
-        .with("events.jsonl", EVENTS)
-        .samples(15);
+    new RecordingFixture(RecordingFixture.in(folder)).with("events.jsonl", EVENTS);
     snapshots = new FlightSnapshots(RecordedFlight.read(folder));
   }
 
