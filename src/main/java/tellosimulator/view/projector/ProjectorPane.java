@@ -5,6 +5,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.stream.Stream;
+import javafx.application.Platform;
 import javafx.css.PseudoClass;
 import javafx.geometry.Orientation;
 import javafx.scene.control.Label;
@@ -154,7 +155,9 @@ public final class ProjectorPane extends BorderPane {
     language.localeProperty().subscribe(this::advance);
   }
 
-  /** A box only grows until the type changes, or the camera, fitted beside it, would move. */
+  /**
+   * A box only grows until the view changes its size, or the camera, fitted beside it, would move.
+   */
   private void keepLargest(Region box) {
     double narrowest = box.getMinWidth();
     double lowest = box.getMinHeight();
@@ -162,12 +165,19 @@ public final class ProjectorPane extends BorderPane {
         .subscribe(width -> box.setMinWidth(Math.max(box.getMinWidth(), width.doubleValue())));
     box.heightProperty()
         .subscribe(height -> box.setMinHeight(Math.max(box.getMinHeight(), height.doubleValue())));
-    heightProperty()
-        .subscribe(
-            () -> {
-              box.setMinWidth(narrowest);
-              box.setMinHeight(lowest);
-            });
+    Runnable letGo =
+        () -> {
+          box.setMinWidth(narrowest);
+          box.setMinHeight(lowest);
+        };
+    Stream.of(widthProperty(), heightProperty())
+        .forEach(
+            size ->
+                size.subscribe(
+                    () -> {
+                      letGo.run();
+                      Platform.runLater(letGo); // once more, when the type has its new size
+                    }));
   }
 
   private void advance() {
