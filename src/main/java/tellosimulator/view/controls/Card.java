@@ -80,13 +80,13 @@ class Card extends VBox {
     return content.isVisible();
   }
 
-  /** Says whether there is room for it, which decides while a person does not. */
+  /** Says whether there is room for it, without which it is open only if a person wants it. */
   final void setRoom(boolean newRoom) {
     room = newRoom;
     show();
   }
 
-  /** Says whether it is of use now, which counts as long as a person does not decide. */
+  /** Says whether it is of use now, without which it is open only if a person wants it. */
   final void setUseful(boolean newUseful) {
     useful = newUseful;
     show();

@@ -74,7 +74,7 @@ abstract class ControlPanel extends ScrollPane {
   }
 
   /** Not at once: the height changes while everything is laid out. */
-  private void foldSoon() {
+  final void foldSoon() {
     if (!folding) {
       folding = true;
       Platform.runLater(this::fold);

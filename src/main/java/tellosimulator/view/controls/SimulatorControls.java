@@ -51,6 +51,7 @@ public final class SimulatorControls extends ControlPanel {
     layoutParts();
     setupEventHandlers();
     setupBindings();
+    context.scenario().challengeProperty().subscribe(asked -> foldSoon()); // as its room is
   }
 
   private void initializeParts() {
