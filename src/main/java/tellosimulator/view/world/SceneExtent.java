@@ -12,7 +12,6 @@ import tellosimulator.world.Footprint;
 import tellosimulator.world.MissionPad;
 import tellosimulator.world.Obstacle;
 import tellosimulator.world.Room;
-import tellosimulator.world.Shape;
 
 /**
  * The places that a view of the whole scene must show: the corners of the floor, and things: the
@@ -26,7 +25,10 @@ final class SceneExtent {
   /** What is seen around a start [m]. Decided: the ring of a drone, seen from some metres away. */
   private static final double RING = 0.2;
 
-  /** Height over a goal that is seen too [m]. Decided: its tag, seen from some metres away. */
+  /**
+   * Height over a gate or a ball that is seen too, and half of that over a pad [m]. Decided: a tag,
+   * seen from some metres away; over a pad it is raised.
+   */
   private static final double TAG = 0.3;
 
   private SceneExtent() {}
@@ -45,11 +47,16 @@ final class SceneExtent {
     Room room = arena.room();
     for (Obstacle obstacle : arena.obstacles()) {
       Vec3 size = Footprint.size(obstacle.shape());
-      boolean tagged = obstacle.shape() instanceof Shape.Gate && !goals.isEmpty();
+      boolean tagged =
+          goals.stream()
+              .anyMatch(goal -> goal instanceof Goal.Pass to && to.gate().equals(obstacle.name()));
       addCorners(places, obstacle.pose(), tagged ? size.plusScaled(Vec3.UP, TAG) : size);
     }
     for (MissionPad pad : arena.pads()) {
-      addCorners(places, pad.pose(room), new Vec3(MissionPad.EDGE, MissionPad.EDGE, 0));
+      boolean tagged =
+          goals.stream().anyMatch(goal -> goal instanceof Goal.LandOn on && on.pad() == pad.id());
+      Vec3 size = new Vec3(MissionPad.EDGE, MissionPad.EDGE, 0);
+      addCorners(places, pad.pose(room), tagged ? size.plusScaled(Vec3.UP, 2 * TAG) : size);
     }
     Vec3 ring = new Vec3(2 * RING, 2 * RING, 0);
     for (Pose start : starts) {
@@ -70,8 +77,8 @@ final class SceneExtent {
     for (double side : new double[] {-region.radius(), region.radius()}) {
       places.add(middle.plus(new Vec3(side, 0, 0)));
       places.add(middle.plus(new Vec3(0, side, 0)));
-      places.add(middle.withZ(Math.max(0, middle.z() + side)));
     }
+    places.add(middle.withZ(Math.max(0, middle.z() - region.radius())));
     places.add(middle.plusScaled(Vec3.UP, region.radius() + TAG));
   }
 
