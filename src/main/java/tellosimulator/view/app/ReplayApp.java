@@ -8,6 +8,7 @@ import tellosimulator.view.layout.WindowState;
 import tellosimulator.view.replay.ReplayFlight;
 import tellosimulator.view.replay.ReplayWindow;
 import tellosimulator.view.replay.ReplayWindow.Appearance;
+import tellosimulator.view.settings.SettingCodec;
 import tellosimulator.view.settings.Settings;
 import tellosimulator.view.settings.WindowPlacement;
 import tellosimulator.view.text.Language;
@@ -51,6 +52,8 @@ public final class ReplayApp {
     Appearance appearance = new Appearance(language, state.themeProperty(), optics);
     ReplayWindow window = new ReplayWindow(stage, flight, appearance);
     window.camera().reducedMotionProperty().bind(state.reducedMotionProperty());
+    settings.bind(
+        SimulatorWindow.ENLARGED_DRONES, window.dronesEnlargedProperty(), SettingCodec.flag());
     window.compareWith(ghost);
     stage.setOnHidden(
         hidden -> {

@@ -87,6 +87,9 @@ final class SimulatorWindow implements AutoCloseable {
   /** So many drones are listed at first. Decided: the list of more pushes the room aside. */
   private static final int FEW_DRONES = 5;
 
+  /** The setting that draws distant drones larger, which the player has, too. */
+  static final String ENLARGED_DRONES = "show.enlarged-drones";
+
   /** The setting of the grid [cm]. */
   private static final String GRID = "grid-cm";
 
@@ -383,13 +386,20 @@ final class SimulatorWindow implements AutoCloseable {
   /** What is remembered, by its key. */
   private Map<String, BooleanProperty> flags() {
     return Map.of(
-        "show.trail", world.trailVisibleProperty(),
-        "show.goal-line", world.goalLineVisibleProperty(),
-        "show.inset", world.insetVisibleProperty(),
-        "show.inset-enlarged", world.insetEnlargedProperty(),
-        "show.enlarged-drones", world.dronesEnlargedProperty(),
-        "show.smooth-edges", world.antialiasingProperty(),
-        "log.time-stamps", log.timeStampsProperty());
+        "show.trail",
+        world.trailVisibleProperty(),
+        "show.goal-line",
+        world.goalLineVisibleProperty(),
+        "show.inset",
+        world.insetVisibleProperty(),
+        "show.inset-enlarged",
+        world.insetEnlargedProperty(),
+        ENLARGED_DRONES,
+        world.dronesEnlargedProperty(),
+        "show.smooth-edges",
+        world.antialiasingProperty(),
+        "log.time-stamps",
+        log.timeStampsProperty());
   }
 
   /** Lets one open the report of the last flight. */

@@ -95,6 +95,11 @@ public final class ReplayWindow implements AutoCloseable {
     return pane.world().camera();
   }
 
+  /** Whether drones that would be small in the picture are drawn larger than life. */
+  public BooleanProperty dronesEnlargedProperty() {
+    return pane.world().dronesEnlargedProperty();
+  }
+
   /** Opens it. */
   public void show() {
     pulse.start();
