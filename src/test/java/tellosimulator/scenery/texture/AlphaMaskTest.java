@@ -85,8 +85,8 @@ class AlphaMaskTest {
     assertThat(alpha(texture(sheet), 30, 15)).isEqualTo(1);
     assertThat(alpha(texture(sheet), 38, 48)).isZero();
     assertThatIllegalArgumentException()
-        .isThrownBy(() -> StrokeFont.draw(sheet, 'x', new Point(32, 32), 40))
-        .withMessage("character is x, but must be a digit or -");
+        .isThrownBy(() -> StrokeFont.draw(sheet, 'z', new Point(32, 32), 40))
+        .withMessage("character is z, but must be a digit, -, x, y or →");
   }
 
   private static Texture texture(AlphaMask mask) {

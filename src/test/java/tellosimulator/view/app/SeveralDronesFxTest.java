@@ -44,6 +44,18 @@ class SeveralDronesFxTest {
     assertThat(window.shows("drone-list")).isTrue();
   }
 
+  @Test
+  void aLongListIsFoldedAtFirst() {
+    assertThat(window.shows("drones")).as("three rows").isTrue();
+    window.close();
+
+    window = WholeWindow.ofDrones(6, folder);
+    assertThat(window.shows("drone-list")).isTrue();
+    assertThat(window.shows("drones")).as("six rows").isFalse();
+    robot.clickOn("#drones-fold");
+    assertThat(window.shows("drones")).isTrue();
+  }
+
   private int selected() {
     return window.context().simulation().selected().number();
   }

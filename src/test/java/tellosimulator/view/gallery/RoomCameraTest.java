@@ -11,6 +11,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import tellosimulator.math.Vec3;
 import tellosimulator.scenario.Gallery;
+import tellosimulator.scenario.Scenario;
 import tellosimulator.video.camera.PinholeCamera;
 import tellosimulator.world.Room;
 
@@ -34,6 +35,14 @@ class RoomCameraTest {
     }
 
     assertThat(widest).isBetween(0.8, 1.0);
+  }
+
+  @Test
+  void goalsAreInThePicture() {
+    Scenario square = Gallery.find(Gallery.NAMES.get(1)).orElseThrow();
+    RoomCamera camera = new RoomCamera();
+
+    assertThat(camera.picture(square)).isNotEqualTo(camera.picture(Scenario.of(square.config())));
   }
 
   @Test

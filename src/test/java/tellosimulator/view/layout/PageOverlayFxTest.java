@@ -8,9 +8,12 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import javafx.application.Application;
+import javafx.scene.Node;
 import javafx.scene.Scene;
 import javafx.scene.control.Label;
 import javafx.scene.control.ListView;
+import javafx.scene.control.Tab;
+import javafx.scene.control.TabPane;
 import javafx.scene.control.TextArea;
 import javafx.scene.control.TextField;
 import javafx.scene.input.KeyCode;
@@ -84,12 +87,17 @@ class PageOverlayFxTest {
 
     for (Locale language : List.of(Locale.ENGLISH, Locale.GERMAN)) {
       robot.interact(() -> window.context().language().localeProperty().set(language));
-      waitForFxEvents();
-      for (Label label :
-          robot.from(robot.lookup("#help-page")).lookup(".label").queryAllAs(Label.class)) {
-        assertThat(label.getWidth() * label.getHeight())
-            .as(label.getText())
-            .isGreaterThanOrEqualTo(label.getWidth() * (label.prefHeight(label.getWidth()) - 1));
+      TabPane pages = robot.from(robot.lookup("#help-page")).lookup(".tab-pane").query();
+      for (Tab page : pages.getTabs()) {
+        robot.interact(() -> pages.getSelectionModel().select(page));
+        waitForFxEvents();
+        for (Node node : page.getContent().lookupAll(".label")) {
+          Label label = (Label) node;
+          assertThat(label.getWidth()).as(label.getText()).isPositive();
+          assertThat(label.getHeight())
+              .as(label.getText())
+              .isGreaterThanOrEqualTo(label.prefHeight(label.getWidth()) - 1);
+        }
       }
     }
   }
