@@ -121,6 +121,8 @@ final class MeterMarks {
    *
    * @param middle of the edge
    * @param direction of the axis
+   * @param first mark from the middle, along the direction
+   * @param last the same
    */
   private void addAxis(char name, Vec3 middle, Vec3 direction, int first, int last) {
     Vec3 out = middle.normalized();

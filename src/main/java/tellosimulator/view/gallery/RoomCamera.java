@@ -24,8 +24,8 @@ import tellosimulator.world.Room;
 import tellosimulator.world.Walls;
 
 /**
- * Draws scenarios as they begin, with their goals, from outside of the room and above, so that all
- * of it is in the picture. For one thread at a time.
+ * Draws scenarios as they begin, with their goals and the rings of their drones, from outside of
+ * the room and above, so that all of it is in the picture. For one thread at a time.
  */
 final class RoomCamera {
 

@@ -202,7 +202,7 @@ public final class GoalPanel extends VBox {
     show();
   }
 
-  /** That of the drone that shall reach a goal, as in the room; empty if any may. */
+  /** That of the drone that shall reach a goal, which it has here while it is next; else empty. */
   private Optional<Color> color(Goal goal) {
     return simulation.drones().stream()
         .filter(drone -> goal.drone().equals(OptionalInt.of(drone.number())))

@@ -63,12 +63,13 @@ final class HelpPage extends Page {
   private void layoutParts() {
     List<WindowKey> keys = Stream.of(WindowKey.values()).filter(key -> !key.looks()).toList();
     int half = (keys.size() + 1) / 2;
-    Node steering = table("steering-keys", Stream.of(SteeringKey.values()).map(this::steeringRow));
+    Node steeringKeys =
+        table("steering-keys", Stream.of(SteeringKey.values()).map(this::steeringRow));
     Node views =
         table(
             "view-keys", Stream.of(WindowKey.values()).filter(WindowKey::looks).map(this::keyRow));
     addTab("start", steps(), table("mouse", MOUSE.stream().map(this::mouseRow)));
-    addTab("flying", new VBox(steering, wrapped("steering-note")), views);
+    addTab("flying", new VBox(steeringKeys, wrapped("steering-note")), views);
     addTab(
         "window",
         table("window-keys", keys.subList(0, half).stream().map(this::keyRow)),
