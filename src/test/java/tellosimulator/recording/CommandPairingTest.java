@@ -37,6 +37,24 @@ class CommandPairingTest {
   }
 
   @Test
+  void aBoardRefusesInWordsOfItsOwn() throws Exception {
+    List<RecordedCommand> commands =
+        commands(
+            """
+            {"t":1,"drone":1,"kind":"command","text":"EXT led 300 0 0"}
+            {"t":1.1,"drone":1,"kind":"reply","text":"led error"}
+            {"t":2,"drone":1,"kind":"command","text":"EXT mled s x A"}
+            {"t":2.1,"drone":1,"kind":"reply","text":"matrix error"}
+            {"t":3,"drone":1,"kind":"command","text":"EXT led 30 0 0"}
+            {"t":3.1,"drone":1,"kind":"reply","text":"led ok"}
+            """);
+
+    assertThat(commands)
+        .extracting(RecordedCommand::outcome)
+        .containsExactly(Outcome.REFUSED, Outcome.REFUSED, Outcome.ANSWERED);
+  }
+
+  @Test
   void steeringIsNeverAnswered() throws Exception {
     List<RecordedCommand> commands =
         commands(

@@ -2,6 +2,7 @@ package tellosimulator.recording;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.nio.file.Files;
 import java.nio.file.Path;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -48,6 +49,17 @@ class FlightSnapshotsTest {
     assertThat(picture(14)).isEqualTo(picture(7.5));
     assertThat(lampRgb(14)).isEqualTo(0xff0040);
     assertThat(picture(6.9)).as("backwards in time").isEqualTo(MatrixPicture.DARK);
+  }
+
+  @Test
+  void nothingShinesWhileTheDroneIsOff() throws Exception {
+    Path samples = folder.resolve("flight.csv");
+    Files.writeString(samples, Files.readString(samples).replace(",grounded,", ",off,"));
+    snapshots = new FlightSnapshots(RecordedFlight.read(folder));
+
+    assertThat(lampRgb(13)).as("landing").isEqualTo(0xff0040);
+    assertThat(lampRgb(14.5)).isEqualTo(0);
+    assertThat(picture(14.5)).isEqualTo(MatrixPicture.DARK);
   }
 
   private int lampRgb(double time) {

@@ -9,6 +9,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.testfx.api.FxRobot;
+import tellosimulator.view.world.Simulator3DScene;
 
 /** What the window has for several drones. */
 class SeveralDronesFxTest {
@@ -54,6 +55,22 @@ class SeveralDronesFxTest {
     assertThat(window.shows("drones")).as("six rows").isFalse();
     robot.clickOn("#drones-fold");
     assertThat(window.shows("drones")).isTrue();
+  }
+
+  @Test
+  void whetherDistantDronesAreLargerIsRemembered() {
+    assertThat(enlarged()).isTrue();
+    robot.clickOn("#settings").clickOn("#enlarged-drones");
+    assertThat(enlarged()).isFalse();
+    window.close();
+
+    window = WholeWindow.ofDrones(3, folder);
+
+    assertThat(enlarged()).isFalse();
+  }
+
+  private boolean enlarged() {
+    return window.find("scene-3d", Simulator3DScene.class).dronesEnlargedProperty().get();
   }
 
   private int selected() {
