@@ -8,28 +8,19 @@ import javafx.scene.control.Labeled;
 import javafx.scene.control.ToolBar;
 
 /**
- * A bar of buttons with icons, of which as many as there is room for have words beside their icons;
- * the most important ones first. For the JavaFX thread.
+ * A bar of buttons with icons that have words beside them where there is room: all of a group, or
+ * none, the most important groups first. For the JavaFX thread.
  */
 public class LabeledToolBar extends ToolBar {
 
-  /** The ids of the buttons, the most important ones first. */
-  private static final List<String> IMPORTANCE =
+  /** The ids of the buttons that have words together, the most important groups first. */
+  private static final List<List<String>> GROUPS =
       List.of(
-          "scenarios",
-          "help",
-          "show-plan",
-          "view-fit",
-          "view-follow",
-          "scenario-file",
-          "show-log",
-          "settings",
-          "show-drones",
-          "show-trail",
-          "show-goal-line",
-          "show-inset",
-          "show-network",
-          "show-controls");
+          List.of("scenarios"),
+          List.of("view-fit", "view-follow"),
+          List.of("show-inset", "show-trail", "show-goal-line", "show-drones", "show-plan"),
+          List.of("settings", "help"),
+          List.of("scenario-file"));
 
   /** What stays free between the buttons at the left and at the right [px]. Decided: by eye. */
   private static final double GAP = 24;
@@ -67,19 +58,27 @@ public class LabeledToolBar extends ToolBar {
   }
 
   private void fit() {
-    List<Labeled> buttons = IMPORTANCE.stream().flatMap(id -> find(id).stream()).toList();
-    buttons.forEach(button -> button.setContentDisplay(ContentDisplay.GRAPHIC_ONLY));
+    List<List<Labeled>> groups = GROUPS.stream().map(this::found).toList();
+    groups.forEach(group -> show(group, ContentDisplay.GRAPHIC_ONLY));
     double room = getWidth() - snappedLeftInset() - snappedRightInset() - GAP - width();
-    for (Labeled button : buttons) {
-      double before = button.prefWidth(-1);
-      button.setContentDisplay(ContentDisplay.LEFT);
-      double more = button.prefWidth(-1) - before;
-      if (more <= room) {
-        room -= more;
-      } else {
-        button.setContentDisplay(ContentDisplay.GRAPHIC_ONLY);
+    for (List<Labeled> group : groups) {
+      double before = width(group);
+      show(group, ContentDisplay.LEFT);
+      double more = width(group) - before;
+      if (more > room) { // a lesser group that is narrower would look like chance
+        show(group, ContentDisplay.GRAPHIC_ONLY);
+        return;
       }
+      room -= more;
     }
+  }
+
+  private static void show(List<Labeled> group, ContentDisplay display) {
+    group.forEach(button -> button.setContentDisplay(display));
+  }
+
+  private List<Labeled> found(List<String> ids) {
+    return ids.stream().flatMap(id -> find(id).stream()).toList();
   }
 
   private Optional<Labeled> find(String id) {
@@ -92,7 +91,10 @@ public class LabeledToolBar extends ToolBar {
   /** What all items take [px]. */
   private double width() {
     List<Node> shown = getItems().stream().filter(Node::isManaged).toList();
-    return shown.stream().mapToDouble(item -> item.prefWidth(-1)).sum()
-        + SPACING * Math.max(0, shown.size() - 1);
+    return width(shown) + SPACING * Math.max(0, shown.size() - 1);
+  }
+
+  private static double width(List<? extends Node> items) {
+    return items.stream().mapToDouble(item -> item.prefWidth(-1)).sum();
   }
 }
