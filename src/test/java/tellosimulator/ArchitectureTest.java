@@ -90,7 +90,7 @@ class ArchitectureTest {
           Map.entry("view.gallery", List.of("view.model")),
           Map.entry("view.goal", List.of("view.drone")),
           Map.entry("view.log", List.of("view.model")),
-          Map.entry("view.pilot", List.of("view.model")),
+          Map.entry("view.pilot", List.of("view.controls")),
           Map.entry("view.plan", List.of("view.controls")),
           Map.entry("view.projector", List.of("view.controls")),
           Map.entry("view.replay", List.of("replay", "report", "view.layout")),

@@ -8,6 +8,7 @@ import java.util.function.Function;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import javafx.application.Application;
+import javafx.beans.binding.Bindings;
 import javafx.beans.property.BooleanProperty;
 import javafx.beans.property.DoubleProperty;
 import javafx.beans.property.ReadOnlyObjectProperty;
@@ -80,9 +81,12 @@ final class SimulatorWindow implements AutoCloseable {
 
   /**
    * Width of the scene below which goals and drones are folded, and buttons over it have no words
-   * [px]. Measured: what the buttons need with words, in German.
+   * [px]. Measured: what the buttons need with words, in German; with the power switch, and
+   * without.
    */
   private static final double NARROW = 600;
+
+  private static final double NARROW_WITH_POWER = 730;
 
   /** So many drones are listed at first. Decided: the list of more pushes the room aside. */
   private static final int FEW_DRONES = 5;
@@ -243,7 +247,7 @@ final class SimulatorWindow implements AutoCloseable {
         .on(WindowKey.HELP, pages::toggleHelp)
         .on(WindowKey.SIMULATOR_CONTROLS, () -> toggle(state.simulatorControlsShownProperty()))
         .on(WindowKey.NETWORK_CONTROLS, () -> toggle(state.networkControlsShownProperty()))
-        .on(WindowKey.LOG, () -> toggle(state.logShownProperty()))
+        .on(WindowKey.LOG, () -> toggle(state.logOpenProperty()))
         .on(WindowKey.DRONES, () -> toggle(state.dronesShownProperty()))
         .on(WindowKey.INSET, () -> toggle(world.insetVisibleProperty()))
         .on(WindowKey.STILL, () -> capture().saveStill())
@@ -290,7 +294,6 @@ final class SimulatorWindow implements AutoCloseable {
   }
 
   private void searchLog() {
-    state.logShownProperty().set(true);
     log.startSearch();
   }
 
@@ -305,15 +308,18 @@ final class SimulatorWindow implements AutoCloseable {
         .challengeProperty()
         .subscribe(challenge -> world.setGoals(challenge.goals()));
     world.camera().reducedMotionProperty().bind(state.reducedMotionProperty());
-    log.foldedProperty().bindBidirectional(state.logFoldedProperty());
+    log.openProperty().bindBidirectional(state.logOpenProperty());
+    pilot.powerShownProperty().bind(state.networkControlsShownProperty().not());
     simulatorControls.availableHeightProperty().bind(pane.sideHeight());
     networkControls.availableHeightProperty().bind(pane.sideHeight());
-    pane.freeWidthProperty().map(width -> width.doubleValue() < NARROW).subscribe(this::fit);
+    Bindings.createBooleanBinding(
+            this::narrow, pane.freeWidthProperty(), pilot.powerShownProperty())
+        .subscribe(this::fit);
     context
         .scenario()
         .challengeProperty()
         .map(asked -> asked.goals().isEmpty())
-        .subscribe(none -> fit(pane.freeWidthProperty().get() < NARROW));
+        .subscribe(none -> fit(narrow()));
     plan.shownProperty().bindBidirectional(state.planShownProperty());
     plan.shownProperty().subscribe(this::giveKeys);
     follow(state.fullScreenProperty().subscribe(stage::setFullScreen));
@@ -353,6 +359,11 @@ final class SimulatorWindow implements AutoCloseable {
     if (flies) {
       world.requestFocus();
     }
+  }
+
+  private boolean narrow() {
+    boolean withPower = pilot.powerShownProperty().get();
+    return pane.freeWidthProperty().get() < (withPower ? NARROW_WITH_POWER : NARROW);
   }
 
   /** Leaves room to the scene: where there is more to list, the drones are a line that unfolds. */

@@ -78,7 +78,15 @@ public final class BarButtons {
 
   /** Fills the screen. */
   public ToggleButton fullScreen(Property<Boolean> state) {
-    return wordless("full-screen", Feather.MAXIMIZE, state);
+    return part("full-screen", Feather.MAXIMIZE, state);
+  }
+
+  /** Shows a part of the window; it never has a word beside its icon. */
+  ToggleButton part(String id, Ikon icon, Property<Boolean> state) {
+    ToggleButton button = new ToggleButton("", new FontIcon(icon));
+    button.getStyleClass().addAll(Styles.BUTTON_ICON, Styles.FLAT);
+    button.selectedProperty().bindBidirectional(state);
+    return prepared(button, id, () -> {});
   }
 
   Button button(String id, Ikon icon, Runnable action) {
@@ -89,16 +97,9 @@ public final class BarButtons {
   }
 
   ToggleButton toggle(String id, Ikon icon, Property<Boolean> state) {
-    ToggleButton button = wordless(id, icon, state);
+    ToggleButton button = part(id, icon, state);
     button.textProperty().bind(messages.text(id + "-word"));
     return button;
-  }
-
-  private ToggleButton wordless(String id, Ikon icon, Property<Boolean> state) {
-    ToggleButton button = new ToggleButton("", new FontIcon(icon));
-    button.getStyleClass().addAll(Styles.BUTTON_ICON, Styles.FLAT);
-    button.selectedProperty().bindBidirectional(state);
-    return prepared(button, id, () -> {});
   }
 
   private <B extends ButtonBase> B prepared(B button, String id, Runnable action) {

@@ -132,15 +132,15 @@ public final class SimulatorPane extends BorderPane {
     show(parts.bar(), usual);
     show(parts.simulatorControls(), state.simulatorControlsShownProperty().and(usual));
     show(parts.networkControls(), state.networkControlsShownProperty().and(usual));
-    show(bottom, state.logShownProperty().and(usual));
-    logHandle.visibleProperty().bind(state.logFoldedProperty().not());
+    show(bottom, usual);
+    logHandle.visibleProperty().bind(state.logOpenProperty());
     logHandle.managedProperty().bind(logHandle.visibleProperty());
     bottom
         .prefHeightProperty()
         .bind(
-            Bindings.when(state.logFoldedProperty())
-                .then(USE_COMPUTED_SIZE)
-                .otherwise(state.logHeightProperty()));
+            Bindings.when(state.logOpenProperty())
+                .then(state.logHeightProperty())
+                .otherwise(USE_COMPUTED_SIZE));
     parts
         .middle()
         .scene()

@@ -1,10 +1,12 @@
 package tellosimulator.view.layout;
 
 import atlantafx.base.controls.Spacer;
+import atlantafx.base.theme.Styles;
 import javafx.geometry.Orientation;
 import javafx.scene.control.Separator;
 import javafx.scene.control.ToggleButton;
 import org.kordamp.ikonli.feather.Feather;
+import tellosimulator.view.controls.LinkButton;
 import tellosimulator.view.model.ViewContext;
 import tellosimulator.view.text.Language;
 import tellosimulator.view.world.Simulator3DScene;
@@ -26,8 +28,6 @@ public final class WindowBar extends LabeledToolBar {
         .setAll(
             buttons.button("scenarios", Feather.FOLDER, context.scenario().actions()::choose),
             scenarios,
-            buttons.toggle(
-                "show-controls", Feather.SLIDERS, state.simulatorControlsShownProperty()),
             new Separator(Orientation.VERTICAL),
             buttons.camera(scene),
             buttons.fit(scene),
@@ -41,13 +41,14 @@ public final class WindowBar extends LabeledToolBar {
             drones(context),
             buttons.toggle("show-plan", Feather.MAP, state.planShownProperty()),
             new Spacer(),
-            buttons.theme(state.themeProperty()),
             new SettingsMenu(context.language(), state, scene, pages),
             buttons.button("help", Feather.HELP_CIRCLE, pages::toggleHelp),
-            buttons.fullScreen(state.fullScreenProperty()),
             new Separator(Orientation.VERTICAL),
-            buttons.toggle("show-log", Feather.TERMINAL, state.logShownProperty()),
-            buttons.toggle("show-network", Feather.WIFI, state.networkControlsShownProperty()));
+            buttons.fullScreen(state.fullScreenProperty()),
+            buttons.part("show-controls", Feather.SLIDERS, state.simulatorControlsShownProperty()),
+            buttons.part("show-log", Feather.TERMINAL, state.logOpenProperty()),
+            new Separator(Orientation.VERTICAL),
+            link(context));
   }
 
   /** The menu of files. */
@@ -58,6 +59,13 @@ public final class WindowBar extends LabeledToolBar {
   /** Adds a menu of all commands. */
   public void addMenu(Language language, WindowCommands commands) {
     getItems().add(0, new CommandMenu(language, commands));
+  }
+
+  /** Is large, for it is what a program needs to know. */
+  private LinkButton link(ViewContext context) {
+    LinkButton button = new LinkButton(context, state.networkControlsShownProperty());
+    button.getStyleClass().addAll(Styles.FLAT, Styles.SMALL);
+    return button;
   }
 
   private ToggleButton drones(ViewContext context) {

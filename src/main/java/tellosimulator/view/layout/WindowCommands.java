@@ -154,7 +154,6 @@ public final class WindowCommands {
 
   private void addAppearance() {
     add(Group.RECORDING, "record-flights", () -> toggle(state.flightsRecordedProperty()));
-    add(Group.WINDOW, "command-fold-log", () -> toggle(state.logFoldedProperty()));
     for (Theme theme : Theme.values()) {
       String name = theme.name().toLowerCase(Locale.ROOT);
       add(Group.THEME, "theme-" + name, name, () -> state.themeProperty().set(theme));

@@ -24,9 +24,8 @@ public final class WindowState {
   private static final double MOST_LOG_HEIGHT = 10_000;
 
   private final BooleanProperty simulatorControlsShown = new SimpleBooleanProperty(true);
-  private final BooleanProperty networkControlsShown = new SimpleBooleanProperty(true);
-  private final BooleanProperty logShown = new SimpleBooleanProperty(true);
-  private final BooleanProperty logFolded = new SimpleBooleanProperty();
+  private final BooleanProperty networkControlsShown = new SimpleBooleanProperty();
+  private final BooleanProperty logOpen = new SimpleBooleanProperty();
   private final BooleanProperty dronesShown = new SimpleBooleanProperty(true);
   private final BooleanProperty flightsRecorded = new SimpleBooleanProperty(true);
   private final BooleanProperty planShown = new SimpleBooleanProperty();
@@ -42,8 +41,7 @@ public final class WindowState {
     WindowState state = new WindowState();
     settings.bind("show.simulator-controls", state.simulatorControlsShown, SettingCodec.flag());
     settings.bind("show.network-controls", state.networkControlsShown, SettingCodec.flag());
-    settings.bind("show.log", state.logShown, SettingCodec.flag());
-    settings.bind("log.folded", state.logFolded, SettingCodec.flag());
+    settings.bind("show.log", state.logOpen, SettingCodec.flag());
     settings.bind("show.drones", state.dronesShown, SettingCodec.flag());
     settings.bind(
         "log.height", state.logHeight, SettingCodec.decimal(LEAST_LOG_HEIGHT, MOST_LOG_HEIGHT));
@@ -59,8 +57,7 @@ public final class WindowState {
     WindowState other = new WindowState();
     other.simulatorControlsShown.bindBidirectional(simulatorControlsShown);
     other.networkControlsShown.bindBidirectional(networkControlsShown);
-    other.logShown.bindBidirectional(logShown);
-    other.logFolded.bindBidirectional(logFolded);
+    other.logOpen.bindBidirectional(logOpen);
     other.dronesShown.bindBidirectional(dronesShown);
     other.flightsRecorded.bindBidirectional(flightsRecorded);
     other.planShown.bindBidirectional(planShown);
@@ -81,13 +78,9 @@ public final class WindowState {
     return networkControlsShown;
   }
 
-  public BooleanProperty logShownProperty() {
-    return logShown;
-  }
-
-  /** Whether the log is its newest line alone. */
-  public BooleanProperty logFoldedProperty() {
-    return logFolded;
+  /** Whether all of the log is there, rather than its newest line alone. */
+  public BooleanProperty logOpenProperty() {
+    return logOpen;
   }
 
   /** Whether the list of drones is there, if there are several. */

@@ -55,7 +55,7 @@ public final class LogPane extends VBox {
   private final LogToolbar toolbar;
   private final LogDetails details;
   private final FoldedLog newest;
-  private final BooleanProperty folded = new SimpleBooleanProperty(this, "folded");
+  private final BooleanProperty open = new SimpleBooleanProperty(this, "open", true);
   private final AutoScroll tail = new AutoScroll(list);
 
   /** Shows what comes through {@code logQueue}, from now on. */
@@ -71,12 +71,12 @@ public final class LogPane extends VBox {
         new LogToolbar(
             language,
             drones,
-            new LogToolbar.Actions(this::clear, this::copy, this::chooseFile, () -> fold(true)),
+            new LogToolbar.Actions(this::clear, this::copy, this::chooseFile, () -> unfold(false)),
             Bindings.size(model.shown()));
     this.details = new LogDetails(text, model, messages);
     this.newest =
         new FoldedLog(
-            messages, new LogRowView(text, toolbar.timeStampsProperty()), () -> fold(false));
+            messages, new LogRowView(text, toolbar.timeStampsProperty()), () -> unfold(true));
     initializeSelf();
     initializeParts();
     layoutParts();
@@ -89,20 +89,21 @@ public final class LogPane extends VBox {
     return toolbar.timeStampsProperty();
   }
 
-  /** Whether it is the newest row alone. */
-  public BooleanProperty foldedProperty() {
-    return folded;
+  /** Whether all of it is there, rather than the newest row alone. */
+  public BooleanProperty openProperty() {
+    return open;
   }
 
   /** Lets one type what to search. */
   public void startSearch() {
-    folded.set(false);
+    open.set(true);
     toolbar.startSearch();
   }
 
   /** Lets one open the report of the last flight. */
   public void offer(ReportOffer offer) {
     toolbar.offer(offer);
+    newest.offer(offer);
   }
 
   /** Removes all lines, and those that wait. */
@@ -142,14 +143,14 @@ public final class LogPane extends VBox {
     details.setMinWidth(USE_PREF_SIZE);
     setVgrow(body, Priority.ALWAYS);
     getChildren().addAll(newest, toolbar, body);
-    folded.subscribe(
+    open.subscribe(
         now -> {
-          newest.setVisible(now);
-          newest.setManaged(now);
-          toolbar.setVisible(!now);
-          toolbar.setManaged(!now);
-          body.setVisible(!now);
-          body.setManaged(!now);
+          newest.setVisible(!now);
+          newest.setManaged(!now);
+          toolbar.setVisible(now);
+          toolbar.setManaged(now);
+          body.setVisible(now);
+          body.setManaged(now);
         });
   }
 
@@ -206,12 +207,12 @@ public final class LogPane extends VBox {
   }
 
   /** Leaves the focus where one can fold again. */
-  private void fold(boolean wanted) {
-    folded.set(wanted);
+  private void unfold(boolean wanted) {
+    open.set(wanted);
     if (wanted) {
-      newest.button().requestFocus();
-    } else {
       list.requestFocus();
+    } else {
+      newest.button().requestFocus();
     }
   }
 

@@ -63,7 +63,6 @@ final class LogToolbar extends HBox {
   private final Button save = new Button(null, new FontIcon(Feather.SAVE));
   private final Button clear = new Button(null, new FontIcon(Feather.TRASH));
   private final Button fold = new Button(null, new FontIcon(Feather.CHEVRON_DOWN));
-  private final Button report = new Button(null, new FontIcon(Feather.FILE_TEXT));
 
   private final ObservableValue<ContentDisplay> display =
       widthProperty()
@@ -71,8 +70,7 @@ final class LogToolbar extends HBox {
               width ->
                   width.doubleValue() < NARROW ? ContentDisplay.GRAPHIC_ONLY : ContentDisplay.LEFT);
 
-  /** Holds the button that opens the report: one that is disabled would show no tooltip itself. */
-  private final HBox reportFrame = new HBox(report);
+  private final ReportButton report;
 
   /**
    * @param drones how many there are
@@ -83,6 +81,7 @@ final class LogToolbar extends HBox {
     this.messages = language.messages(LogToolbar.class);
     this.actions = actions;
     this.found = found;
+    report = new ReportButton(messages, "log-report", display);
     drone.getItems().add(ALL);
     IntStream.rangeClosed(1, drones).forEach(drone.getItems()::add);
     initializeSelf();
@@ -130,15 +129,7 @@ final class LogToolbar extends HBox {
 
   /** Lets one open the report of the last flight, from now on. */
   void offer(ReportOffer offer) {
-    report.setOnAction(action -> offer.open());
-    report
-        .disableProperty()
-        .bind(offer.availabilityProperty().map(now -> now != ReportOffer.Availability.READY));
-    Tooltips.install(
-        reportFrame,
-        offer.availabilityProperty().flatMap(now -> messages.text("report." + now.key())));
-    reportFrame.setVisible(true);
-    reportFrame.setManaged(true);
+    report.offer(offer);
   }
 
   private void initializeSelf() {
@@ -171,12 +162,6 @@ final class LogToolbar extends HBox {
     initializeButton(fold, "fold");
     fold.contentDisplayProperty().unbind();
     fold.setContentDisplay(ContentDisplay.GRAPHIC_ONLY);
-    report.setId("log-report");
-    report.getStyleClass().addAll(Styles.SMALL);
-    report.textProperty().bind(messages.text("report"));
-    report.contentDisplayProperty().bind(display);
-    reportFrame.setVisible(false);
-    reportFrame.setManaged(false);
     timeStamps.setSelected(true);
     autoscroll.setSelected(true);
   }
@@ -202,7 +187,7 @@ final class LogToolbar extends HBox {
             search,
             matches,
             new Spacer(),
-            reportFrame,
+            report,
             timeStamps,
             autoscroll,
             copy,

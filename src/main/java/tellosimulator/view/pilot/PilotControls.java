@@ -26,6 +26,7 @@ import javafx.util.Subscription;
 import org.kordamp.ikonli.feather.Feather;
 import org.kordamp.ikonli.javafx.FontIcon;
 import tellosimulator.model.FlightPhase;
+import tellosimulator.view.controls.PowerSwitch;
 import tellosimulator.view.fx.Tooltips;
 import tellosimulator.view.model.FxDroneModel;
 import tellosimulator.view.model.ViewContext;
@@ -41,14 +42,17 @@ import tellosimulator.view.text.Messages;
 public final class PilotControls extends VBox implements AutoCloseable {
 
   private static final PseudoClass NARROW = PseudoClass.getPseudoClass("narrow");
+  private static final PseudoClass WITH_POWER = PseudoClass.getPseudoClass("with-power");
 
   private final BooleanProperty narrow = new SimpleBooleanProperty(this, "narrow");
+  private final BooleanProperty powerShown = new SimpleBooleanProperty(this, "powerShown");
   private final Messages messages;
   private final ViewContext context;
   private final DemoFlight demo;
   private final RemoteControl remote;
   private final KeyboardSteering keyboard;
 
+  private final PowerSwitch power;
   private final Button demoFlight = new Button();
   private final ToggleButton keyboardFlight = new ToggleButton();
   private final Button takeOff = new Button();
@@ -65,6 +69,7 @@ public final class PilotControls extends VBox implements AutoCloseable {
     demo = new DemoFlight(context);
     remote = new RemoteControl(context);
     keyboard = new KeyboardSteering(context, remote);
+    power = new PowerSwitch(context, "pilot-power");
     keyHint = new KeyLegend(messages, keyboard.pressed());
     initializeSelf();
     initializeParts();
@@ -92,6 +97,11 @@ public final class PilotControls extends VBox implements AutoCloseable {
   /** Whether there is no room for words on the buttons. */
   public BooleanProperty narrowProperty() {
     return narrow;
+  }
+
+  /** Whether the power switch is among the buttons; another part of the window can have it. */
+  public BooleanProperty powerShownProperty() {
+    return powerShown;
   }
 
   /** Closes all sockets; a drone in the air is left there. */
@@ -130,11 +140,11 @@ public final class PilotControls extends VBox implements AutoCloseable {
   private void layoutParts() {
     Region gap = new Region();
     gap.getStyleClass().add("gap");
-    HBox buttons = new HBox(demoFlight, keyboardFlight, gap, takeOff, land, emergency);
+    HBox buttons = new HBox(power, demoFlight, keyboardFlight, gap, takeOff, land, emergency);
     buttons.getStyleClass().add("buttons");
-    shortened(ContentDisplay.LEFT, demoFlight, keyboardFlight);
+    shortened(ContentDisplay.LEFT, power, demoFlight, keyboardFlight);
     shortened(ContentDisplay.TEXT_ONLY, takeOff, land, emergency);
-    for (ButtonBase button : List.of(demoFlight, keyboardFlight, takeOff, land, emergency)) {
+    for (ButtonBase button : List.of(power, demoFlight, keyboardFlight, takeOff, land, emergency)) {
       button.setMaxWidth(Double.MAX_VALUE);
       HBox.setHgrow(button, Priority.ALWAYS);
     }
@@ -145,6 +155,7 @@ public final class PilotControls extends VBox implements AutoCloseable {
     shownOnlyWhenVisible(tour);
     shownOnlyWhenVisible(problem);
     shownOnlyWhenVisible(keyHint);
+    shownOnlyWhenVisible(power);
     getChildren().addAll(keyHint, problem, tour, buttons);
   }
 
@@ -176,6 +187,7 @@ public final class PilotControls extends VBox implements AutoCloseable {
   private void afresh(Runnable action) {
     demo.forgetProblem();
     remote.forgetProblem();
+    power.forgetProblem();
     action.run();
   }
 
@@ -195,6 +207,8 @@ public final class PilotControls extends VBox implements AutoCloseable {
     keyboardFlight.selectedProperty().bindBidirectional(keyboard.activeProperty());
     keyboardFlight.disableProperty().bind(demo.runningProperty());
     keyHint.visibleProperty().bind(keyboard.activeProperty());
+    power.visibleProperty().bind(powerShown);
+    powerShown.subscribe(shown -> pseudoClassStateChanged(WITH_POWER, shown));
     narrow.subscribe(
         now -> {
           pseudoClassStateChanged(NARROW, now);
@@ -205,6 +219,7 @@ public final class PilotControls extends VBox implements AutoCloseable {
             this::sentence,
             demo.problemProperty(),
             remote.problemProperty(),
+            power.problemProperty(),
             context.language().localeProperty());
     problem.textProperty().bind(sentence);
     problem.visibleProperty().bind(sentence.isNotEmpty());
@@ -253,6 +268,7 @@ public final class PilotControls extends VBox implements AutoCloseable {
 
   private String sentence() {
     Message ofTour = demo.problemProperty().get();
-    return (ofTour.isNone() ? remote.problemProperty().get() : ofTour).now(messages);
+    Message ofPilot = ofTour.isNone() ? remote.problemProperty().get() : ofTour;
+    return ofPilot.isNone() ? power.problemProperty().get() : ofPilot.now(messages);
   }
 }

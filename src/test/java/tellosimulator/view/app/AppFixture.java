@@ -47,6 +47,7 @@ final class AppFixture implements BeforeEachCallback, AfterEachCallback {
   private volatile Predicate<Path> browser = file -> true;
   private Path settingsFile;
   private boolean galleryFirst;
+  private boolean asAtFirst;
   private SimulatorApp app;
   private Stage stage;
 
@@ -67,6 +68,12 @@ final class AppFixture implements BeforeEachCallback, AfterEachCallback {
   /** The same as the program does without options: at the first start the gallery is shown. */
   AppFixture beginningWithGallery() {
     galleryFirst = true;
+    return this;
+  }
+
+  /** Folds away what is folded away when the program starts for the first time. */
+  AppFixture asAtFirst() {
+    asAtFirst = true;
     return this;
   }
 
@@ -100,7 +107,12 @@ final class AppFixture implements BeforeEachCallback, AfterEachCallback {
     change(
         () -> {
           stage = stageMaker.get();
-          app.show(stage, settings, WindowState.remembered(settings));
+          boolean first = settings.isNew();
+          WindowState state = WindowState.remembered(settings);
+          if (first && !asAtFirst) {
+            WholeWindow.showAllParts(state);
+          }
+          app.show(stage, settings, state);
         });
   }
 

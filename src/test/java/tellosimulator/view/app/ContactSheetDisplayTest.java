@@ -13,6 +13,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
+import java.util.Locale;
 import javafx.scene.image.WritableImage;
 import javafx.stage.Stage;
 import javafx.stage.StageStyle;
@@ -20,6 +21,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.extension.RegisterExtension;
 import tellosimulator.scenario.Gallery;
 import tellosimulator.testing.CompressedImage;
+import tellosimulator.view.layout.Theme;
 import tellosimulator.view.testing.NeedsDisplay;
 
 /**
@@ -50,7 +52,8 @@ class ContactSheetDisplayTest {
   /** Frames after which the camera rests and everything is drawn. Decided: a second. */
   private static final int FRAMES = 60;
 
-  @RegisterExtension final AppFixture window = new AppFixture(ContactSheetDisplayTest::stage);
+  @RegisterExtension
+  final AppFixture window = new AppFixture(ContactSheetDisplayTest::stage).asAtFirst();
 
   private static Stage stage() {
     Stage stage = new Stage(StageStyle.UNDECORATED);
@@ -76,7 +79,9 @@ class ContactSheetDisplayTest {
       assertThat(colors(picture)).as("colors in the middle of %s", name).isGreaterThan(200);
       Image small = picture.getScaledInstance(width, height, Image.SCALE_AREA_AVERAGING);
       pen.drawImage(small, i % COLUMNS * width, i / COLUMNS * height, null);
-      window.robot().clickOn("#theme");
+      Theme other = i % 2 == 0 ? Theme.DARK : Theme.LIGHT;
+      String choice = "theme-" + other.name().toLowerCase(Locale.ROOT);
+      window.robot().clickOn("#settings").clickOn("#theme").clickOn("#" + choice);
     }
     pen.dispose();
 

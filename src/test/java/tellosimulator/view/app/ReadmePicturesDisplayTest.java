@@ -155,7 +155,7 @@ class ReadmePicturesDisplayTest {
     SimConfig fast = UPDATE ? config : config.withStreamPorts(WholeWindow.NOWHERE);
     window =
         WholeWindow.open(scenario.withConfig(fast), folder.resolve("settings"), UPDATE ? PORT : 0);
-    window.switchOn();
+    window.asAtFirst().switchOn();
     waitUntil(() -> window.stage().getWidth() == WIDTH && window.stage().getHeight() == HEIGHT);
     new FxRobot().moveTo("#scene-3d"); // where the pointer lights up no button
   }

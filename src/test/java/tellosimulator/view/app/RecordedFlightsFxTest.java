@@ -18,6 +18,7 @@ import javafx.scene.control.Button;
 import javafx.scene.control.CheckMenuItem;
 import javafx.scene.control.MenuButton;
 import javafx.scene.control.Tooltip;
+import javafx.scene.input.KeyCode;
 import javafx.scene.layout.HBox;
 import javafx.stage.Stage;
 import org.junit.jupiter.api.Test;
@@ -73,7 +74,8 @@ class RecordedFlightsFxTest {
     window.robot().clickOn(report);
     await(() -> window.openedReports().size() == 1 && !report.isDisabled());
     window.removeBrowser();
-    window.robot().clickOn(report);
+    window.robot().type(KeyCode.F4);
+    window.robot().clickOn("#folded-report");
     await(() -> window.openedReports().size() == 2 && !report.isDisabled());
 
     Path file = RecordingFiles.only(window.recordings()).folder().resolve("report.html");
@@ -84,6 +86,7 @@ class RecordedFlightsFxTest {
             window.log().contains("The report of the last flight is open in the browser: " + file)
                 && window.log().contains("No browser could be opened"));
 
+    window.robot().type(KeyCode.F4);
     window.breakBrowser();
     try (CapturedLog log = CapturedLog.of(ErrorPolicy.class)) {
       window.robot().clickOn(report);

@@ -50,11 +50,7 @@ class SimulatorWindowFxTest {
   }
 
   @ParameterizedTest
-  @CsvSource({
-    "show-controls, F2, simulator-controls",
-    "show-network, F3, network-controls",
-    "show-log, F4, log"
-  })
+  @CsvSource({"show-controls, F2, simulator-controls", "show-network, F3, network-controls"})
   void buttonAndKeyHideAPartAndShowItAgain(String button, KeyCode key, String part) {
     double before = sceneArea();
 
@@ -68,6 +64,64 @@ class SimulatorWindowFxTest {
     robot.type(key);
     assertThat(window.shows(part)).isFalse();
     assertThat(selected(button)).isFalse();
+  }
+
+  @Test
+  void buttonAndKeyFoldTheLogToItsNewestLineAndUnfoldIt() {
+    double before = sceneArea();
+
+    robot.clickOn("#show-log");
+    assertThat(window.shows("log-list")).isFalse();
+    assertThat(window.shows("log-unfold")).isTrue();
+    waitUntil(() -> sceneArea() > before);
+    robot.type(KeyCode.F4);
+    assertThat(window.shows("log-list")).isTrue();
+    assertThat(selected("show-log")).isTrue();
+    waitUntil(() -> sceneArea() == before);
+  }
+
+  @Test
+  void atFirstTheRoomHasMostOfTheWindowAndTheDroneIsStartedBelowIt() throws SocketException {
+    window.asAtFirst();
+    assertThat(window.shows("network-controls")).isFalse();
+    assertThat(window.shows("log-list")).isFalse();
+    double all = window.stage().getScene().getWidth() * window.stage().getScene().getHeight();
+    waitUntil(() -> sceneArea() > 0.65 * all);
+
+    robot.clickOn("#pilot-power");
+    waitUntil(() -> window.context().simulation().selected().onProperty().get());
+    assertThat(window.text("pilot-power")).isEqualTo("Stop Drone");
+    robot.clickOn("#pilot-power");
+    waitUntil(() -> !window.context().simulation().selected().onProperty().get());
+
+    try (DatagramSocket other = new DatagramSocket(0, InetAddress.getLoopbackAddress())) {
+      window.change(
+          () -> window.context().actions().setCommandPort(1, other.getLocalPort(), () -> {}));
+      robot.clickOn("#pilot-power");
+      String port = "ort " + other.getLocalPort() + " of 127.0.0.1 is taken";
+      waitUntil(() -> window.text("pilot-problem").contains(port));
+      assertThat(selected("pilot-power")).isFalse();
+    }
+
+    robot.type(KeyCode.F3);
+    assertThat(window.shows("power")).isTrue();
+    assertThat(window.shows("pilot-power")).as("there is one switch").isFalse();
+  }
+
+  @Test
+  void theBarSaysWhereTheDroneIsReachedAndWhetherAProgramIsThere() {
+    window.asAtFirst();
+    assertThat(window.text("show-network")).endsWith(" · off");
+
+    window.switchOn();
+    waitUntil(() -> window.text("show-network").endsWith(" · waiting"));
+    String address = "127.0.0.1:" + window.simulation().addresses(1).get(0).getPort();
+    waitUntil(() -> window.text("show-network").startsWith(address));
+
+    assertThat(window.fly("command")).isEqualTo("ok");
+    waitUntil(() -> window.text("show-network").equals(address + " · connected"));
+    robot.clickOn("#show-network");
+    assertThat(window.shows("network-controls")).isTrue();
   }
 
   @Test
@@ -202,7 +256,8 @@ class SimulatorWindowFxTest {
 
   @Test
   void whatWasSwitchedIsThereInTheNextWindow() {
-    robot.clickOn("#theme").type(KeyCode.F3, KeyCode.F7).clickOn("#log-timestamps");
+    robot.type(KeyCode.F3, KeyCode.F7).clickOn("#log-timestamps");
+    window.choose("theme", "theme-dark");
     window.choose("language", "language-de");
     robot.drag("#log-handle", MouseButton.PRIMARY).moveBy(0, -60).drop();
     double logHeight = window.state().logHeightProperty().get();

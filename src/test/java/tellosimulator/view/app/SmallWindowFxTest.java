@@ -60,6 +60,10 @@ class SmallWindowFxTest {
     robot.clickOn("#keyboard-flight");
     window.passFrames(5);
     assertThat(problems()).as("while all is on").isEmpty();
+
+    window.asAtFirst();
+    window.passFrames(5);
+    assertThat(problems()).as("while parts are folded away").isEmpty();
   }
 
   @Test

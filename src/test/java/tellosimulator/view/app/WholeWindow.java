@@ -101,6 +101,23 @@ final class WholeWindow implements AutoCloseable {
     video = WindowVideo.of(simulation, DroneOptics.DEFAULT, new MediaFolder(file.getParent()));
   }
 
+  /** Shows all parts that can be folded away: what tests look at must be there. */
+  static void showAllParts(WindowState state) {
+    state.networkControlsShownProperty().set(true);
+    state.logOpenProperty().set(true);
+  }
+
+  /** Folds away what is folded away when the program starts for the first time. */
+  WholeWindow asAtFirst() {
+    WindowState first = new WindowState();
+    change(
+        () -> {
+          state.networkControlsShownProperty().set(first.networkControlsShownProperty().get());
+          state.logOpenProperty().set(first.logOpenProperty().get());
+        });
+    return this;
+  }
+
   /**
    * Opens it with drones in a row, in the default room, as if for the first time.
    *
@@ -144,7 +161,11 @@ final class WholeWindow implements AutoCloseable {
   }
 
   private void build() {
+    boolean first = settings.isNew();
     state = WindowState.remembered(settings);
+    if (first) {
+      showAllParts(state);
+    }
     Language language = new Language(Locale.ENGLISH);
     settings.bind("language", language.localeProperty(), Language.codec());
     context = ViewContext.of(simulation, language, video, flown);

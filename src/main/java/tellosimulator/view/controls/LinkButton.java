@@ -1,0 +1,97 @@
+package tellosimulator.view.controls;
+
+import java.util.Locale;
+import javafx.beans.property.Property;
+import javafx.beans.property.ReadOnlyStringWrapper;
+import javafx.beans.value.ObservableValue;
+import javafx.css.PseudoClass;
+import javafx.scene.control.ToggleButton;
+import javafx.scene.shape.Circle;
+import tellosimulator.model.FlightPhase;
+import tellosimulator.sim.SimSnapshot.DroneSnapshot;
+import tellosimulator.view.fx.Tooltips;
+import tellosimulator.view.model.FxDroneModel;
+import tellosimulator.view.model.FxSimulation;
+import tellosimulator.view.model.SimulatorActions;
+import tellosimulator.view.model.ViewContext;
+import tellosimulator.view.text.Messages;
+
+/**
+ * Says where the selected drone takes commands and whether an operator is there, with a lamp; shows
+ * and hides the panel that says more. For the JavaFX thread.
+ */
+public final class LinkButton extends ToggleButton {
+
+  /** Time between two looks at the address [ns]. Decided: four a second. */
+  private static final long PERIOD_NANOS = 250_000_000;
+
+  /** Radius of the lamp [px]. */
+  private static final double RADIUS = 4.5;
+
+  /** How far a drone is from being flown by a program. */
+  private enum LinkState {
+    OFF,
+    WAITING,
+    CONNECTED;
+
+    private final PseudoClass pseudoClass = PseudoClass.getPseudoClass(key());
+
+    private static LinkState of(DroneSnapshot drone) {
+      if (drone.state().phase() == FlightPhase.OFF) {
+        return OFF;
+      }
+      return drone.link().operator().isPresent() ? CONNECTED : WAITING;
+    }
+
+    private String key() {
+      return name().toLowerCase(Locale.ROOT);
+    }
+  }
+
+  private final FxSimulation simulation;
+  private final SimulatorActions actions;
+  private final ReadOnlyStringWrapper address = new ReadOnlyStringWrapper("");
+  private long lookedNanos = Long.MIN_VALUE;
+
+  /**
+   * @param panelShown whether the panel that says more is there
+   */
+  public LinkButton(ViewContext context, Property<Boolean> panelShown) {
+    simulation = context.simulation();
+    actions = context.actions();
+    Messages messages = context.language().messages(LinkButton.class);
+    setId("show-network");
+    getStyleClass().add("link-button");
+    Circle lamp = new Circle(RADIUS);
+    lamp.getStyleClass().add("lamp");
+    setGraphic(lamp);
+    selectedProperty().bindBidirectional(panelShown);
+    Tooltips.install(this, messages.text("link.hint"));
+    ObservableValue<LinkState> state =
+        simulation.selectedProperty().flatMap(FxDroneModel::snapshotProperty).map(LinkState::of);
+    textProperty().bind(state.flatMap(now -> messages.text("link." + now.key(), address)));
+    state.subscribe(this::light);
+    simulation.selectedProperty().subscribe(this::refresh);
+    context.pulse().onBeat(this::beat);
+  }
+
+  private void light(LinkState now) {
+    for (LinkState state : LinkState.values()) {
+      pseudoClassStateChanged(state.pseudoClass, state == now);
+    }
+  }
+
+  private void beat(long nanos) {
+    long period = simulation.period(PERIOD_NANOS);
+    boolean due = nanos / period != lookedNanos / period; // with others in the same frame
+    if (due && !actions.pending()) {
+      lookedNanos = nanos;
+      refresh();
+    }
+  }
+
+  private void refresh() {
+    int drone = simulation.selected().number();
+    address.set(AddressList.text(AddressList.mostUsefulFirst(actions.addresses(drone)).get(0)));
+  }
+}
