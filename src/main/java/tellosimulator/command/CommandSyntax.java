@@ -1,14 +1,16 @@
 package tellosimulator.command;
 
 import static tellosimulator.command.GeometryRules.CUBE;
+import static tellosimulator.command.Parameter.angle;
 import static tellosimulator.command.Parameter.choice;
 import static tellosimulator.command.Parameter.cm;
 import static tellosimulator.command.Parameter.color;
 import static tellosimulator.command.Parameter.curveSpeed;
 import static tellosimulator.command.Parameter.hertz;
-import static tellosimulator.command.Parameter.number;
+import static tellosimulator.command.Parameter.named;
 import static tellosimulator.command.Parameter.pad;
 import static tellosimulator.command.Parameter.rgb;
+import static tellosimulator.command.Parameter.speed;
 import static tellosimulator.command.Parameter.stick;
 import static tellosimulator.command.Parameter.text;
 import static tellosimulator.command.Parameter.whole;
@@ -34,6 +36,7 @@ import tellosimulator.board.MatrixEffect;
 import tellosimulator.board.MatrixPicture;
 import tellosimulator.profile.Profile;
 import tellosimulator.profile.Sdk;
+import tellosimulator.words.Phrase;
 
 /**
  * The table of all commands: a row says how a command is written, when it is known, what its
@@ -76,20 +79,20 @@ public enum CommandSyntax {
   CCW(turn("ccw"), a -> new Command.Turn(-a.heading(0))),
   FLIP(
       row("flip", SDK_1_3)
-          .with(choice("direction", Arguments.flips()))
+          .with(choice(named("direction", Phrase.of("the direction")), Arguments.flips()))
           .flight()
           .from("FHNW report; DJITelloPy 224"),
       a -> new Command.Flip(a.flip(0))),
   GO(
       row("go", SDK_1_3)
-          .with(cm("x"), cm("y"), cm("z"), number("speed", "cm/s", 10, 100))
+          .with(cm("x"), cm("y"), cm("z"), speed("speed"))
           .flight()
           .rule(CUBE, (a, profile) -> GeometryRules.go(a))
           .from("FHNW report; DJITelloPy 191, 236"),
       a -> new Command.Go(a.point(0), a.meters(3))),
   GO_TO_PAD(
       row("go", SDK_2_0)
-          .with(cm("x"), cm("y"), cm("z"), number("speed", "cm/s", 10, 100), pad("mid"))
+          .with(cm("x"), cm("y"), cm("z"), speed("speed"), pad("mid"))
           .flight()
           .rule(CUBE + "; profile `tt`: z from 0", GeometryRules::goToPad)
           .from("SDK 2.0 and 3.0 guides; tello-asyncio 4"),
@@ -111,14 +114,7 @@ public enum CommandSyntax {
       a -> new Command.CurveOverPad(a.point(0), a.point(3), a.meters(6), a.pad(7))),
   JUMP(
       row("jump", SDK_2_0)
-          .with(
-              cm("x"),
-              cm("y"),
-              cm("z"),
-              number("speed", "cm/s", 10, 100),
-              number("yaw", "degrees"),
-              pad("mid1"),
-              pad("mid2"))
+          .with(cm("x"), cm("y"), cm("z"), speed("speed"), angle("yaw"), pad("mid1"), pad("mid2"))
           .flight()
           .rule("profile `tt`: z above 0", GeometryRules::jump)
           .from("SDK 2.0 and 3.0 guides; pad guides"),
@@ -128,7 +124,7 @@ public enum CommandSyntax {
               StrictMath.toRadians(a.number(4)), // in a pad's frame as RoboMaster SDK counts it
               a.pad(6))),
   SPEED(
-      row("speed", SDK_1_3).with(number("x", "cm/s", 10, 100)).from("FHNW report; decided"),
+      row("speed", SDK_1_3).with(speed("x")).from("FHNW report; decided"),
       a -> new Command.SetSpeed(a.meters(0))),
   RC(
       row("rc", SDK_1_3)
@@ -146,7 +142,9 @@ public enum CommandSyntax {
   MON(row("mon", SDK_2_0).from("SDK 2.0 guide"), a -> new Command.DetectPads(true)),
   MOFF(row("moff", SDK_2_0).from("SDK 2.0 guide"), a -> new Command.DetectPads(false)),
   MDIRECTION(
-      row("mdirection", SDK_2_0).with(whole("x", 0, 2)).from("SDK 2.0 guide"),
+      row("mdirection", SDK_2_0)
+          .with(whole(named("x", Phrase.of("the direction")), 0, 2))
+          .from("SDK 2.0 guide"),
       a -> new Command.SetPadDirection(a.integer(0))),
   AP(
       row("ap", SDK_2_0)
@@ -182,7 +180,7 @@ public enum CommandSyntax {
   REBOOT(row("reboot", SDK_3_0).answers("none").from("SDK 3.0 guide"), a -> new Command.Reboot()),
   WIFI_CHANNEL(
       row("wifisetchannel", SDK_3_0)
-          .with(whole("channel", 1, 14))
+          .with(whole(named("channel", Phrase.of("the channel")), 1, 14))
           .answers("`ok`; behaviour `measured`: `OK,drone will reboot in 3s`")
           .from("SDK 3.0 guide; decided for a simulator"),
       a -> new Command.SetNetwork(Reply.WILL_REBOOT)),
@@ -192,19 +190,27 @@ public enum CommandSyntax {
           .from("SDK 3.0 guide; DJITelloPy 150"),
       a -> new Command.SetPorts(a.integer(0), a.integer(1))),
   SET_FPS(
-      row("setfps", SDK_3_0).with(choice("x", "high", "middle", "low")).from("SDK 3.0 guide"),
+      row("setfps", SDK_3_0)
+          .with(choice(named("x", Phrase.of("the frame rate")), "high", "middle", "low"))
+          .from("SDK 3.0 guide"),
       a -> new Command.SetVideo(VideoOption.FRAMES_PER_SECOND, a.framesPerSecond(0))),
   SET_BIT_RATE(
-      row("setbitrate", SDK_3_0).with(whole("n", 0, 5)).from("SDK 3.0 guide; DJITelloPy 144"),
+      row("setbitrate", SDK_3_0)
+          .with(whole(named("n", Phrase.of("the bit rate")), 0, 5))
+          .from("SDK 3.0 guide; DJITelloPy 144"),
       a -> new Command.SetVideo(VideoOption.BIT_RATE, a.integer(0))),
   SET_RESOLUTION(
-      row("setresolution", SDK_3_0).with(choice("x", "high", "low")).from("SDK 3.0 guide"),
+      row("setresolution", SDK_3_0)
+          .with(choice(named("x", Phrase.of("the resolution")), "high", "low"))
+          .from("SDK 3.0 guide"),
       a -> new Command.SetVideo(VideoOption.LINES, a.lines(0))),
   MULTI_WIFI(
       row("multiwifi", SDK_3_0).with(word("ssid"), word("password")).from("SDK 3.0 guide"),
       acknowledge("ok")),
   DOWN_VISION(
-      row("downvision", SDK_3_0).with(whole("x", 0, 1)).from("DJITelloPy 92, 140, 213"),
+      row("downvision", SDK_3_0)
+          .with(whole(named("x", Phrase.of("the camera")), 0, 1))
+          .from("DJITelloPy 92, 140, 213"),
       a -> new Command.SetVideo(VideoOption.DOWNWARD, a.integer(0))),
   KEEP_ALIVE(row("keepalive", SDK_3_0).from("DJITelloPy 92"), acknowledge("ok")),
   READ_ACTIVATION(
@@ -240,7 +246,7 @@ public enum CommandSyntax {
   BOARD_MATRIX_CLEAR(
       board("EXT mled sc", "matrix"), a -> dots(new LightOrder.Greet(MatrixPicture.DARK))),
   BOARD_MATRIX_LIGHT(
-      board("EXT mled sl", "matrix").with(whole("n", 0, 255)),
+      board("EXT mled sl", "matrix").with(whole(named("n", Phrase.of("the brightness")), 0, 255)),
       a -> dots(new LightOrder.Dim(a.integer(0)))),
   BOARD_TOF(
       row("EXT tof?", SDK_3_0)
@@ -312,7 +318,7 @@ public enum CommandSyntax {
   /** How it is written, with the names of its parameters. */
   public String usage() {
     StringBuilder usage = new StringBuilder(verb);
-    row.parameters().forEach(parameter -> usage.append(' ').append(parameter.name()));
+    row.parameters().forEach(parameter -> usage.append(' ').append(parameter.name().symbol()));
     return usage.toString();
   }
 

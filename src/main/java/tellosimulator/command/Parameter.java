@@ -8,8 +8,8 @@ import tellosimulator.words.Phrase;
 /** One parameter of a command: what a word in its place must look like. */
 sealed interface Parameter {
 
-  /** As a guide would write it. */
-  String name();
+  /** What it is called. */
+  Name name();
 
   /** The allowed values in plain words. */
   Phrase allowed();
@@ -28,48 +28,91 @@ sealed interface Parameter {
   /** What is wrong with a word of the right form; empty if nothing is. */
   Optional<Phrase> complaint(String word);
 
+  /**
+   * The name of a parameter.
+   *
+   * @param symbol as a guide would write it
+   * @param subject of a sentence about its value; for one whose symbol alone says nothing, what it
+   *     is
+   */
+  record Name(String symbol, Phrase subject) {
+
+    /** A name that a sentence takes as it is. */
+    static Name of(String symbol) {
+      return new Name(symbol, Phrase.of("%s", symbol));
+    }
+  }
+
+  static Name named(String symbol, Phrase subject) {
+    return new Name(symbol, subject);
+  }
+
   /** A number without a range. */
-  static Parameter number(String name, String unit) {
+  static Parameter number(Name name, String unit) {
     return new Numeric(name, unit, Double.NEGATIVE_INFINITY, Double.POSITIVE_INFINITY);
   }
 
   /** A number within a range, both ends included. */
-  static Parameter number(String name, String unit, double least, double most) {
+  static Parameter number(Name name, String unit, double least, double most) {
     return new Numeric(name, unit, least, most);
   }
 
   /** A whole number within a range, both ends included. */
-  static Parameter whole(String name, int least, int most) {
+  static Parameter whole(Name name, int least, int most) {
     return new Whole(new Numeric(name, "", least, most));
   }
 
+  static Parameter whole(String symbol, int least, int most) {
+    return whole(Name.of(symbol), least, most);
+  }
+
   /** One of a few words. */
-  static Parameter choice(String name, String... words) {
+  static Parameter choice(Name name, String... words) {
     return new OptionValue(name, List.of(words));
   }
 
+  static Parameter choice(String symbol, String... words) {
+    return choice(Name.of(symbol), words);
+  }
+
   /** Any word. */
-  static Parameter word(String name) {
-    return new Word(name, false);
+  static Parameter word(String symbol) {
+    return new Word(Name.of(symbol), false);
   }
 
   /** All words that are left, as one text with single blanks; only as the last parameter. */
-  static Parameter text(String name) {
-    return new Word(name, true);
+  static Parameter text(String symbol) {
+    return new Word(Name.of(symbol), true);
   }
 
   // --- those that several commands share ---
 
-  static Parameter cm(String name) {
-    return number(name, "cm", -500, 500);
+  static Parameter cm(String symbol) {
+    return number(Name.of(symbol), "cm", -500, 500);
+  }
+
+  static Parameter distance(String symbol) {
+    return number(named(symbol, Phrase.of("the distance")), "cm", 20, 500);
+  }
+
+  static Parameter angle(String symbol) {
+    return number(named(symbol, Phrase.of("the angle")), "degrees");
+  }
+
+  static Parameter speed(String symbol) {
+    return speed(symbol, 100);
   }
 
   static Parameter curveSpeed() {
-    return number("speed", "cm/s", 10, 60);
+    return speed("speed", 60);
   }
 
-  static Parameter stick(String name) {
-    return number(name, "", -100, 100);
+  private static Parameter speed(String symbol, double most) {
+    return number(named(symbol, Phrase.of("the speed")), "cm/s", 10, most);
+  }
+
+  static Parameter stick(String symbol) {
+    return number(Name.of(symbol), "", -100, 100);
   }
 
   static Parameter pad(String name) {
@@ -81,7 +124,7 @@ sealed interface Parameter {
   }
 
   static Parameter hertz() {
-    return number("t", "Hz", 0.1, 2.5);
+    return number(Name.of("t"), "Hz", 0.1, 2.5);
   }
 
   static Parameter color() {
@@ -89,7 +132,7 @@ sealed interface Parameter {
   }
 
   /** A number in decimal digits. */
-  record Numeric(String name, String unit, double least, double most) implements Parameter {
+  record Numeric(Name name, String unit, double least, double most) implements Parameter {
 
     /** Decided: ASCII digits, at most 15 characters, no exponent, no plus sign. */
     private static final Pattern FORM = Pattern.compile("-?[0-9]+(\\.[0-9]+)?");
@@ -117,7 +160,7 @@ sealed interface Parameter {
       double value = Double.parseDouble(word);
       return value >= least && value <= most
           ? Optional.empty()
-          : Optional.of(Phrase.of("%s is %s, allowed is %s", name, word, allowed()));
+          : Optional.of(Phrase.of("%s is %s, allowed is %s", name.subject(), word, allowed()));
     }
 
     private static String text(double value) {
@@ -129,7 +172,7 @@ sealed interface Parameter {
   record Whole(Numeric number) implements Parameter {
 
     @Override
-    public String name() {
+    public Name name() {
       return number.name();
     }
 
@@ -153,12 +196,12 @@ sealed interface Parameter {
       double value = Double.parseDouble(word);
       return value == Math.rint(value)
           ? number.complaint(word)
-          : Optional.of(Phrase.of("%s is %s, it must be a whole number", name(), word));
+          : Optional.of(Phrase.of("%s is %s, it must be a whole number", name().subject(), word));
     }
   }
 
   /** One of a few words; another word is out of range. Two blanks enclose no word. */
-  record OptionValue(String name, List<String> words) implements Parameter {
+  record OptionValue(Name name, List<String> words) implements Parameter {
 
     @Override
     public boolean limited() {
@@ -182,7 +225,7 @@ sealed interface Parameter {
           : Optional.of(
               Phrase.of(
                   "%s is %s, allowed is one of %s",
-                  name, WireText.printable(word), String.join(", ", words)));
+                  name.subject(), WireText.printable(word), String.join(", ", words)));
     }
   }
 
@@ -191,7 +234,7 @@ sealed interface Parameter {
    *
    * @param takesRest whether it goes on to the end of the command, over blanks
    */
-  record Word(String name, boolean takesRest) implements Parameter {
+  record Word(Name name, boolean takesRest) implements Parameter {
 
     @Override
     public boolean limited() {

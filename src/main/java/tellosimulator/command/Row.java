@@ -88,14 +88,14 @@ record Row(
 
   static Row move(String verb) {
     return row(verb, Sdk.SDK_1_3)
-        .with(Parameter.number("x", "cm", 20, 500))
+        .with(Parameter.distance("x"))
         .flight()
         .from("FHNW report; SDK 2.0 guide");
   }
 
   static Row turn(String verb) {
     return row(verb, Sdk.SDK_1_3)
-        .with(Parameter.number("x", "degrees"))
+        .with(Parameter.angle("x"))
         .flight()
         .from("FHNW report: the range is not checked");
   }
@@ -177,7 +177,7 @@ record Row(
       boolean same = allowed.equals(before);
       before = allowed;
       String separator = ranges.isEmpty() ? "" : "; ";
-      ranges.insert(0, parameter.name() + (same ? ", " : ": " + before + separator));
+      ranges.insert(0, parameter.name().symbol() + (same ? ", " : ": " + before + separator));
     }
     if (!rule.words().isEmpty()) {
       ranges.append("; ").append(rule.words());

@@ -129,6 +129,37 @@ class CommandHandlerTest {
     verify(drone.observer).refused(any(), eq(text), any(), saying(reason));
   }
 
+  /** A lone `x` of the guide would be taken for a coordinate. */
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      textBlock =
+          """
+          up 600          | the distance is 600, allowed is 20 to 500 cm
+          back 19         | the distance is 19, allowed is 20 to 500 cm
+          speed 101       | the speed is 101, allowed is 10 to 100 cm/s
+          flip x          | the direction is x, allowed is one of b, back, f
+          go 501 0 0 50   | x is 501, allowed is -500 to 500 cm
+          go 50 0 -501 50 | z is -501, allowed is -500 to 500 cm
+          go 50 0 0 101   | the speed is 101, allowed is 10 to 100 cm/s
+          curve 50 50 0 100 0 0 61 | the speed is 61, allowed is 10 to 60 cm/s
+          mdirection 3    | the direction is 3, allowed is 0 to 2
+          mdirection 0.5  | the direction is 0.5, it must be a whole number
+          wifisetchannel 15 | the channel is 15, allowed is 1 to 14
+          setfps most     | the frame rate is most, allowed is one of high, middle, low
+          setbitrate 6    | the bit rate is 6, allowed is 0 to 5
+          setresolution 5 | the resolution is 5, allowed is one of high, low
+          downvision 2    | the camera is 2, allowed is 0 to 1
+          EXT mled sl 256 | the brightness is 256, allowed is 0 to 255
+          """)
+  void aValueOutOfRangeIsCalledWhatItIs(String text, String reason) {
+    HandlerFixture drone = HandlerFixture.flying(Profile.TT, Behavior.REPORT);
+
+    drone.handle(text);
+
+    verify(drone.observer).refused(any(), eq(text), any(), saying(reason));
+  }
+
   @ParameterizedTest
   @CsvSource(
       delimiter = '|',
