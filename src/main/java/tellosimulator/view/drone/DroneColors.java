@@ -1,6 +1,11 @@
 package tellosimulator.view.drone;
 
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.OptionalInt;
 import javafx.scene.paint.Color;
+import tellosimulator.goal.Goal;
 import tellosimulator.view.fx.FxTextures;
 import tellosimulator.view.model.FxDroneModel;
 
@@ -18,6 +23,24 @@ public final class DroneColors {
   /** The colour of all that belongs to a drone: its path, its start, its rows in panels. */
   public static Color of(FxDroneModel drone) {
     return FxTextures.color(drone.livery().color());
+  }
+
+  /** That of the one drone that shall reach a goal, which all that belongs to the goal has. */
+  public static Optional<Color> of(Goal goal, List<FxDroneModel> drones) {
+    return drones.stream()
+        .filter(drone -> goal.drone().equals(OptionalInt.of(drone.number())))
+        .map(DroneColors::of)
+        .findFirst();
+  }
+
+  /** The CSS of a badge of a colour, with a text that is read on it. */
+  public static String badge(Color color) {
+    return String.format(
+        Locale.ROOT, "-fx-background-color: %s; -fx-text-fill: %s;", web(color), web(inkOn(color)));
+  }
+
+  private static String web(Color color) {
+    return "#" + color.toString().substring(2, 8); // as the toolkit writes it: 0xrrggbbaa
   }
 
   /** Black or white, whichever is read better on a colour. */

@@ -3,10 +3,8 @@ package tellosimulator.view.goal;
 import atlantafx.base.controls.Spacer;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalDouble;
-import java.util.OptionalInt;
 import javafx.beans.binding.Bindings;
 import javafx.beans.value.ObservableValue;
 import javafx.css.PseudoClass;
@@ -193,21 +191,13 @@ public final class GoalPanel extends VBox {
     rows.clear();
     for (int i = 0; i < challenge.goals().size(); i++) {
       Goal goal = challenge.goals().get(i);
-      rows.add(new GoalRow(i, goal, color(goal), language));
+      rows.add(new GoalRow(i, goal, DroneColors.of(goal, simulation.drones()), language));
     }
     goals.getChildren().setAll(rows);
     boolean asked = !rows.isEmpty();
     ofGoals.forEach(part -> setShown(part, asked));
     setShown(this, asked || !description().teaches().isEmpty());
     show();
-  }
-
-  /** That of the drone that shall reach a goal, which it has here while it is next; else empty. */
-  private Optional<Color> color(Goal goal) {
-    return simulation.drones().stream()
-        .filter(drone -> goal.drone().equals(OptionalInt.of(drone.number())))
-        .map(DroneColors::of)
-        .findFirst();
   }
 
   private static void setShown(Region part, boolean shown) {
@@ -259,7 +249,10 @@ public final class GoalPanel extends VBox {
     label.setMinHeight(USE_PREF_SIZE);
   }
 
-  /** A goal with its number in the room, and when it was reached. For the JavaFX thread. */
+  /**
+   * A goal: a square with its number in the room, the drone that shall reach it if that is one, the
+   * task, and when it was reached. For the JavaFX thread.
+   */
   private static final class GoalRow extends HBox {
 
     private static final PseudoClass REACHED = PseudoClass.getPseudoClass("reached");
@@ -277,7 +270,7 @@ public final class GoalPanel extends VBox {
      */
     GoalRow(int index, Goal goal, Optional<Color> color, Language language) {
       this.language = language;
-      styleWhileNext = color.map(GoalRow::style).orElse("");
+      styleWhileNext = color.map(DroneColors::badge).orElse("");
       setId("goal-" + (index + 1));
       getStyleClass().add("goal");
       mark.setText(Integer.toString(index + 1));
@@ -286,8 +279,7 @@ public final class GoalPanel extends VBox {
       time.setGraphic(new FontIcon(Feather.CHECK));
       time.visibleProperty().bind(time.textProperty().isNotEmpty());
       time.managedProperty().bind(time.visibleProperty());
-      task.textProperty()
-          .bind(language.localeProperty().map(locale -> language.say(goal.phrase())));
+      task.textProperty().bind(language.localeProperty().map(locale -> language.say(goal.task())));
       task.getStyleClass().add("task");
       task.setWrapText(true);
       task.setMaxWidth(Double.MAX_VALUE);
@@ -295,7 +287,19 @@ public final class GoalPanel extends VBox {
       time.setMinWidth(USE_PREF_SIZE);
       time.getStyleClass().add("time");
       HBox.setHgrow(task, Priority.ALWAYS);
-      getChildren().addAll(mark, task, time);
+      getChildren().add(mark);
+      goal.drone().ifPresent(number -> getChildren().add(drone(number, color)));
+      getChildren().addAll(task, time);
+    }
+
+    /** In full and round, as drones have it in the room, so that it is no goal's number. */
+    private Label drone(int number, Optional<Color> color) {
+      Label drone = new Label();
+      drone.textProperty().bind(language.messages(GoalPanel.class).text("drone", number));
+      drone.getStyleClass().add("drone");
+      drone.setMinWidth(USE_PREF_SIZE);
+      drone.setStyle(color.map(DroneColors::badge).orElse(""));
+      return drone;
     }
 
     /**
@@ -310,18 +314,6 @@ public final class GoalPanel extends VBox {
       pseudoClassStateChanged(REACHED, done);
       pseudoClassStateChanged(NEXT, next);
       mark.setStyle(next ? styleWhileNext : "");
-    }
-
-    private static String style(Color color) {
-      return String.format(
-          Locale.ROOT,
-          "-fx-background-color: %s; -fx-text-fill: %s;",
-          web(color),
-          web(DroneColors.inkOn(color)));
-    }
-
-    private static String web(Color color) {
-      return "#" + color.toString().substring(2, 8); // as the toolkit writes it: 0xrrggbbaa
     }
   }
 }

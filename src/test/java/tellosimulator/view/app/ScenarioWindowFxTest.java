@@ -16,6 +16,7 @@ import java.nio.file.attribute.FileTime;
 import java.util.List;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import javafx.scene.Node;
 import javafx.scene.control.CheckBox;
 import javafx.scene.control.Label;
 import javafx.scene.control.ToggleButton;
@@ -118,6 +119,19 @@ class ScenarioWindowFxTest {
     assertThat(mark(1)).contains("#d01020").contains("#ffffff");
     assertThat(mark(2)).contains("#ffee80").contains("#000000");
     assertThat(mark(3)).as("of any drone").isEmpty();
+    assertThat(label(".mark", 2)).as("the goal's number").isEqualTo("2");
+    assertThat(label(".drone", 2)).as("of one drone").isEqualTo("Drone 2");
+    assertThat(drone(2).getStyle()).isEqualTo(mark(2));
+    assertThat(label(".task", 2)).isEqualTo("stay 3 s at x 0, y 100, z 60 cm");
+    assertThat(robot.lookup("#goal-3 .drone").queryAll()).as("of any drone").isEmpty();
+  }
+
+  private String label(String part, int goal) {
+    return robot.lookup("#goal-" + goal + " " + part).queryLabeled().getText();
+  }
+
+  private Node drone(int goal) {
+    return robot.lookup("#goal-" + goal + " .drone").query();
   }
 
   private String mark(int goal) {
