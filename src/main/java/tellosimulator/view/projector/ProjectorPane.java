@@ -18,6 +18,7 @@ import tellosimulator.goal.Challenge;
 import tellosimulator.goal.Progress;
 import tellosimulator.goal.Progress.Status;
 import tellosimulator.view.controls.LastCommandRow;
+import tellosimulator.view.drone.DroneColors;
 import tellosimulator.view.model.ViewContext;
 import tellosimulator.view.text.Language;
 import tellosimulator.view.text.Messages;
@@ -195,8 +196,7 @@ public final class ProjectorPane extends BorderPane {
       boolean reached = progress.reached().get(i).isPresent();
       first = first < 0 && !reached ? i : first;
       boolean next = !reached && (first == i || !challenge().inOrder());
-      marks.get(i).pseudoClassStateChanged(REACHED, reached);
-      marks.get(i).pseudoClassStateChanged(NEXT, next && progress.status() == Status.RUNNING);
+      showMark(i, reached, next && progress.status() == Status.RUNNING);
     }
     task.pseudoClassStateChanged(REACHED, progress.status() == Status.REACHED);
     task.pseudoClassStateChanged(FAILED, progress.status() == Status.FAILED);
@@ -206,6 +206,19 @@ public final class ProjectorPane extends BorderPane {
           case FAILED -> progress.failure().map(language::say).orElse("");
           case RUNNING -> first < 0 ? "" : language.say(challenge().goals().get(first).phrase());
         });
+  }
+
+  /** A goal of one drone has its colour while it is next, as in the room. */
+  private void showMark(int index, boolean reached, boolean next) {
+    Label mark = marks.get(index);
+    mark.pseudoClassStateChanged(REACHED, reached);
+    mark.pseudoClassStateChanged(NEXT, next);
+    mark.setStyle(
+        next
+            ? DroneColors.of(challenge().goals().get(index), context.simulation().drones())
+                .map(DroneColors::badge)
+                .orElse("")
+            : "");
   }
 
   private String clock(Progress progress) {

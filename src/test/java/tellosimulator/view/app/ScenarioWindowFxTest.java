@@ -126,6 +126,31 @@ class ScenarioWindowFxTest {
     assertThat(robot.lookup("#goal-3 .drone").queryAll()).as("of any drone").isEmpty();
   }
 
+  @Test
+  void theNextGoalOfOneDroneHasItsColorForTheClassToo() throws IOException {
+    Files.writeString(
+        file,
+        """
+        name: Colors
+        drones:
+          - {start: [0, 0], colour: "#d01020"}
+        goals:
+          - reach: {at: [0, 0, 60], radius: 45, drone: 1}
+          - reach: {at: [100, 0, 60], radius: 45, drone: 1}
+        in-order: true
+        """);
+    change(() -> app.open(file));
+
+    robot.press(KeyCode.SHIFT).type(KeyCode.F11).release(KeyCode.SHIFT);
+
+    waitUntil(() -> projected(1).contains("#d01020"));
+    assertThat(projected(2)).as("comes later").isEmpty();
+  }
+
+  private String projected(int goal) {
+    return robot.lookup("#projector-goal-" + goal).query().getStyle();
+  }
+
   private String label(String part, int goal) {
     return robot.lookup("#goal-" + goal + " " + part).queryLabeled().getText();
   }
