@@ -1,6 +1,7 @@
 package tellosimulator.view.plan;
 
 import java.util.List;
+import java.util.OptionalInt;
 import java.util.function.IntFunction;
 import javafx.geometry.VPos;
 import javafx.scene.canvas.GraphicsContext;
@@ -53,6 +54,11 @@ final class PlanPainter {
   /** What is smaller is drawn this large, so that it can be seen and caught [px]. */
   static final double SMALLEST = 7;
 
+  /** From a start's rim to the middle of the ring around that of the chosen drone [px]. */
+  static final double CHOSEN_GAP = 4;
+
+  private static final double CHOSEN_LINE = 3;
+
   private final GraphicsContext pen;
   private final IntFunction<Color> colors;
   private final MarkPainter marks;
@@ -70,9 +76,14 @@ final class PlanPainter {
   /**
    * What is drawn beside what one can place.
    *
+   * @param chosen number of the drone that is chosen among several, whose start has a bold ring
    * @param front what is written at the front wall
    */
-  record Remarks(List<GoalMark> goals, List<ContactMark> contacts, String front) {}
+  record Remarks(
+      List<GoalMark> goals, List<ContactMark> contacts, OptionalInt chosen, String front) {
+
+    static final Remarks NONE = new Remarks(List.of(), List.of(), OptionalInt.empty(), "");
+  }
 
   /** Draws everything anew. */
   void paint(FloorPlan plan, PlanViewport newScale, Remarks remarks) {
@@ -86,6 +97,9 @@ final class PlanPainter {
     paintWind(plan.arena().wind());
     marks.paintPlaces(remarks.goals, scale);
     for (PlanItem item : plan.items()) {
+      if (item instanceof Start start && remarks.chosen.equals(OptionalInt.of(start.drone()))) {
+        choose(start.drone(), plan.placement(start));
+      }
       if (!(item instanceof GoalItem)) { // those are among the remarks
         paint(plan, item);
       }
@@ -246,7 +260,7 @@ final class PlanPainter {
 
   private void paintStart(int drone) {
     Color own = colors.apply(drone);
-    double radius = Math.max(SMALLEST + 2, DroneSpec.COLLIDER.radius() * scale.pixels());
+    double radius = startRadius();
     pen.setFill(own);
     pen.fillPolygon(
         new double[] {0, radius * 0.62, -radius * 0.62},
@@ -258,8 +272,25 @@ final class PlanPainter {
     pen.strokeOval(-radius, -radius, 2 * radius, 2 * radius);
   }
 
+  /** A ring around a start, below it, as the drone has it in the room. */
+  private void choose(int drone, Placement placement) {
+    double radius = startRadius() + CHOSEN_GAP;
+    double x = scale.screenX(placement.place()) - radius;
+    double y = scale.screenY(placement.place()) - radius;
+    pen.setStroke(Color.WHITE);
+    pen.setLineWidth(CHOSEN_LINE + 4);
+    pen.strokeOval(x, y, 2 * radius, 2 * radius);
+    pen.setStroke(colors.apply(drone));
+    pen.setLineWidth(CHOSEN_LINE);
+    pen.strokeOval(x, y, 2 * radius, 2 * radius);
+  }
+
+  private double startRadius() {
+    return Math.max(SMALLEST + 2, DroneSpec.COLLIDER.radius() * scale.pixels());
+  }
+
   private void number(int drone, Placement placement) {
-    double radius = Math.max(SMALLEST + 2, DroneSpec.COLLIDER.radius() * scale.pixels());
+    double radius = startRadius();
     pen.setFill(DroneColors.inkOn(colors.apply(drone)));
     write(
         Integer.toString(drone),

@@ -4,6 +4,7 @@ import atlantafx.base.theme.Styles;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.OptionalInt;
 import java.util.function.IntFunction;
 import javafx.beans.binding.Bindings;
 import javafx.beans.binding.BooleanBinding;
@@ -11,6 +12,7 @@ import javafx.beans.property.BooleanProperty;
 import javafx.beans.property.SimpleBooleanProperty;
 import javafx.beans.value.ObservableValue;
 import javafx.css.PseudoClass;
+import javafx.geometry.Pos;
 import javafx.scene.control.Button;
 import javafx.scene.control.ButtonBase;
 import javafx.scene.control.Label;
@@ -21,6 +23,8 @@ import javafx.scene.layout.BorderPane;
 import javafx.scene.layout.FlowPane;
 import javafx.scene.layout.HBox;
 import javafx.scene.layout.Priority;
+import javafx.scene.layout.Region;
+import javafx.scene.layout.StackPane;
 import javafx.scene.paint.Color;
 import org.kordamp.ikonli.Ikon;
 import org.kordamp.ikonli.feather.Feather;
@@ -55,6 +59,7 @@ public final class PlanPane extends BorderPane {
   private final BooleanProperty measuring = new SimpleBooleanProperty(this, "measuring");
   private final FlowPane palette = new FlowPane();
   private final HBox tools = new HBox();
+  private final Label legend;
   private final Label status = new Label();
 
   public PlanPane(ViewContext context) {
@@ -65,9 +70,10 @@ public final class PlanPane extends BorderPane {
     additions = new PlanAdditions(editor);
     IntFunction<Color> colors =
         drone -> DroneColors.of(context.simulation().drones().get(drone - 1));
-    view = new PlanView(editor, colors, messages.text("front"));
+    view = new PlanView(editor, colors);
     text = new PlanItemText(language, messages);
     properties = new PlanProperties(editor, language, colors);
+    legend = messages.label("legend", "legend");
     initializeSelf();
     initializeParts();
     layoutParts();
@@ -95,6 +101,11 @@ public final class PlanPane extends BorderPane {
   private void initializeParts() {
     view.accessibleTextProperty().bind(messages.text("accessible"));
     view.accessibleHelpProperty().bind(messages.text("how-to"));
+    Region circle = new Region();
+    circle.getStyleClass().add("circle");
+    legend.setId("plan-legend");
+    legend.setGraphic(circle);
+    legend.setMouseTransparent(true);
     status.setId("plan-status");
     status.getStyleClass().add("plan-status");
     status.setMaxWidth(Double.MAX_VALUE);
@@ -126,7 +137,8 @@ public final class PlanPane extends BorderPane {
     top.getStyleClass().add("plan-top");
     HBox.setHgrow(palette, Priority.ALWAYS);
     setTop(top);
-    setCenter(view);
+    setCenter(new StackPane(view, legend));
+    StackPane.setAlignment(legend, Pos.TOP_RIGHT);
     setRight(properties);
     setBottom(status);
   }
@@ -157,8 +169,16 @@ public final class PlanPane extends BorderPane {
   private void advance() {
     if (shown.get()) {
       editor.advance();
-      view.advance(goalMarks(), context.marks().contacts());
+      view.advance(
+          new PlanPainter.Remarks(
+              goalMarks(), context.marks().contacts(), chosen(), messages.now("front")));
     }
+  }
+
+  private OptionalInt chosen() {
+    return context.simulation().drones().size() > 1
+        ? OptionalInt.of(context.simulation().selected().number())
+        : OptionalInt.empty();
   }
 
   /** The goals as they are planned, which the drones hear of when the mouse lets go. */

@@ -3,15 +3,12 @@ package tellosimulator.view.plan;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.IntFunction;
-import javafx.beans.value.ObservableValue;
 import javafx.scene.AccessibleRole;
 import javafx.scene.canvas.Canvas;
 import javafx.scene.layout.Region;
 import javafx.scene.paint.Color;
 import tellosimulator.goal.Goal;
-import tellosimulator.goal.GoalMark;
 import tellosimulator.math.Vec3;
-import tellosimulator.scenery.overlay.ContactMark;
 import tellosimulator.view.plan.PlanItem.GoalItem;
 
 /** The plan itself: all that is in the room, seen from above. For the JavaFX thread. */
@@ -21,7 +18,6 @@ final class PlanView extends Region {
   private static final double CATCH = 4;
 
   private final PlanEditor editor;
-  private final ObservableValue<String> front;
   private final Canvas canvas = new Canvas();
 
   /** Lies around it while the keyboard is here. */
@@ -35,16 +31,14 @@ final class PlanView extends Region {
   private boolean whole = true;
 
   private boolean stale = true;
-  private PlanPainter.Remarks remarks = new PlanPainter.Remarks(List.of(), List.of(), "");
+  private PlanPainter.Remarks remarks = PlanPainter.Remarks.NONE;
 
   /**
    * @param colors gives that of the drone of a number
-   * @param front what is written at the front wall
    */
-  PlanView(PlanEditor editor, IntFunction<Color> colors, ObservableValue<String> front) {
+  PlanView(PlanEditor editor, IntFunction<Color> colors) {
     this.editor = editor;
     this.painter = new PlanPainter(canvas.getGraphicsContext2D(), colors);
-    this.front = front;
     this.scale = PlanViewport.whole(editor.plan().arena().room(), 1, 1);
     setId("plan");
     getStyleClass().add("plan");
@@ -61,8 +55,7 @@ final class PlanView extends Region {
   }
 
   /** Draws it anew if something has changed. */
-  void advance(List<GoalMark> goals, List<ContactMark> contacts) {
-    PlanPainter.Remarks newest = new PlanPainter.Remarks(goals, contacts, front.getValue());
+  void advance(PlanPainter.Remarks newest) {
     stale |= !newest.equals(remarks);
     remarks = newest;
     PlanViewport wanted =

@@ -12,13 +12,16 @@ import java.net.InetAddress;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.OptionalInt;
+import java.util.stream.Stream;
 import javafx.geometry.Point2D;
 import javafx.geometry.VerticalDirection;
 import javafx.scene.control.Button;
 import javafx.scene.control.Label;
 import javafx.scene.control.TextField;
 import javafx.scene.control.ToggleButton;
+import javafx.scene.image.PixelReader;
 import javafx.scene.input.KeyCode;
+import javafx.scene.paint.Color;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.extension.RegisterExtension;
 import org.testfx.api.FxRobot;
@@ -27,10 +30,12 @@ import tellosimulator.goal.GoalMark;
 import tellosimulator.goal.GoalState;
 import tellosimulator.math.Pose;
 import tellosimulator.math.Vec3;
+import tellosimulator.model.DroneSpec;
 import tellosimulator.sim.Control;
 import tellosimulator.sim.Formation;
 import tellosimulator.sim.SimConfig;
 import tellosimulator.sim.SimConfig.StreamPorts;
+import tellosimulator.view.drone.DroneColors;
 import tellosimulator.view.model.ViewContext;
 import tellosimulator.view.testing.WindowFixture;
 import tellosimulator.world.Arena;
@@ -312,6 +317,50 @@ class PlanPaneFxTest {
     assertThat(scale.screenY(front)).as("above the picture").isNegative();
     assertThat(tag.getY()).as("with half its height and its rim").isGreaterThanOrEqualTo(9);
     assertThat(MarkPainter.tagged(List.of(mark), scale, tag.getX(), tag.getY())).contains(mark);
+  }
+
+  @Test
+  void theStartOfTheChosenDroneHasABoldRing() {
+    waitUntil(() -> ringed(1));
+    assertThat(ringed(2)).isFalse();
+
+    onFxThread(
+        () -> {
+          window.context().simulation().selectNext(1);
+          return true;
+        });
+
+    waitUntil(() -> ringed(2));
+    assertThat(ringed(1)).isFalse();
+  }
+
+  @Test
+  void thePlanSaysWhatACircleIs() {
+    assertThat(window.find("plan-legend", Label.class).getText()).isEqualTo("Start of a drone");
+  }
+
+  /** Whether the drone's colour is left, right and behind its start, outside of the circle. */
+  private boolean ringed(int drone) {
+    return onFxThread(
+        () -> {
+          PlanView view = window.find("plan", PlanView.class);
+          Color own = DroneColors.of(window.context().simulation().drones().get(drone - 1));
+          PixelReader pixels = view.snapshot(null, null).getPixelReader();
+          double x = view.scale().screenX(start(drone));
+          double y = view.scale().screenY(start(drone));
+          double reach =
+              Math.max(9, DroneSpec.COLLIDER.radius() * view.scale().pixels())
+                  + PlanPainter.CHOSEN_GAP;
+          return Stream.of(
+                  new Point2D(x - reach, y), new Point2D(x + reach, y), new Point2D(x, y + reach))
+              .allMatch(at -> near(pixels.getColor((int) at.getX(), (int) at.getY()), own));
+        });
+  }
+
+  private static boolean near(Color one, Color other) {
+    return Math.abs(one.getRed() - other.getRed()) < 0.1
+        && Math.abs(one.getGreen() - other.getGreen()) < 0.1
+        && Math.abs(one.getBlue() - other.getBlue()) < 0.1;
   }
 
   private void takeOff() throws IOException {
