@@ -5,18 +5,11 @@ import java.net.InetSocketAddress;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
-import javafx.animation.PauseTransition;
-import javafx.scene.control.Button;
 import javafx.scene.control.Hyperlink;
 import javafx.scene.control.Label;
-import javafx.scene.input.Clipboard;
-import javafx.scene.input.ClipboardContent;
 import javafx.scene.layout.HBox;
 import javafx.scene.layout.Priority;
 import javafx.scene.layout.VBox;
-import javafx.util.Duration;
-import org.kordamp.ikonli.feather.Feather;
-import org.kordamp.ikonli.javafx.FontIcon;
 import tellosimulator.view.fx.Tooltips;
 import tellosimulator.view.text.Messages;
 
@@ -28,9 +21,6 @@ final class AddressList extends VBox {
 
   /** Addresses that are always shown. Decided: the network's, this machine's. */
   private static final int SHOWN = 2;
-
-  /** How long a button says that it has copied [s]. */
-  private static final double THANKS = 1.5;
 
   private final Messages messages;
   private final VBox rest = new VBox();
@@ -96,26 +86,12 @@ final class AddressList extends VBox {
     String key = address.getAddress().isLoopbackAddress() ? "address.loopback" : "address.network";
     Label reach = messages.label(key, "caption");
     Tooltips.install(reach, messages.text(key + ".hint"));
-    Button copy = new Button();
+    CopyButton copy = new CopyButton(messages.text("address.copy", text), () -> text);
     copy.setId("copy-address-" + index);
-    copy.setGraphic(new FontIcon(Feather.COPY));
     copy.getStyleClass().add("icon-button");
-    copy.accessibleTextProperty().bind(messages.text("address.copy", text));
-    Tooltips.install(copy, messages.text("address.copy", text));
-    copy.setOnAction(pressed -> copy(text, copy));
     HBox row = new HBox(label, reach, copy);
     row.getStyleClass().add("row");
     return row;
-  }
-
-  private static void copy(String text, Button button) {
-    ClipboardContent content = new ClipboardContent();
-    content.putString(text);
-    Clipboard.getSystemClipboard().setContent(content);
-    button.setGraphic(new FontIcon(Feather.CHECK));
-    PauseTransition thanks = new PauseTransition(Duration.seconds(THANKS));
-    thanks.setOnFinished(over -> button.setGraphic(new FontIcon(Feather.COPY)));
-    thanks.play();
   }
 
   /**

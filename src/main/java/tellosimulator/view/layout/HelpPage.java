@@ -22,7 +22,9 @@ import tellosimulator.view.model.ViewContext;
 import tellosimulator.view.pilot.SteeringKey;
 import tellosimulator.view.text.Messages;
 
-/** First steps, and everything that mouse and keys do. For the JavaFX thread. */
+/**
+ * First steps with a first program, and everything that mouse and keys do. For the JavaFX thread.
+ */
 final class HelpPage extends Page {
 
   private static final List<String> STEPS = List.of("step-1", "step-2", "step-3", "step-4");
@@ -38,6 +40,7 @@ final class HelpPage extends Page {
   private final Messages steering;
   private final Messages panels;
   private final StringProperty address = new SimpleStringProperty("");
+  private final FirstProgram program;
   private final TabPane tabs = new TabPane();
 
   HelpPage(ViewContext context) {
@@ -46,6 +49,7 @@ final class HelpPage extends Page {
     messages = context.language().messages(HelpPage.class);
     steering = context.language().messages(SteeringKey.class);
     panels = context.language().messages(NetworkControls.class);
+    program = new FirstProgram(messages);
     setMaxHeight(USE_PREF_SIZE);
     tabs.setTabClosingPolicy(TabPane.TabClosingPolicy.UNAVAILABLE);
     addButton("help-close", messages.text("close"));
@@ -58,6 +62,7 @@ final class HelpPage extends Page {
     InetSocketAddress first = context.actions().addresses(drone).get(0);
     String host = first.getAddress().getHostAddress();
     address.set(first.getPort() == 0 ? host : host + ":" + first.getPort());
+    program.fly(first);
   }
 
   private void layoutParts() {
@@ -96,6 +101,9 @@ final class HelpPage extends Page {
     VBox all = new VBox(heading("first-steps"));
     all.getStyleClass().add("steps");
     STEPS.forEach(step -> all.getChildren().add(wrapped(step)));
+    Label next = heading("first-program");
+    next.getStyleClass().add("next");
+    all.getChildren().addAll(next, program);
     return all;
   }
 

@@ -4,18 +4,25 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.testfx.util.WaitForAsyncUtils.waitForFxEvents;
 
 import atlantafx.base.theme.PrimerLight;
+import java.io.IOException;
+import java.net.InetAddress;
+import java.net.InetSocketAddress;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import javafx.application.Application;
 import javafx.scene.Node;
 import javafx.scene.Scene;
+import javafx.scene.control.Button;
 import javafx.scene.control.Label;
 import javafx.scene.control.ListView;
 import javafx.scene.control.Tab;
 import javafx.scene.control.TabPane;
 import javafx.scene.control.TextArea;
 import javafx.scene.control.TextField;
+import javafx.scene.input.Clipboard;
 import javafx.scene.input.KeyCode;
 import javafx.scene.layout.StackPane;
 import javafx.stage.Stage;
@@ -109,6 +116,34 @@ class PageOverlayFxTest {
     robot.type(KeyCode.F1);
 
     assertThat(label(robot, "#help-step-2").getText()).contains("127.0.0.1:8879");
+  }
+
+  @Test
+  void theFirstProgramFliesTheSelectedDroneAndIsCopiedWithTheKeyboard(FxRobot robot) {
+    window.setCommandPort(8881);
+    robot.type(KeyCode.F1);
+    assertThat(label(robot, "#help-program").getText())
+        .contains("Tello(\"127.0.0.1\")", "tello.address = (\"127.0.0.1\", 8881)");
+    Button copy = robot.lookup("#help-copy-program").queryButton();
+    assertThat(copy.getAccessibleText()).isEqualTo("Copy the program");
+
+    for (int i = 0; i < 20 && !copy.isFocused(); i++) {
+      robot.type(KeyCode.TAB);
+    }
+    robot.type(KeyCode.SPACE);
+
+    String[] copied = new String[1];
+    robot.interact(() -> copied[0] = Clipboard.getSystemClipboard().getString());
+    assertThat(copied[0]).isEqualTo(label(robot, "#help-program").getText());
+  }
+
+  @Test
+  void theReadmeHasTheLinesOfTheFirstProgram() throws IOException {
+    List<String> readme = Files.readAllLines(Path.of("README.md"));
+
+    FirstProgram.python(new InetSocketAddress(InetAddress.getLoopbackAddress(), 8879))
+        .lines()
+        .forEach(line -> assertThat(readme).anyMatch(text -> text.startsWith(line)));
   }
 
   @Test
