@@ -19,9 +19,6 @@ final class FlightPath {
   /** Sides of the tube that shows it. */
   static final int SIDES = 3;
 
-  /** Half the thickness of that tube [m]. Decided: two or three pixels across a room. */
-  private static final double HALF_WIDTH = 0.007;
-
   private final int capacity;
   private final List<Vec3> points = new ArrayList<>();
 
@@ -66,17 +63,22 @@ final class FlightPath {
   }
 
   /** The corners of a tube along the path, at one of its points. */
-  List<Vec3> ring(int index) {
+  List<Vec3> ring(int index, LineWidth width) {
     Vec3 point = points.get(index);
     Vec3 next = points.get(Math.min(points.size() - 1, index + 1));
     Vec3 way = next.minus(points.get(Math.max(0, index - 1)));
     Vec3 reference = Math.abs(way.z()) > 0.9 * way.norm() ? new Vec3(1, 0, 0) : Vec3.UP;
-    Vec3 side = way.cross(reference).normalized().times(HALF_WIDTH);
-    Vec3 up = side.cross(way).normalized().times(HALF_WIDTH);
+    Vec3 side = way.cross(reference).normalized().times(width.half(point));
+    Vec3 up = side.cross(way).normalized().times(width.half(point));
     return List.of(
         point.plus(up),
         point.plus(side).plusScaled(up, -0.5),
         point.minus(side).plusScaled(up, -0.5));
+  }
+
+  /** Whether a tube that was made for one camera looks right from another. */
+  boolean looksRight(LineWidth made, LineWidth wanted) {
+    return points.stream().allMatch(point -> made.suits(wanted, point));
   }
 
   /** Whether a point lies between two others, and the path goes on in its direction. */

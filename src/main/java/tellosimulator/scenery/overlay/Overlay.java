@@ -102,11 +102,11 @@ public final class Overlay {
    */
   public List<Instance> instances(SimSnapshot snapshot, Eye eye) {
     List<Instance> instances = new ArrayList<>();
-    if (trailsShown) {
-      trails.forEach(trail -> instances.addAll(trail.instances()));
-    }
     List<DroneSnapshot> drones = snapshot.drones();
     Vec3 camera = eye.pose().position();
+    if (trailsShown) {
+      trails.forEach(trail -> instances.addAll(trail.instances(camera)));
+    }
     for (int i = 0; i < drones.size(); i++) {
       DroneSnapshot drone = drones.get(i);
       instances.addAll(plumbLines.get(i).from(drone.state().motion().position(), camera));

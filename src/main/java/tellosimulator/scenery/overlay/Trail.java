@@ -18,8 +18,9 @@ import tellosimulator.sim.SimSnapshot.DroneSnapshot;
 /**
  * The path that a drone has flown, as a thin tube in the air; those of earlier flights are fainter.
  * The last few points are a mesh of their own, which changes some times a second and is small; the
- * long one behind it changes only when these have become many. Measured: with one mesh a path,
- * twenty drones that circle took half of a processor for nothing else. For one thread.
+ * long one behind it changes only when these have become many, or when the camera comes so near
+ * that the tube would be too thick. Measured: with one mesh a path, twenty drones that circle took
+ * half of a processor for nothing else. For one thread.
  */
 final class Trail {
 
@@ -41,6 +42,7 @@ final class Trail {
   private List<Instance> earlier = List.of();
   private List<Instance> settled = List.of();
   private List<Instance> recent = List.of();
+  private LineWidth width = new LineWidth(Vec3.ZERO);
   private Pose last;
   private boolean changed;
   private long now;
@@ -84,12 +86,18 @@ final class Trail {
   /**
    * All paths; the same instances as long as nothing has changed. Only this makes meshes, so that
    * what nobody sees costs next to nothing.
+   *
+   * @param camera its position, room frame [m]
    */
-  List<Instance> instances() {
-    if (changed && now - lastUpdate >= UPDATE_PERIOD) {
+  List<Instance> instances(Vec3 camera) {
+    LineWidth wanted = new LineWidth(camera);
+    boolean resized = !wanted.equals(width) && !looksRight(wanted);
+    boolean due = changed && now - lastUpdate >= UPDATE_PERIOD;
+    if (resized || due) {
       lastUpdate = now;
       changed = false;
-      update();
+      width = resized ? wanted : width;
+      update(resized);
     }
     List<Instance> all = new ArrayList<>(earlier);
     all.addAll(settled);
@@ -97,15 +105,25 @@ final class Trail {
     return all;
   }
 
-  private void update() {
+  private boolean looksRight(LineWidth wanted) {
+    return paths.present().looksRight(width, wanted)
+        && paths.earlier().stream().allMatch(path -> path.looksRight(width, wanted));
+  }
+
+  /**
+   * Makes the meshes of what has changed.
+   *
+   * @param all of all paths
+   */
+  private void update(boolean all) {
     boolean anotherFlight = paths.changes() != shownFlights;
-    if (anotherFlight) {
+    if (anotherFlight || all) {
       shownFlights = paths.changes();
       earlier = earlier();
     }
     FlightPath path = paths.present();
     int end = path.size() - 1;
-    boolean anew = anotherFlight || path.size() < sizeBefore; // cleared, or thinned out
+    boolean anew = all || anotherFlight || path.size() < sizeBefore; // cleared, or thinned out
     if (anew || end - settledTo >= RECENT) {
       settledTo = Math.max(0, end - 1);
       settled = tube(path, 0, settledTo, material);
@@ -130,13 +148,13 @@ final class Trail {
   }
 
   /** Part of a path; empty unless it has two points. */
-  private static List<Instance> tube(FlightPath path, int first, int end, Material material) {
+  private List<Instance> tube(FlightPath path, int first, int end, Material material) {
     if (end <= first) {
       return List.of();
     }
     List<Vec3> positions = new ArrayList<>();
     for (int i = first; i <= end; i++) {
-      positions.addAll(path.ring(i));
+      positions.addAll(path.ring(i, width));
     }
     int sides = FlightPath.SIDES;
     int[] faces = new int[9 * 2 * sides * (end - first)];

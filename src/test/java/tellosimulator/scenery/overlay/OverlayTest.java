@@ -2,6 +2,7 @@ package tellosimulator.scenery.overlay;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.util.DoubleSummaryStatistics;
 import java.util.List;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
@@ -10,6 +11,7 @@ import tellosimulator.math.Attitude;
 import tellosimulator.math.Pose;
 import tellosimulator.math.Vec3;
 import tellosimulator.scenery.mesh.Instance;
+import tellosimulator.scenery.mesh.Mesh;
 import tellosimulator.sim.Control;
 import tellosimulator.sim.Formation;
 import tellosimulator.sim.SimConfig;
@@ -76,6 +78,29 @@ class OverlayTest {
     overlay.advance(snapshot(), nanos);
 
     assertThat(overlay.instances(snapshot(), CAMERA)).isEqualTo(before);
+  }
+
+  @Test
+  void aTrailIsFinerInTheRoomWhenItIsSeenFromNear() {
+    fly();
+
+    double afar = thickness(overlay.instances(snapshot(), from(-8, 1)));
+    List<Instance> near = overlay.instances(snapshot(), from(-2, 1));
+
+    assertThat(thickness(near)).isLessThan(0.5 * afar);
+    assertThat(overlay.instances(snapshot(), from(-2.05, 1)).get(0).part())
+        .as("no other mesh for each step")
+        .isSameAs(near.get(0).part());
+  }
+
+  /** Of a trail straight up, the first of all instances [m]. */
+  private static double thickness(List<Instance> instances) {
+    Mesh trail = instances.get(0).part().mesh();
+    DoubleSummaryStatistics across =
+        IntStream.range(0, trail.positions())
+            .mapToDouble(i -> trail.position(i).y())
+            .summaryStatistics();
+    return across.getMax() - across.getMin();
   }
 
   @Test
