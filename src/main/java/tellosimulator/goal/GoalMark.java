@@ -39,13 +39,20 @@ public record GoalMark(int number, OptionalInt drone, GoalState state, Place pla
   /**
    * The opening of a gate.
    *
+   * @param name of the gate
    * @param pose of the gate's foot
    */
-  public record Opening(Shape.Gate gate, Pose pose, Goal.Direction direction) implements Place {
+  public record Opening(String name, Shape.Gate gate, Pose pose, Goal.Direction direction)
+      implements Place {
 
     @Override
     public Vec3 middle() {
       return pose.position().plusScaled(Vec3.UP, gate.middle());
+    }
+
+    /** The highest place of the gate, over its middle. */
+    public Vec3 top() {
+      return pose.position().plusScaled(Vec3.UP, gate.height());
     }
 
     /** Where one shall fly, a unit vector; empty if either way counts. */
@@ -111,7 +118,7 @@ public record GoalMark(int number, OptionalInt drone, GoalState state, Place pla
 
   private static Optional<Place> opening(Obstacle obstacle, Goal.Direction direction) {
     return obstacle.shape() instanceof Shape.Gate gate
-        ? Optional.of(new Opening(gate, obstacle.pose(), direction))
+        ? Optional.of(new Opening(obstacle.name(), gate, obstacle.pose(), direction))
         : Optional.empty();
   }
 

@@ -96,6 +96,8 @@ class GoalMarkTest {
   void theOpeningOfAGateHasAWayIfTheGoalHasOne() {
     assertThat(opening(Direction.EITHER).way()).isEmpty();
     assertThat(opening(Direction.EITHER).middle().distanceTo(new Vec3(2, 0, 1))).isLessThan(1e-9);
+    assertThat(opening(Direction.EITHER).top().z()).isEqualTo(1.55, within(1e-9)); // 1 + 0.5 + 0.05
+    assertThat(opening(Direction.EITHER).name()).isEqualTo("ring");
     Vec3 along = opening(Direction.ALONG).way().orElseThrow();
     assertThat(along.distanceTo(new Vec3(0, 1, 0))).isLessThan(1e-9);
     Vec3 against = opening(Direction.AGAINST).way().orElseThrow();

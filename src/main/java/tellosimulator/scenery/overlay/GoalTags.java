@@ -17,7 +17,10 @@ import tellosimulator.scenery.texture.Canvas;
  * The numbers of goals over their places, white on a rounded square, or a tick for those that are
  * reached. Walls do not hide them. For one thread.
  */
-final class GoalTags {
+public final class GoalTags {
+
+  /** Edge of the tag that comes next, as a share of the distance from the camera. Decided. */
+  public static final double SIZE = DroneTag.SIZE;
 
   /** How much smaller than others are those of goals that cannot be reached now. Decided. */
   private static final double SMALLER = 0.8;
@@ -56,14 +59,14 @@ final class GoalTags {
       return ball.middle().plusScaled(Vec3.UP, ball.radius());
     }
     if (place instanceof GoalMark.Opening opening) {
-      return opening.pose().position().plusScaled(Vec3.UP, opening.gate().height());
+      return opening.top();
     }
     return place.middle().plusScaled(Vec3.UP, ABOVE_CIRCLE);
   }
 
   private static Billboard billboard(Look look) {
     boolean active = look.state == GoalState.ACTIVE;
-    return Billboard.standing(texture(look), DroneTag.SIZE * (active ? 1 : SMALLER));
+    return Billboard.standing(texture(look), SIZE * (active ? 1 : SMALLER));
   }
 
   private static Texture texture(Look look) {

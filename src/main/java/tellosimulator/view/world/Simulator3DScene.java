@@ -71,6 +71,7 @@ public final class Simulator3DScene extends Region {
   private final DroneCameraInset inset;
   private final WindArrow wind;
   private final FaultTags faults;
+  private final GateNames gateNames = new GateNames();
   private final SelectionMark selection;
   private final FrameRateMonitor frameRate = new FrameRateMonitor();
   private List<Region> covers = List.of();
@@ -230,7 +231,7 @@ public final class Simulator3DScene extends Region {
   }
 
   private void layoutParts() {
-    getChildren().addAll(view.node(), faults, selection, wind, inset, ring);
+    getChildren().addAll(view.node(), gateNames, faults, selection, wind, inset, ring);
   }
 
   private void setupEventHandlers() {
@@ -309,6 +310,7 @@ public final class Simulator3DScene extends Region {
     if (fromDrone) {
       view.show(scenes.scene(snapshot, simulation.selected().number()), onDrone(), nanos);
       faults.advance(snapshot, Optional.empty());
+      gateNames.advance(List.of(), Optional.empty());
       ghost.ifPresent(GhostFlight::hideLabels);
     } else {
       Viewpoint viewpoint = camera.viewpoint();
@@ -317,6 +319,7 @@ public final class Simulator3DScene extends Region {
           viewpoint,
           nanos);
       faults.advance(snapshot, Optional.of(viewpoint));
+      gateNames.advance(marks.goals(snapshot.arena()), Optional.of(viewpoint));
       ghost.ifPresent(other -> other.label(viewpoint));
     }
   }
@@ -382,6 +385,7 @@ public final class Simulator3DScene extends Region {
     double height = onDrone ? width / ratio : getHeight();
     view.resize(width, height);
     faults.resizeRelocate(0, 0, getWidth(), getHeight());
+    gateNames.resizeRelocate(0, 0, getWidth(), getHeight());
     selection.resizeRelocate(0, 0, getWidth(), getHeight());
     ghost.ifPresent(other -> other.labels().resizeRelocate(0, 0, getWidth(), getHeight()));
     view.node().relocate((getWidth() - width) / 2, (getHeight() - height) / 2);

@@ -224,7 +224,7 @@ class GoalOverlayTest {
   /** Its way along x leads to the right. */
   private static GoalMark.Opening gate(Direction direction) {
     Pose foot = new Pose(new Vec3(1, 0, 0), Attitude.ofHeading(-Math.PI / 2));
-    return new GoalMark.Opening(RING, foot, direction);
+    return new GoalMark.Opening("A", RING, foot, direction);
   }
 
   private static SimSnapshot snapshot() {

@@ -64,11 +64,12 @@ class MarkPainterFxTest {
     Shape.Gate ring = new Shape.Ring(0.5, 0.05, 1);
     Image along =
         picture(
-            List.of(mark(GoalState.ACTIVE, new GoalMark.Opening(ring, foot, Direction.ALONG))),
+            List.of(mark(GoalState.ACTIVE, new GoalMark.Opening("A", ring, foot, Direction.ALONG))),
             List.of());
     Image against =
         picture(
-            List.of(mark(GoalState.ACTIVE, new GoalMark.Opening(ring, foot, Direction.AGAINST))),
+            List.of(
+                mark(GoalState.ACTIVE, new GoalMark.Opening("A", ring, foot, Direction.AGAINST))),
             List.of());
 
     // ahead is up: the head of the arrow is 40 pixels above the middle, 8 pixels long

@@ -5,11 +5,14 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.util.Comparator;
 import java.util.List;
+import java.util.OptionalInt;
 import javafx.css.PseudoClass;
 import javafx.event.Event;
 import javafx.event.EventType;
 import javafx.geometry.Bounds;
+import javafx.geometry.Point2D;
 import javafx.scene.LightBase;
+import javafx.scene.Node;
 import javafx.scene.control.Button;
 import javafx.scene.control.Label;
 import javafx.scene.input.MouseButton;
@@ -20,10 +23,14 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.extension.RegisterExtension;
 import tellosimulator.fault.Fault;
+import tellosimulator.goal.Goal;
 import tellosimulator.math.Attitude;
 import tellosimulator.math.Pose;
 import tellosimulator.math.Vec3;
 import tellosimulator.model.FlightPhase;
+import tellosimulator.world.Obstacle;
+import tellosimulator.world.ObstacleAppearance;
+import tellosimulator.world.Shape;
 
 class Simulator3DSceneFxTest {
 
@@ -191,6 +198,61 @@ class Simulator3DSceneFxTest {
     fixture.change(() -> fixture.scene().viewCameraProperty().set(ViewCamera.DRONE));
     fixture.pass(0.1);
     assertThat(tag.isVisible()).isFalse();
+  }
+
+  @Test
+  void gatesThatAreGoalsAreNamedBesideTheirNumbers() {
+    fixture.furnish(arena -> arena.withObstacles(List.of(ring("A", 0.5), ring("C", -0.5))));
+    fixture.ask(pass("C"), pass("C"));
+    fly(0, new Vec3(-1, 0, 1));
+
+    Label name = onlyName();
+    assertThat(name.getText()).isEqualTo("C");
+    Point2D top =
+        camera()
+            .viewpoint()
+            .project(new Vec3(1, -0.5, 0.95), SceneFixture.WIDTH, SceneFixture.HEIGHT)
+            .orElseThrow();
+    // two numbers, each 0.032 of the distance wide; half of the first one is left of the gate
+    double number = 0.032 * SceneFixture.HEIGHT / 2 / Math.tan(Math.toRadians(19));
+    assertThat(name.getBoundsInParent().getMinX())
+        .isCloseTo(top.getX() + 1.6 * number, within(6.0));
+    assertThat(name.getBoundsInParent().getCenterY())
+        .isCloseTo(top.getY() - number / 2, within(3.0));
+
+    fixture.change(() -> fixture.scene().viewCameraProperty().set(ViewCamera.DRONE));
+    fixture.pass(0.1);
+    assertThat(name.isVisible()).as("in the picture from the drone").isFalse();
+
+    fixture.change(() -> fixture.scene().viewCameraProperty().set(ViewCamera.SIMULATOR));
+    fixture.ask(pass("A"));
+    fixture.pass(0.1);
+    assertThat(onlyName().getText()).isEqualTo("A");
+
+    fixture.ask();
+    fixture.pass(0.1);
+    assertThat(name.isVisible()).isFalse();
+  }
+
+  /** The only name of a gate that is shown. */
+  private Label onlyName() {
+    return (Label)
+        fixture.scene().lookupAll(".gate-name").stream()
+            .filter(Node::isVisible)
+            .reduce(
+                (one, other) -> {
+                  throw new AssertionError("two names are shown");
+                })
+            .orElseThrow();
+  }
+
+  private static Obstacle ring(String name, double y) {
+    Shape.Ring ring = new Shape.Ring(0.3, 0.05, 0.6);
+    return new Obstacle(name, ring, new Vec3(1, y, 0), 0, ObstacleAppearance.DEFAULT);
+  }
+
+  private static Goal pass(String gate) {
+    return new Goal.Pass(OptionalInt.empty(), gate, Goal.Direction.EITHER);
   }
 
   private SimulatorCamera camera() {
