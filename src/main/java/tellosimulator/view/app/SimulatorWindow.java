@@ -8,11 +8,11 @@ import java.util.function.Function;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import javafx.application.Application;
-import javafx.beans.binding.Bindings;
 import javafx.beans.property.BooleanProperty;
 import javafx.beans.property.DoubleProperty;
 import javafx.beans.property.ReadOnlyObjectProperty;
 import javafx.beans.property.SimpleDoubleProperty;
+import javafx.beans.value.ObservableValue;
 import javafx.geometry.Orientation;
 import javafx.scene.Parent;
 import javafx.scene.Scene;
@@ -312,14 +312,17 @@ final class SimulatorWindow implements AutoCloseable {
     pilot.powerShownProperty().bind(state.networkControlsShownProperty().not());
     simulatorControls.availableHeightProperty().bind(pane.sideHeight());
     networkControls.availableHeightProperty().bind(pane.sideHeight());
-    Bindings.createBooleanBinding(
-            this::narrow, pane.freeWidthProperty(), pilot.powerShownProperty())
-        .subscribe(this::fit);
+    ObservableValue<Boolean> narrow =
+        pilot
+            .powerShownProperty()
+            .flatMap(
+                shown -> pane.freeWidthProperty().map(width -> narrow(width.doubleValue(), shown)));
+    narrow.subscribe(this::fit);
     context
         .scenario()
         .challengeProperty()
         .map(asked -> asked.goals().isEmpty())
-        .subscribe(none -> fit(narrow()));
+        .subscribe(none -> fit(narrow.getValue()));
     plan.shownProperty().bindBidirectional(state.planShownProperty());
     plan.shownProperty().subscribe(this::giveKeys);
     follow(state.fullScreenProperty().subscribe(stage::setFullScreen));
@@ -361,9 +364,8 @@ final class SimulatorWindow implements AutoCloseable {
     }
   }
 
-  private boolean narrow() {
-    boolean withPower = pilot.powerShownProperty().get();
-    return pane.freeWidthProperty().get() < (withPower ? NARROW_WITH_POWER : NARROW);
+  private static boolean narrow(double width, boolean withPower) {
+    return width < (withPower ? NARROW_WITH_POWER : NARROW);
   }
 
   /** Leaves room to the scene: where there is more to list, the drones are a line that unfolds. */

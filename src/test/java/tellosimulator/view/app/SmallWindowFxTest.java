@@ -114,6 +114,12 @@ class SmallWindowFxTest {
 
     robot.clickOn("#drones-fold");
     assertThat(window.shows("drones")).isTrue();
+
+    System.gc(); // what nobody keeps would follow no longer
+    window.asAtFirst();
+    waitUntil(() -> shown("pilot-power") == ContentDisplay.LEFT);
+    resize(980, 768);
+    waitUntil(() -> shown("pilot-power") == ContentDisplay.GRAPHIC_ONLY);
   }
 
   @ParameterizedTest
