@@ -1,6 +1,8 @@
 package tellosimulator.view.gallery;
 
+import java.util.ArrayList;
 import java.util.List;
+import tellosimulator.goal.Goal;
 import tellosimulator.goal.GoalMark;
 import tellosimulator.goal.Progress;
 import tellosimulator.math.Attitude;
@@ -9,10 +11,12 @@ import tellosimulator.math.Vec3;
 import tellosimulator.scenario.Scenario;
 import tellosimulator.scenery.Scene;
 import tellosimulator.scenery.SceneBuilder;
+import tellosimulator.scenery.SceneExtent;
 import tellosimulator.scenery.overlay.Eye;
 import tellosimulator.scenery.overlay.Overlay;
 import tellosimulator.sim.SimConfig;
 import tellosimulator.sim.SimSnapshot;
+import tellosimulator.sim.SimSnapshot.DroneSnapshot;
 import tellosimulator.sim.Simulation;
 import tellosimulator.video.camera.CameraIntrinsics;
 import tellosimulator.video.camera.ColorSpace;
@@ -20,12 +24,12 @@ import tellosimulator.video.camera.FrameBuffer;
 import tellosimulator.video.camera.PinholeCamera;
 import tellosimulator.video.camera.RenderCache;
 import tellosimulator.video.camera.SoftwareCamera;
-import tellosimulator.world.Room;
 import tellosimulator.world.Walls;
 
 /**
- * Draws scenarios as they begin, with their goals and the rings of their drones, from outside of
- * the room and above, so that all of it is in the picture. For one thread at a time.
+ * Draws scenarios as they begin, with their goals and the rings of their drones, from above and
+ * from so near that what tells one from the other fills the picture: obstacles, mission pads,
+ * starts and goals. For one thread at a time.
  */
 final class RoomCamera {
 
@@ -43,10 +47,14 @@ final class RoomCamera {
   /** From left to right [rad]. Decided: little distortion at the edges. */
   private static final double FIELD_OF_VIEW = Math.toRadians(40);
 
-  /** How far it stands back from where the room fills the picture, in diagonals. Decided. */
-  private static final double MARGIN = 0.04;
+  /** How much of the picture is free between its edges and the things. Decided: by eye. */
+  private static final double MARGIN = 0.06;
 
-  private static final int CORNERS = 8;
+  /** Height over a goal that is seen too [m]. Decided: the number over a circle on a table. */
+  private static final double TAG = 0.5;
+
+  /** Least distance from the middle of the things [m]. Decided: one sees what is around them. */
+  private static final double NEAREST = 3;
 
   private static final double NEAR = 0.05;
 
@@ -57,10 +65,11 @@ final class RoomCamera {
   /** The pixels row by row, 8 bits each for alpha, red, green and blue; transparent outside. */
   int[] picture(Scenario scenario) {
     int[] argb = new int[WIDTH * HEIGHT];
-    SimSnapshot beginning = beginning(plain(scenario.config()));
-    PinholeCamera overview = overview(beginning.room());
+    SimSnapshot beginning = beginning(calm(scenario.config()));
+    List<GoalMark> marks = GoalMark.of(Progress.start(scenario.challenge()), beginning.arena());
+    PinholeCamera overview = overview(places(beginning, scenario.challenge().goals(), marks));
     Overlay goals = new Overlay(beginning);
-    goals.show(GoalMark.of(Progress.start(scenario.challenge()), beginning.arena()), List.of());
+    goals.show(marks, List.of());
     Scene scene =
         scenes
             .scene(beginning, overview.pose().position())
@@ -71,31 +80,41 @@ final class RoomCamera {
   }
 
   /** Small pictures of patterned walls show little but patterns. */
-  private static SimConfig plain(SimConfig config) {
-    return config.withDecor(config.arena().decor().withWalls(Walls.PLAIN));
+  private static SimConfig calm(SimConfig config) {
+    return config.withDecor(config.arena().decor().withWalls(Walls.AUTO));
   }
 
   private static SimSnapshot beginning(SimConfig config) {
     return new Simulation(config, drone -> (peer, text) -> {}, report -> {}, List.of()).snapshot();
   }
 
-  /** From where all corners of a room are in the picture. */
-  static PinholeCamera overview(Room room) {
+  /** What must be seen. */
+  private static List<Vec3> places(SimSnapshot snapshot, List<Goal> goals, List<GoalMark> marks) {
+    List<Pose> starts = snapshot.drones().stream().map(DroneSnapshot::start).toList();
+    List<Vec3> places = new ArrayList<>(SceneExtent.things(snapshot.arena(), starts, goals));
+    marks.forEach(mark -> places.add(mark.place().middle().plusScaled(Vec3.UP, TAG)));
+    return places;
+  }
+
+  /** From where all places are in the picture; there is at least one. */
+  static PinholeCamera overview(List<Vec3> places) {
     CameraIntrinsics intrinsics = new CameraIntrinsics(WIDTH, HEIGHT, FIELD_OF_VIEW);
     Attitude view =
         Attitude.ofHeading(HEADING)
             .after(new Attitude(Math.cos(ELEVATION / 2), 0, Math.sin(ELEVATION / 2), 0));
     double across = WIDTH / 2.0 / intrinsics.focalLength();
     double down = HEIGHT / 2.0 / intrinsics.focalLength();
-    Edges sides = new Edges(across);
-    Edges ends = new Edges(down);
-    for (int number = 0; number < CORNERS; number++) {
-      Vec3 corner = view.toBody(corner(room, number));
-      sides.add(corner.x(), corner.y());
-      ends.add(corner.x(), corner.z());
+    Edges sides = new Edges(across * (1 - MARGIN));
+    Edges ends = new Edges(down * (1 - MARGIN));
+    double middle = 0;
+    for (Vec3 place : places) {
+      Vec3 seen = view.toBody(place);
+      sides.add(seen.x(), seen.y());
+      ends.add(seen.x(), seen.z());
+      middle += seen.x() / places.size();
     }
-    double behind = MARGIN * Math.hypot(room.depth(), room.width());
-    double ahead = Math.min(sides.farthestAhead(), ends.farthestAhead()) - behind;
+    double fitting = Math.min(sides.farthestAhead(), ends.farthestAhead());
+    double ahead = Math.min(fitting, middle - NEAREST);
     Vec3 eye = view.toRoom(new Vec3(ahead, sides.middle(), ends.middle()));
     return new PinholeCamera(new Pose(eye, view), intrinsics, NEAR);
   }
@@ -128,15 +147,5 @@ final class RoomCamera {
     double middle() {
       return (lower + upper) / 2;
     }
-  }
-
-  /**
-   * @param number from 0 to 7; each of its bits is a side of the room
-   */
-  static Vec3 corner(Room room, int number) {
-    return new Vec3(
-        (number & 1) == 0 ? room.depth() / 2 : -room.depth() / 2,
-        (number & 2) == 0 ? room.width() / 2 : -room.width() / 2,
-        (number & 4) == 0 ? room.height() : 0);
   }
 }

@@ -1,4 +1,4 @@
-package tellosimulator.view.world;
+package tellosimulator.scenery;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -17,7 +17,7 @@ import tellosimulator.world.Room;
  * The places that a view of the whole scene must show: the corners of the floor, and things: the
  * corners of obstacles, mission pads, starts and goals. All in the room frame [m].
  */
-final class SceneExtent {
+public final class SceneExtent {
 
   /** Height over a start that is seen too [m]. Decided: a drone takes off to less. */
   private static final double TAKEOFF = 1;
@@ -34,7 +34,7 @@ final class SceneExtent {
   private SceneExtent() {}
 
   /** The corners of the floor. */
-  static List<Vec3> floor(Room room) {
+  public static List<Vec3> floor(Room room) {
     List<Vec3> places = new ArrayList<>();
     Vec3 size = new Vec3(room.depth(), room.width(), 0);
     addCorners(places, new Pose(Vec3.ZERO, Attitude.LEVEL), size);
@@ -42,7 +42,7 @@ final class SceneExtent {
   }
 
   /** All that is in a room. */
-  static List<Vec3> things(Arena arena, List<Pose> starts, List<Goal> goals) {
+  public static List<Vec3> things(Arena arena, List<Pose> starts, List<Goal> goals) {
     List<Vec3> places = new ArrayList<>();
     Room room = arena.room();
     for (Obstacle obstacle : arena.obstacles()) {
