@@ -1,6 +1,7 @@
 package tellosimulator.view.layout;
 
 import java.net.InetSocketAddress;
+import java.util.Locale;
 import javafx.geometry.Pos;
 import javafx.scene.control.Label;
 import javafx.scene.layout.StackPane;
@@ -32,7 +33,9 @@ final class FirstProgram extends StackPane {
   /** The program for djitellopy, whose lines the README has, too. */
   static String python(InetSocketAddress address) {
     String host = address.getAddress().getHostAddress();
-    return """
+    return String.format(
+        Locale.ROOT,
+        """
         from djitellopy import Tello
 
         tello = Tello("%1$s")
@@ -41,7 +44,8 @@ final class FirstProgram extends StackPane {
         tello.takeoff()
         tello.move_forward(100)
         tello.land()
-        """
-        .formatted(host, address.getPort());
+        """,
+        host,
+        address.getPort());
   }
 }
