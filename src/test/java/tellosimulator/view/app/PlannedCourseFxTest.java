@@ -10,6 +10,9 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Comparator;
 import java.util.List;
+import java.util.Objects;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import javafx.geometry.Point2D;
 import javafx.scene.Node;
 import javafx.scene.control.ComboBox;
@@ -141,7 +144,7 @@ class PlannedCourseFxTest {
     enter("property-height-of-goal", "150");
     waitUntil(() -> goals().get(2).endsWith("z 150 cm"));
     choose("property-drone", 1);
-    waitUntil(() -> goals().get(2).startsWith("drone 1: reach"));
+    waitUntil(() -> goals().get(2).startsWith("Drone 1 reach"));
 
     robot.clickOn("#plan-remove");
     waitUntil(() -> goals().size() == 2);
@@ -179,14 +182,21 @@ class PlannedCourseFxTest {
     return window.label("plan-status");
   }
 
-  /** The tasks that the panel of goals shows. */
+  /**
+   * The tasks that the panel of goals shows, behind the drone that shall do them if one is named.
+   */
   private List<String> goals() {
     return onFxThread(
         () ->
             window.stage().getScene().getRoot().lookupAll(".goal").stream()
                 .filter(row -> row.getId() != null)
                 .sorted(Comparator.comparing(Node::getId))
-                .map(row -> ((Label) row.lookup(".task")).getText())
+                .map(
+                    row ->
+                        Stream.of(row.lookup(".drone"), row.lookup(".task"))
+                            .filter(Objects::nonNull)
+                            .map(part -> ((Label) part).getText())
+                            .collect(Collectors.joining(" ")))
                 .toList());
   }
 
