@@ -13,10 +13,10 @@ import tellosimulator.view.text.Language;
  * the slider's with {@code -value}, and that of the sentence about a wrong number with {@code
  * -value-error}.
  *
- * <p>It collects what a person does until its owner asks, once a pulse: {@link #takeChange} says
- * whether there is something new, {@link #value} is it, and at later pulses {@link #show} puts what
- * the simulation made of it. So a fast drag sends one message a pulse, and what comes back never
- * pulls the thumb away from the mouse. For the JavaFX thread.
+ * <p>It collects what a person does until its owner asks, at {@link #onChange} or once a pulse:
+ * {@link #takeChange} says whether there is something new, {@link #value} is it, and at later
+ * pulses {@link #show} puts what the simulation made of it. So a fast drag sends one message a
+ * pulse, and what comes back never pulls the thumb away from the mouse. For the JavaFX thread.
  */
 final class NumberSlider extends VBox {
 
@@ -26,6 +26,9 @@ final class NumberSlider extends VBox {
   private NumberRange sliderRange;
   private double value = Double.NaN;
   private boolean changed;
+
+  /** Is called when a person has set another number. */
+  private Runnable changeListener = () -> {};
 
   /** Whether the slider moves because {@link #show} moves it. */
   private boolean showing;
@@ -104,6 +107,11 @@ final class NumberSlider extends VBox {
     return value;
   }
 
+  /** Says at once that a person has set another number; the owner need not wait for a pulse. */
+  void onChange(Runnable listener) {
+    changeListener = listener;
+  }
+
   /** Whether a person set a number since this was asked last. */
   boolean takeChange() {
     boolean was = changed;
@@ -151,6 +159,7 @@ final class NumberSlider extends VBox {
       changed = true;
       field.show(number);
       moveTo(number);
+      changeListener.run();
     }
   }
 

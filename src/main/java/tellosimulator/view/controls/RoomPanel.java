@@ -14,8 +14,8 @@ import tellosimulator.world.Room;
 
 /**
  * The room's size, its grid, and where the selected drone starts; all in centimetres. What a person
- * changes goes to the simulation at the next pulse, and what the simulation says is shown. For the
- * JavaFX thread.
+ * changes goes to the simulation at once, or at the next pulse while it has something to do, and
+ * what the simulation says is shown. For the JavaFX thread.
  */
 final class RoomPanel extends Card {
 
@@ -74,6 +74,9 @@ final class RoomPanel extends Card {
 
   private void setupBindings(ViewContext context) {
     simulation.selectedProperty().addListener((property, before, now) -> forgetStart());
+    for (NumberSlider slider : List.of(width, depth, height, grid, startX, startY)) {
+      slider.onChange(this::sendAtOnce);
+    }
     context
         .scenario()
         .challengeProperty()
@@ -85,6 +88,13 @@ final class RoomPanel extends Card {
     startX.forgetTyped();
     startY.forgetTyped();
     showStart();
+  }
+
+  /** So that the next picture shows it already; a drag sends no more than that. */
+  private void sendAtOnce() {
+    if (!actions.pending()) {
+      beat();
+    }
   }
 
   /** What the simulation does not have yet is not shown as it was before. */

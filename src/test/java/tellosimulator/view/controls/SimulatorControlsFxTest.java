@@ -130,6 +130,17 @@ class SimulatorControlsFxTest {
   }
 
   @Test
+  void aChangeGoesToTheSimulationWithoutWaitingForAPulse(FxRobot robot) {
+    window.settle();
+    robot.interact(
+        () -> {
+          robot.lookup("#room-width").queryAs(Slider.class).setValue(700);
+          assertThat(window.context().actions().pending()).isTrue();
+        });
+    window.until(() -> window.snapshot().room().width() == 7);
+  }
+
+  @Test
   void theMouseDragsTheRoom(FxRobot robot) {
     robot.drag("#room-depth .thumb").dropBy(30, 0);
 
