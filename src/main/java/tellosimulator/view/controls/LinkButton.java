@@ -25,6 +25,12 @@ public final class LinkButton extends ToggleButton {
   /** Time between two looks at the address [ns]. Decided: four a second. */
   private static final long PERIOD_NANOS = 250_000_000;
 
+  /**
+   * Least width [px]: words of buttons beside it do not come and go with a program. Measured: what
+   * an address of this machine and the longest state need.
+   */
+  private static final double LEAST_WIDTH = 206;
+
   /** Radius of the lamp [px]. */
   private static final double RADIUS = 4.5;
 
@@ -73,6 +79,11 @@ public final class LinkButton extends ToggleButton {
     state.subscribe(this::light);
     simulation.selectedProperty().subscribe(this::refresh);
     context.pulse().onBeat(this::beat);
+  }
+
+  @Override
+  protected double computePrefWidth(double height) {
+    return Math.max(LEAST_WIDTH, super.computePrefWidth(height));
   }
 
   private void light(LinkState now) {

@@ -48,6 +48,7 @@ final class SettingsMenu extends MenuButton {
             flag("enlarged-drones", scene.dronesEnlargedProperty()),
             flag("reduced-motion", state.reducedMotionProperty()),
             flag("record-flights", state.flightsRecordedProperty()),
+            flag("full-screen", state.fullScreenProperty()),
             flag("projector", state.projectorProperty()),
             about);
   }

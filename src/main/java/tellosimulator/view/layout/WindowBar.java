@@ -44,7 +44,6 @@ public final class WindowBar extends LabeledToolBar {
             new SettingsMenu(context.language(), state, scene, pages),
             buttons.button("help", Feather.HELP_CIRCLE, pages::toggleHelp),
             new Separator(Orientation.VERTICAL),
-            buttons.fullScreen(state.fullScreenProperty()),
             buttons.part("show-controls", Feather.SLIDERS, state.simulatorControlsShownProperty()),
             buttons.part("show-log", Feather.TERMINAL, state.logOpenProperty()),
             new Separator(Orientation.VERTICAL),

@@ -78,7 +78,7 @@ public final class WindowState {
     return networkControlsShown;
   }
 
-  /** Whether all of the log is there, rather than its newest line alone. */
+  /** Whether all of the log is there, rather than its newest event alone. */
   public BooleanProperty logOpenProperty() {
     return logOpen;
   }

@@ -5,6 +5,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Optional;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import javafx.beans.binding.Bindings;
@@ -32,7 +33,8 @@ import tellosimulator.view.text.Messages;
 
 /**
  * The log at the bottom of the window: everything that happens, newest last, a command and its
- * answer in one row. Folded, it is the newest row alone. For the JavaFX thread.
+ * answer in one row. Folded, it is the newest event alone: the newest command has a place of its
+ * own in the window. For the JavaFX thread.
  */
 public final class LogPane extends VBox {
 
@@ -89,7 +91,7 @@ public final class LogPane extends VBox {
     return toolbar.timeStampsProperty();
   }
 
-  /** Whether all of it is there, rather than the newest row alone. */
+  /** Whether all of it is there, rather than the newest event alone. */
   public BooleanProperty openProperty() {
     return open;
   }
@@ -111,6 +113,7 @@ public final class LogPane extends VBox {
     logQueue.drain();
     model.clear();
     details.refresh();
+    showNewest();
   }
 
   /** Hands what it shows to the log that comes after it. */
@@ -201,9 +204,11 @@ public final class LogPane extends VBox {
 
   private void showNewest() {
     List<LogRow> shown = model.shown();
-    if (!shown.isEmpty()) {
-      newest.show(shown.get(shown.size() - 1));
+    int last = shown.size() - 1;
+    while (last >= 0 && shown.get(last).command().isPresent()) {
+      last--;
     }
+    newest.show(last < 0 ? Optional.empty() : Optional.of(shown.get(last)));
   }
 
   /** Leaves the focus where one can fold again. */

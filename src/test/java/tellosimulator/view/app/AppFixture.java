@@ -48,6 +48,7 @@ final class AppFixture implements BeforeEachCallback, AfterEachCallback {
   private Path settingsFile;
   private boolean galleryFirst;
   private boolean asAtFirst;
+  private WindowState state;
   private SimulatorApp app;
   private Stage stage;
 
@@ -108,7 +109,7 @@ final class AppFixture implements BeforeEachCallback, AfterEachCallback {
         () -> {
           stage = stageMaker.get();
           boolean first = settings.isNew();
-          WindowState state = WindowState.remembered(settings);
+          state = WindowState.remembered(settings);
           if (first && !asAtFirst) {
             WholeWindow.showAllParts(state);
           }
@@ -130,6 +131,11 @@ final class AppFixture implements BeforeEachCallback, AfterEachCallback {
   private boolean openReport(Path file) {
     openedReports.add(file);
     return browser.test(file);
+  }
+
+  /** What the window is switched to. */
+  WindowState state() {
+    return state;
   }
 
   /** The reports that were opened, the first one first. */

@@ -13,7 +13,6 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
-import java.util.Locale;
 import javafx.scene.image.WritableImage;
 import javafx.stage.Stage;
 import javafx.stage.StageStyle;
@@ -80,8 +79,7 @@ class ContactSheetDisplayTest {
       Image small = picture.getScaledInstance(width, height, Image.SCALE_AREA_AVERAGING);
       pen.drawImage(small, i % COLUMNS * width, i / COLUMNS * height, null);
       Theme other = i % 2 == 0 ? Theme.DARK : Theme.LIGHT;
-      String choice = "theme-" + other.name().toLowerCase(Locale.ROOT);
-      window.robot().clickOn("#settings").clickOn("#theme").clickOn("#" + choice);
+      change(() -> window.state().themeProperty().set(other));
     }
     pen.dispose();
 

@@ -129,13 +129,16 @@ class SmallWindowFxTest {
     resize(1280, 800);
     waitUntil(() -> shown("view-follow") == ContentDisplay.LEFT);
     assertThat(window.text("view-follow")).isEqualTo(other);
+    assertThat(shown("scenarios")).as("more important").isEqualTo(ContentDisplay.LEFT);
+    assertThat(window.text("scenarios")).isEqualTo(first);
+    assertThat(shown("show-plan")).as("all of a group or none").isEqualTo(shown("show-inset"));
     assertThat(overflows()).isFalse();
 
     resize(1024, 768);
     waitUntil(() -> shown("view-follow") == ContentDisplay.GRAPHIC_ONLY);
     assertThat(window.find("view-follow", Control.class).getTooltip().getText()).isNotBlank();
-    assertThat(shown("scenarios")).as("the most important").isEqualTo(ContentDisplay.LEFT);
-    assertThat(window.text("scenarios")).isEqualTo(first);
+    assertThat(shown("view-fit")).as("all of a group or none").isEqualTo(shown("view-follow"));
+    assertThat(shown("show-network")).as("the most important").isEqualTo(ContentDisplay.LEFT);
     assertThat(overflows()).isFalse();
 
     resize(1280, 800);

@@ -42,6 +42,7 @@ class TranslatedWindowFxTest {
           "Y cm",
           "Z cm",
           "Radius cm",
+          "Video",
           "−60 s",
           "Pause",
           "Plan",

@@ -193,20 +193,29 @@ class LogPaneFxTest {
   }
 
   @Test
-  void foldedItIsItsNewestLine() {
+  void foldedItIsItsNewestEvent() {
+    happens(new SimEvent.DroneFlight(SimTime.ZERO, 1, new FlightEvent.TookOff()));
     commands(2);
     double before = box.prefHeight(-1);
 
     robot.clickOn("#log-fold");
     assertThat(list().getParent().isVisible()).isFalse();
     assertThat(box.prefHeight(-1)).isLessThan(before).isLessThan(40);
-    assertThat(textOf(robot.lookup(".log-folded").query(), ".log-words")).isEqualTo("forward 1");
+    assertThat(folded()).contains("took off");
+    happens(new SimEvent.DroneFlight(SimTime.ZERO, 1, new FlightEvent.Landed()));
     commands(1);
-    assertThat(textOf(robot.lookup(".log-folded").query(), ".log-words")).isEqualTo("forward 0");
+    assertThat(folded()).as("commands have a place of their own").contains("landed");
+    robot.interact(box::clear);
+    assertThat(robot.lookup(".log-folded").query().lookup(".log-words").getParent().isVisible())
+        .isFalse();
 
     robot.type(KeyCode.SPACE);
     assertThat(list().getParent().isVisible()).as("the button has the focus").isTrue();
     assertThat(list().isFocused()).isTrue();
+  }
+
+  private String folded() {
+    return textOf(robot.lookup(".log-folded").query(), ".log-words");
   }
 
   private void refused() {
