@@ -78,7 +78,7 @@ public final class WindowState {
     return networkControlsShown;
   }
 
-  /** Whether all of the log is there, rather than its newest event alone. */
+  /** Whether all of the log is there, rather than its newest row alone. */
   public BooleanProperty logOpenProperty() {
     return logOpen;
   }

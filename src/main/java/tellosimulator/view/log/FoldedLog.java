@@ -13,8 +13,8 @@ import tellosimulator.view.fx.Tooltips;
 import tellosimulator.view.text.Messages;
 
 /**
- * The folded log: its newest event, the report of the last flight, and a button that unfolds it.
- * For the JavaFX thread.
+ * The folded log: its newest row, the report of the last flight, and a button that unfolds it. For
+ * the JavaFX thread.
  */
 final class FoldedLog extends HBox {
 
@@ -23,7 +23,7 @@ final class FoldedLog extends HBox {
   private final ReportButton report;
 
   /**
-   * @param row shows the newest event
+   * @param row shows the newest row
    * @param unfold shows the whole log
    */
   FoldedLog(Messages messages, LogRowView row, Runnable unfold) {
@@ -53,7 +53,7 @@ final class FoldedLog extends HBox {
     return button;
   }
 
-  /** Shows the newest event, if there is one. */
+  /** Shows the newest row, if there is one. */
   void show(Optional<LogRow> newest) {
     newest.ifPresent(row::show);
     row.setVisible(newest.isPresent());

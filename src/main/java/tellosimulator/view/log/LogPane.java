@@ -33,8 +33,7 @@ import tellosimulator.view.text.Messages;
 
 /**
  * The log at the bottom of the window: everything that happens, newest last, a command and its
- * answer in one row. Folded, it is the newest event alone: the newest command has a place of its
- * own in the window. For the JavaFX thread.
+ * answer in one row. Folded, it is the newest row alone. For the JavaFX thread.
  */
 public final class LogPane extends VBox {
 
@@ -91,7 +90,7 @@ public final class LogPane extends VBox {
     return toolbar.timeStampsProperty();
   }
 
-  /** Whether all of it is there, rather than the newest event alone. */
+  /** Whether all of it is there, rather than the newest row alone. */
   public BooleanProperty openProperty() {
     return open;
   }
@@ -204,11 +203,7 @@ public final class LogPane extends VBox {
 
   private void showNewest() {
     List<LogRow> shown = model.shown();
-    int last = shown.size() - 1;
-    while (last >= 0 && shown.get(last).command().isPresent()) {
-      last--;
-    }
-    newest.show(last < 0 ? Optional.empty() : Optional.of(shown.get(last)));
+    newest.show(shown.isEmpty() ? Optional.empty() : Optional.of(shown.get(shown.size() - 1)));
   }
 
   /** Leaves the focus where one can fold again. */
