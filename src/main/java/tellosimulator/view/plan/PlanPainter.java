@@ -3,6 +3,7 @@ package tellosimulator.view.plan;
 import java.util.List;
 import java.util.OptionalInt;
 import java.util.function.IntFunction;
+import java.util.stream.IntStream;
 import javafx.geometry.VPos;
 import javafx.scene.canvas.GraphicsContext;
 import javafx.scene.paint.Color;
@@ -40,13 +41,16 @@ final class PlanPainter {
   /** Lines that are nearer to each other are left out [px]. */
   private static final double NARROWEST_GRID = 7;
 
-  /** Steps of the numbers along the walls [m]. */
-  private static final double[] AXIS_STEPS = {0.1, 0.2, 0.5, 1, 2, 5, 10, 20};
+  /** At each how many lines of the grid there is a number, if there is room for them. */
+  private static final int[] NUMBERED_LINES = {1, 2, 5, 10, 20, 50};
 
   /** Numbers along the walls are at least this far apart [px]. Decided: four digits and a gap. */
   private static final double NARROWEST_NUMBERS = 44;
 
   private static final double TEXT_SIZE = 12;
+
+  /** How far the name of a gate is beside the arrow through it [px]. Decided: by eye. */
+  private static final double BESIDE_ARROW = 16;
 
   /** Things that are smaller have no name [px]. */
   private static final double SMALLEST_NAMED = 34;
@@ -133,16 +137,20 @@ final class PlanPainter {
     pen.setStroke(WALL);
     pen.setLineWidth(4);
     pen.strokeRect(left - 2, top - 2, width + 4, height + 4);
-    paintAxes(room, left, top + height);
+    paintAxes(room, grid, left, top, top + height);
   }
 
-  /** The room's coordinates along the left and the back wall [cm]. */
-  private void paintAxes(Room room, double left, double bottom) {
-    double step = AXIS_STEPS[AXIS_STEPS.length - 1];
-    for (int i = AXIS_STEPS.length - 1; i >= 0; i--) {
-      step = AXIS_STEPS[i] * scale.pixels() >= NARROWEST_NUMBERS ? AXIS_STEPS[i] : step;
-    }
+  /** The room's coordinates along the left and the back wall, at lines of the grid [cm]. */
+  private void paintAxes(Room room, double grid, double left, double top, double bottom) {
+    double step =
+        grid
+            * IntStream.of(NUMBERED_LINES)
+                .filter(lines -> lines * grid * scale.pixels() >= NARROWEST_NUMBERS)
+                .findFirst()
+                .orElse(NUMBERED_LINES[NUMBERED_LINES.length - 1]);
     pen.setFill(WALL);
+    write("x", left - 18, top - 12, TEXT_SIZE);
+    write("y", left - 18, bottom + 14, TEXT_SIZE);
     int mostX = (int) Math.floor(room.depth() / 2 / step + 1e-9);
     for (int i = -mostX; i <= mostX; i++) {
       write(centimeters(i * step), left - 18, scale.screenY(new Vec3(i * step, 0, 0)), TEXT_SIZE);
@@ -309,7 +317,8 @@ final class PlanPainter {
     double lowest =
         outline.corners(placement).stream().mapToDouble(scale::screenY).max().orElseThrow();
     double y = below ? lowest + 10 : scale.screenY(placement.place());
-    write(obstacle.name(), scale.screenX(placement.place()), y, TEXT_SIZE);
+    double aside = obstacle.shape() instanceof Shape.Gate ? BESIDE_ARROW : 0;
+    write(obstacle.name(), scale.screenX(placement.place()) + aside, y, TEXT_SIZE);
   }
 
   private void write(String text, double x, double y, double size) {
