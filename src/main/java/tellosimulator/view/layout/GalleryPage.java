@@ -2,6 +2,7 @@ package tellosimulator.view.layout;
 
 import java.util.function.Consumer;
 import javafx.scene.Node;
+import javafx.scene.control.Button;
 import tellosimulator.view.gallery.GalleryPane;
 import tellosimulator.view.model.ScenarioActions;
 import tellosimulator.view.model.ViewContext;
@@ -32,8 +33,9 @@ final class GalleryPage extends Page {
                 name -> close.accept(() -> actions.openKnown(name)),
                 file -> close.accept(() -> actions.open(file))));
     setMaxHeight(USE_PREF_SIZE);
-    addButton("gallery-open", messages.text("gallery-open"))
-        .setOnAction(pressed -> close.accept(chooseFile));
+    Button open = addButton("gallery-open", messages.text("gallery-open"));
+    open.setDefaultButton(false); // what one comes for are the cards
+    open.setOnAction(pressed -> close.accept(chooseFile));
     addButton("gallery-empty", messages.text("gallery-empty"))
         .setOnAction(pressed -> close.accept(actions::openEmpty));
     addButton("gallery-close", messages.text("close"))
