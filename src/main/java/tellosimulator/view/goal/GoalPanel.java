@@ -159,7 +159,11 @@ public final class GoalPanel extends VBox {
 
   private void setupBindings() {
     name.textProperty().bind(following(description().name()));
-    teaches.textProperty().bind(following(description().teaches()));
+    teaches
+        .textProperty()
+        .bind(
+            following(description().teaches())
+                .map(what -> what.isEmpty() ? "" : messages.now("learn", what)));
     again.textProperty().bind(messages.text("again"));
     Tooltips.install(again, messages.text("again.hint"));
     fold.accessibleTextProperty().bind(messages.text("fold"));

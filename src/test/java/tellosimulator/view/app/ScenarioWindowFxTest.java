@@ -83,7 +83,7 @@ class ScenarioWindowFxTest {
     assertThat(stage.getTitle()).isEqualTo("slalom.yaml – Tello Simulator");
     assertThat(stage.getWidth()).isEqualTo(width);
     assertThat(window.label("scenario-name")).isEqualTo("Small slalom");
-    assertThat(window.label("scenario-teaches")).isEqualTo("to fly around things");
+    assertThat(window.label("scenario-teaches")).isEqualTo("Learn to fly around things");
     assertThat(window.label("goal-time")).isEqualTo("0.0 of 60.0 s");
     assertThat(robot.lookup("#drone-list").query().isVisible()).isTrue();
     assertThat(robot.lookup(".goal").queryAll()).hasSize(2);
