@@ -14,6 +14,7 @@ import javafx.beans.property.ReadOnlyObjectProperty;
 import javafx.beans.property.SimpleDoubleProperty;
 import javafx.beans.value.ObservableValue;
 import javafx.geometry.Orientation;
+import javafx.geometry.Pos;
 import javafx.scene.Parent;
 import javafx.scene.Scene;
 import javafx.scene.input.KeyCombination;
@@ -28,6 +29,7 @@ import tellosimulator.view.controls.ContactHint;
 import tellosimulator.view.controls.DroneList;
 import tellosimulator.view.controls.LastCommandRow;
 import tellosimulator.view.controls.NetworkControls;
+import tellosimulator.view.controls.PauseNotice;
 import tellosimulator.view.controls.SimulatorControls;
 import tellosimulator.view.fx.CommonStyles;
 import tellosimulator.view.fx.FileDrop;
@@ -208,16 +210,24 @@ final class SimulatorWindow implements AutoCloseable {
     following = following.and(subscription);
   }
 
+  private VBox notices() {
+    VBox notices =
+        new VBox(
+            ASIDE_GAP,
+            new PauseNotice(context),
+            new LastCommandRow(context, "last-command", Orientation.HORIZONTAL));
+    notices.setAlignment(Pos.CENTER);
+    notices.setFillWidth(false);
+    notices.setMouseTransparent(true);
+    return notices;
+  }
+
   private SimulatorPane pane() {
     return new SimulatorPane(
         new SimulatorPane.Parts(
             bar,
             new SimulatorPane.Middle(
-                world,
-                new VBox(ASIDE_GAP, hint, goals, drones),
-                new LastCommandRow(context, "last-command", Orientation.HORIZONTAL),
-                pilot,
-                plan),
+                world, new VBox(ASIDE_GAP, hint, goals, drones), notices(), pilot, plan),
             simulatorControls,
             networkControls,
             log),

@@ -109,6 +109,15 @@ class SimulatorWindowFxTest {
   }
 
   @Test
+  void whileTimeStandsStillTheRoomSaysSo() {
+    assertThat(window.shows("pause-notice")).isFalse();
+    robot.type(KeyCode.F9);
+    waitUntil(() -> window.shows("pause-notice"));
+    robot.type(KeyCode.F9);
+    waitUntil(() -> !window.shows("pause-notice"));
+  }
+
+  @Test
   void theBarSaysWhereTheDroneIsReachedAndWhetherAProgramIsThere() {
     window.asAtFirst();
     assertThat(window.text("show-network")).endsWith(" · off");
