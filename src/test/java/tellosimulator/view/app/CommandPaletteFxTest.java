@@ -108,8 +108,8 @@ class CommandPaletteFxTest {
     enter("pause");
     assertThat(window.snapshot().clock().paused()).isTrue();
 
-    enter("hide log");
-    assertThat(window.shows("log")).isFalse();
+    enter("fold log");
+    assertThat(window.shows("log-list")).isFalse();
     enter("help");
     assertThat(window.shows("help-page")).isTrue();
   }
