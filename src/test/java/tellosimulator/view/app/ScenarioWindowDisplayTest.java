@@ -62,7 +62,7 @@ class ScenarioWindowDisplayTest {
 
     robot.clickOn("#show-network");
 
-    waitUntil(() -> find("network-controls").isVisible());
+    waitUntil(() -> !find("network-controls").isVisible());
     // by mouse on the title bar, another scene would now be in a corner of a black window
     assertThat(onFxThread(stage::getScene)).isSameAs(scene);
   }
