@@ -70,10 +70,11 @@ final class GateNames extends Pane {
       getChildren().add(name);
     }
     for (int i = 0; i < names.size(); i++) {
-      names.get(i).setVisible(false);
-      if (i < gates.size() && viewpoint.isPresent()) {
-        show(names.get(i), gates.get(i), viewpoint.get());
-      }
+      boolean seen =
+          i < gates.size()
+              && viewpoint.isPresent()
+              && place(names.get(i), gates.get(i), viewpoint.get());
+      names.get(i).setVisible(seen); // once: a change and back would be drawn, too
     }
   }
 
@@ -89,8 +90,12 @@ final class GateNames extends Pane {
     return List.copyOf(gates.values());
   }
 
-  /** Beside the tags, which stand on the top of the gate. */
-  private void show(Label name, Gate gate, Viewpoint viewpoint) {
+  /**
+   * Places a name beside the tags, which stand on the top of the gate.
+   *
+   * @return whether it is in sight
+   */
+  private boolean place(Label name, Gate gate, Viewpoint viewpoint) {
     Pose camera = viewpoint.pose();
     Vec3 foot = gate.opening.top();
     double edge = GoalTags.SIZE * camera.position().distanceTo(foot);
@@ -98,9 +103,8 @@ final class GateNames extends Pane {
     Optional<Point2D> below = viewpoint.project(foot, getWidth(), getHeight());
     Optional<Point2D> above = viewpoint.project(head, getWidth(), getHeight());
     if (below.isEmpty() || above.isEmpty()) {
-      return;
+      return false;
     }
-    name.setVisible(true);
     name.setText(gate.opening.name());
     name.pseudoClassStateChanged(NEXT, gate.next);
     name.resize(Math.min(LONGEST, name.prefWidth(-1)), name.prefHeight(-1));
@@ -108,5 +112,6 @@ final class GateNames extends Pane {
     double left = below.get().getX() + pixels * (0.5 + STEP * (gate.numbers - 1)) + GAP;
     double middle = below.get().getY() - pixels / 2;
     name.relocate(Math.rint(left), Math.rint(middle - name.getHeight() / 2));
+    return true;
   }
 }

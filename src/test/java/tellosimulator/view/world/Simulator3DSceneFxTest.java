@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.within;
 import java.util.Comparator;
 import java.util.List;
 import java.util.OptionalInt;
+import java.util.concurrent.atomic.AtomicInteger;
 import javafx.css.PseudoClass;
 import javafx.event.Event;
 import javafx.event.EventType;
@@ -208,6 +209,10 @@ class Simulator3DSceneFxTest {
 
     Label name = onlyName();
     assertThat(name.getText()).isEqualTo("C");
+    AtomicInteger changes = new AtomicInteger();
+    name.visibleProperty().addListener((property, before, now) -> changes.incrementAndGet());
+    fixture.pass(0.2);
+    assertThat(changes).as("what rests is not drawn anew").hasValue(0);
     Point2D top =
         camera()
             .viewpoint()
