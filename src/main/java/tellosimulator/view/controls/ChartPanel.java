@@ -60,7 +60,7 @@ final class ChartPanel extends Card {
   private final LiveChart speed;
   private final LiveChart battery;
   private final Row row;
-  private long drawnNanos = Long.MIN_VALUE;
+  private final DrawingClock clock;
   private int drawnDrone;
   private double drawnSeconds;
 
@@ -77,6 +77,7 @@ final class ChartPanel extends Card {
     row.setId("charts");
     VBox.setVgrow(row, Priority.ALWAYS);
     layoutCard(row);
+    clock = new DrawingClock(simulation, PERIOD_NANOS);
     context.pulse().onBeat(this::beat);
   }
 
@@ -86,11 +87,9 @@ final class ChartPanel extends Card {
       histories.computeIfAbsent(drone, unknown -> History.empty()).add(drone, seconds);
     }
     History shown = histories.get(simulation.selected());
-    long period = simulation.period(PERIOD_NANOS);
-    boolean due = nanos / period != drawnNanos / period; // with others in the same frame
     boolean drawn = shown.newest() == drawnSeconds && drawnDrone == simulation.selected().number();
-    if (due && isOpen() && !drawn) {
-      drawnNanos = nanos;
+    if (clock.due(nanos) && isOpen() && !drawn) {
+      clock.take(nanos);
       drawnDrone = simulation.selected().number();
       drawnSeconds = shown.newest();
       height.show(shown.height(), drawnSeconds);

@@ -1,14 +1,11 @@
 package tellosimulator.view.controls;
 
-import java.util.Locale;
 import javafx.beans.property.Property;
 import javafx.beans.property.ReadOnlyStringWrapper;
 import javafx.beans.value.ObservableValue;
 import javafx.css.PseudoClass;
 import javafx.scene.control.ToggleButton;
 import javafx.scene.shape.Circle;
-import tellosimulator.model.FlightPhase;
-import tellosimulator.sim.SimSnapshot.DroneSnapshot;
 import tellosimulator.view.fx.Tooltips;
 import tellosimulator.view.model.FxDroneModel;
 import tellosimulator.view.model.FxSimulation;
@@ -34,30 +31,10 @@ public final class LinkButton extends ToggleButton {
   /** Radius of the lamp [px]. */
   private static final double RADIUS = 4.5;
 
-  /** How far a drone is from being flown by a program. */
-  private enum LinkState {
-    OFF,
-    WAITING,
-    CONNECTED;
-
-    private final PseudoClass pseudoClass = PseudoClass.getPseudoClass(key());
-
-    private static LinkState of(DroneSnapshot drone) {
-      if (drone.state().phase() == FlightPhase.OFF) {
-        return OFF;
-      }
-      return drone.link().operator().isPresent() ? CONNECTED : WAITING;
-    }
-
-    private String key() {
-      return name().toLowerCase(Locale.ROOT);
-    }
-  }
-
   private final FxSimulation simulation;
   private final SimulatorActions actions;
   private final ReadOnlyStringWrapper address = new ReadOnlyStringWrapper("");
-  private long lookedNanos = Long.MIN_VALUE;
+  private final DrawingClock clock;
 
   /**
    * @param panelShown whether the panel that says more is there
@@ -65,6 +42,7 @@ public final class LinkButton extends ToggleButton {
   public LinkButton(ViewContext context, Property<Boolean> panelShown) {
     simulation = context.simulation();
     actions = context.actions();
+    clock = new DrawingClock(simulation, PERIOD_NANOS);
     Messages messages = context.language().messages(LinkButton.class);
     setId("show-network");
     getStyleClass().add("link-button");
@@ -88,15 +66,13 @@ public final class LinkButton extends ToggleButton {
 
   private void light(LinkState now) {
     for (LinkState state : LinkState.values()) {
-      pseudoClassStateChanged(state.pseudoClass, state == now);
+      pseudoClassStateChanged(PseudoClass.getPseudoClass(state.key()), state == now);
     }
   }
 
   private void beat(long nanos) {
-    long period = simulation.period(PERIOD_NANOS);
-    boolean due = nanos / period != lookedNanos / period; // with others in the same frame
-    if (due && !actions.pending()) {
-      lookedNanos = nanos;
+    if (clock.due(nanos) && !actions.pending()) {
+      clock.take(nanos);
       refresh();
     }
   }

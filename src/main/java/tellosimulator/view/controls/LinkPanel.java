@@ -111,14 +111,12 @@ final class LinkPanel extends VBox {
 
   /** Equal as long as the same is said, so that nothing is written anew. */
   private static Message describe(DroneSnapshot drone) {
-    if (drone.state().phase() == FlightPhase.OFF) {
-      return Message.of("operator.off");
-    }
-    return drone
-        .link()
-        .operator()
-        .map(peer -> Message.of("operator.known", peer.toString()))
-        .orElse(Message.of("operator.waits"));
+    return switch (LinkState.of(drone)) {
+      case OFF -> Message.of("operator.off");
+      case WAITING -> Message.of("operator.waits");
+      case CONNECTED ->
+          Message.of("operator.known", drone.link().operator().orElseThrow().toString());
+    };
   }
 
   private Label packets(String id, Feather icon, ObservableValue<String> count) {

@@ -22,12 +22,13 @@ public final class NetworkControls extends ControlPanel {
   private final TimePanel time;
   private final FxSimulation simulation;
   private final SimulatorActions actions;
-  private long lookedNanos = Long.MIN_VALUE;
+  private final DrawingClock clock;
 
   public NetworkControls(ViewContext context) {
     super("network-controls", WIDTH);
     simulation = context.simulation();
     actions = context.actions();
+    clock = new DrawingClock(simulation, PERIOD_NANOS);
     PowerPanel power = new PowerPanel(context);
     link = new LinkPanel(context);
     ports = new PortsPanel(context, power::forgetError);
@@ -49,10 +50,8 @@ public final class NetworkControls extends ControlPanel {
   }
 
   private void beat(long nanos) {
-    long period = simulation.period(PERIOD_NANOS);
-    boolean due = nanos / period != lookedNanos / period; // with others in the same frame
-    if (due && !actions.pending()) {
-      lookedNanos = nanos;
+    if (clock.due(nanos) && !actions.pending()) {
+      clock.take(nanos);
       refresh();
     }
   }
