@@ -142,12 +142,7 @@ final class PlanPainter {
 
   /** The room's coordinates along the left and the back wall, at lines of the grid [cm]. */
   private void paintAxes(Room room, double grid, double left, double top, double bottom) {
-    double step =
-        grid
-            * IntStream.of(NUMBERED_LINES)
-                .filter(lines -> lines * grid * scale.pixels() >= NARROWEST_NUMBERS)
-                .findFirst()
-                .orElse(NUMBERED_LINES[NUMBERED_LINES.length - 1]);
+    double step = numberStep(grid, scale.pixels());
     pen.setFill(WALL);
     write("x", left - 18, top - 12, TEXT_SIZE);
     write("y", left - 18, bottom + 14, TEXT_SIZE);
@@ -159,6 +154,21 @@ final class PlanPainter {
     for (int i = -mostY; i <= mostY; i++) {
       write(centimeters(i * step), scale.screenX(new Vec3(0, i * step, 0)), bottom + 14, TEXT_SIZE);
     }
+  }
+
+  /**
+   * From number to number along the walls [m].
+   *
+   * @param grid from line to line [m]
+   * @param pixels of a metre
+   */
+  static double numberStep(double grid, double pixels) {
+    int lines =
+        IntStream.of(NUMBERED_LINES)
+            .filter(count -> count * grid * pixels >= NARROWEST_NUMBERS)
+            .findFirst()
+            .orElse(NUMBERED_LINES[NUMBERED_LINES.length - 1]);
+    return lines * grid;
   }
 
   private static String centimeters(double meters) {
