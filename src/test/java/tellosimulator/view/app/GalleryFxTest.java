@@ -10,6 +10,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import javafx.geometry.Bounds;
 import javafx.scene.Node;
+import javafx.scene.control.Button;
 import javafx.scene.control.Menu;
 import javafx.scene.control.MenuButton;
 import javafx.scene.control.MenuItem;
@@ -51,6 +52,8 @@ class GalleryFxTest {
   void arrowsMoveBetweenTheCardsAndEnterOpensOne() {
     robot.clickOn("#scenarios");
     assertThat(focused()).isEqualTo("scenario-empty-room");
+    Button open = robot.lookup("#gallery-open").queryButton();
+    assertThat(open.isDefaultButton()).as("Enter is for the cards").isFalse();
 
     robot.type(KeyCode.RIGHT, KeyCode.RIGHT);
     assertThat(focused()).isEqualTo("scenario-slalom");
