@@ -53,7 +53,7 @@ public final class ReplayApp {
     ReplayWindow window = new ReplayWindow(stage, flight, appearance);
     window.camera().reducedMotionProperty().bind(state.reducedMotionProperty());
     settings.bind(
-        SimulatorWindow.ENLARGED_DRONES, window.dronesEnlargedProperty(), SettingCodec.flag());
+        WindowSettings.ENLARGED_DRONES, window.dronesEnlargedProperty(), SettingCodec.flag());
     window.compareWith(ghost);
     stage.setOnHidden(
         hidden -> {

@@ -3,15 +3,11 @@ package tellosimulator.view.app;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.Map;
 import java.util.function.Function;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import javafx.application.Application;
 import javafx.beans.property.BooleanProperty;
-import javafx.beans.property.DoubleProperty;
-import javafx.beans.property.ReadOnlyObjectProperty;
-import javafx.beans.property.SimpleDoubleProperty;
 import javafx.beans.value.ObservableValue;
 import javafx.geometry.Orientation;
 import javafx.geometry.Pos;
@@ -23,7 +19,6 @@ import javafx.scene.layout.VBox;
 import javafx.stage.Stage;
 import javafx.stage.WindowEvent;
 import javafx.util.Subscription;
-import tellosimulator.math.Frames;
 import tellosimulator.sim.Control;
 import tellosimulator.view.controls.ContactHint;
 import tellosimulator.view.controls.DroneList;
@@ -56,14 +51,12 @@ import tellosimulator.view.pilot.PilotControls;
 import tellosimulator.view.plan.PlanEditorState;
 import tellosimulator.view.plan.PlanPane;
 import tellosimulator.view.projector.ProjectorPane;
-import tellosimulator.view.settings.SettingCodec;
 import tellosimulator.view.settings.Settings;
 import tellosimulator.view.text.Language;
 import tellosimulator.view.video.VideoCapture;
 import tellosimulator.view.world.RoomView;
 import tellosimulator.view.world.Simulator3DScene;
 import tellosimulator.view.world.ViewCamera;
-import tellosimulator.world.Decor;
 
 /** The window: its parts, put together. For the JavaFX thread. */
 final class SimulatorWindow implements AutoCloseable {
@@ -93,12 +86,6 @@ final class SimulatorWindow implements AutoCloseable {
   /** So many drones are listed at first. Decided: the list of more pushes the room aside. */
   private static final int FEW_DRONES = 5;
 
-  /** The setting that draws distant drones larger, which the player has, too. */
-  static final String ENLARGED_DRONES = "show.enlarged-drones";
-
-  /** The setting of the grid [cm]. */
-  private static final String GRID = "grid-cm";
-
   private final Stage stage;
   private final ViewContext context;
   private final WindowState state;
@@ -115,6 +102,7 @@ final class SimulatorWindow implements AutoCloseable {
   private final ProjectorPane projector;
   private final ContactHint hint;
   private final SimulatorPane pane;
+  private final WindowSettings memory;
   private final Scene scene;
   private Subscription following;
 
@@ -145,6 +133,7 @@ final class SimulatorWindow implements AutoCloseable {
     bar = new WindowBar(context, state, world, pages);
     projector = new ProjectorPane(context);
     hint = new ContactHint(context, words -> logQueue.say(LogLevel.WARN, words));
+    memory = new WindowSettings(context, world, log, simulatorControls, networkControls);
     pane = pane();
     Parent root = new StackPane(pane, projector, pages);
     CommonStyles.install(root);
@@ -397,65 +386,18 @@ final class SimulatorWindow implements AutoCloseable {
 
   /** Is at first as it was left, and remembers how it is left; not where it is. */
   void remember(Settings settings) {
-    flags().forEach((key, flag) -> settings.bind(key, flag, SettingCodec.flag()));
-    simulatorControls.remember(settings);
-    networkControls.remember(settings);
-    if (context.scenario().plain()) {
-      rememberGrid(settings);
-    }
+    memory.remember(settings);
     context.pulse().onBeat(settings::beat);
   }
 
-  /** What is remembered, by its key. */
-  private Map<String, BooleanProperty> flags() {
-    return Map.of(
-        "show.trail",
-        world.trailVisibleProperty(),
-        "show.goal-line",
-        world.goalLineVisibleProperty(),
-        "show.inset",
-        world.insetVisibleProperty(),
-        "show.inset-enlarged",
-        world.insetEnlargedProperty(),
-        ENLARGED_DRONES,
-        world.dronesEnlargedProperty(),
-        "show.smooth-edges",
-        world.antialiasingProperty(),
-        "log.time-stamps",
-        log.timeStampsProperty());
+  /** Lets another window of the same program remember. */
+  void forget(Settings settings) {
+    memory.forget(settings);
   }
 
   /** Lets one open the report of the last flight. */
   void offer(ReportOffer report) {
     log.offer(report);
-  }
-
-  /** Lets another window of the same program remember. */
-  void forget(Settings settings) {
-    flags().keySet().forEach(settings::unbind);
-    settings.unbind(GRID);
-    simulatorControls.forget(settings);
-    networkControls.forget(settings);
-  }
-
-  private void rememberGrid(Settings settings) {
-    ReadOnlyObjectProperty<Decor> decor = context.simulation().decorProperty();
-    DoubleProperty gridCm = new SimpleDoubleProperty(gridCm(decor.get()));
-    settings.bind(
-        GRID,
-        gridCm,
-        SettingCodec.decimal(
-            Frames.centimeters(Decor.SMALLEST_GRID), Frames.centimeters(Decor.LARGEST_GRID)));
-    if (gridCm.get() != gridCm(decor.get())) {
-      Decor remembered = decor.get().withGrid(Frames.meters(gridCm.get()));
-      context.actions().carryOut(new Control.Decorate(remembered));
-    }
-    decor.addListener((property, before, now) -> gridCm.set(gridCm(now)));
-  }
-
-  /** The grid as people see it, without the last bits of the conversion. */
-  private static double gridCm(Decor decor) {
-    return Math.rint(Frames.centimeters(decor.grid()) * 1000) / 1000;
   }
 
   /** Opens it, or takes the place of another one in the same stage. */
