@@ -11,6 +11,7 @@ import tellosimulator.scenery.mesh.Instance;
 import tellosimulator.scenery.mesh.MeshBuilder;
 import tellosimulator.scenery.mesh.MeshBuilder.Vertex;
 import tellosimulator.scenery.mesh.Part;
+import tellosimulator.scenery.mesh.PolygonClip;
 import tellosimulator.scenery.mesh.Rgb;
 import tellosimulator.scenery.mesh.Shading;
 import tellosimulator.scenery.mesh.Texture;
@@ -123,16 +124,6 @@ public final class ContactShadows {
 
   /** Adds what of a triangle is inside of the room. */
   private void add(MeshBuilder mesh, List<Vertex> triangle) {
-    List<Vertex> inside = triangle;
-    for (int side : new int[] {1, -1}) {
-      inside = FloorClip.clipped(inside, new Vec3(side, 0, 0), room.depth() / 2);
-      inside = FloorClip.clipped(inside, new Vec3(0, side, 0), room.width() / 2);
-    }
-    if (inside.size() >= 3) {
-      int[] indices = inside.stream().mapToInt(mesh::vertex).toArray();
-      for (int i = 2; i < indices.length; i++) {
-        mesh.triangle(indices[0], indices[i - 1], indices[i]);
-      }
-    }
+    mesh.polygon(PolygonClip.inside(triangle, room.depth() / 2, room.width() / 2));
   }
 }

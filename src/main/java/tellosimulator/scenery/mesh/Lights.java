@@ -19,7 +19,8 @@ public record Lights(Rgb ambient, List<Directional> directional) {
    */
   public record Directional(Rgb color, Vec3 direction) {}
 
-  private static final Vec3 KEY = new Vec3(0.45, -0.35, -0.82).normalized();
+  /** The direction in which the key light shines: from the left, as through windows. */
+  public static final Vec3 KEY = new Vec3(0.45, -0.35, -0.82).normalized();
 
   private static final Vec3 FILL = new Vec3(-0.7, 0.5, 0.1).normalized();
 

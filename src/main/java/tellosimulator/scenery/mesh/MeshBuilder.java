@@ -87,6 +87,19 @@ public final class MeshBuilder {
     }
   }
 
+  /**
+   * Adds a convex polygon; nothing if that has fewer than three corners.
+   *
+   * @param corners counter-clockwise seen from outside
+   */
+  public MeshBuilder polygon(List<Vertex> corners) {
+    int[] added = corners.stream().mapToInt(this::vertex).toArray();
+    for (int i = 2; i < added.length; i++) {
+      triangle(added[0], added[i - 1], added[i]);
+    }
+    return this;
+  }
+
   /** Adds a rectangle with a region of the texture on it. */
   public MeshBuilder quad(Quad quad, TextureRegion region) {
     Vec3 normal = quad.normal();

@@ -1,4 +1,4 @@
-package tellosimulator.scenery.furniture;
+package tellosimulator.scenery.mesh;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -6,9 +6,9 @@ import tellosimulator.math.Vec3;
 import tellosimulator.scenery.mesh.MeshBuilder.Vertex;
 
 /** Clips convex polygons (Sutherland-Hodgman). */
-final class FloorClip {
+public final class PolygonClip {
 
-  private FloorClip() {}
+  private PolygonClip() {}
 
   /**
    * What of a polygon is on this side of a plane.
@@ -16,7 +16,7 @@ final class FloorClip {
    * @param normal of the plane, a unit vector
    * @param limit the farthest that is kept, along the normal from the origin [m]
    */
-  static List<Vertex> clipped(List<Vertex> polygon, Vec3 normal, double limit) {
+  public static List<Vertex> clipped(List<Vertex> polygon, Vec3 normal, double limit) {
     if (polygon.stream().allMatch(vertex -> vertex.position().dot(normal) <= limit)) {
       return polygon;
     }
@@ -34,6 +34,21 @@ final class FloorClip {
       }
     }
     return kept;
+  }
+
+  /**
+   * What of a polygon is inside of a rectangle about the origin, seen from above.
+   *
+   * @param halfDepth half its edge along x [m]
+   * @param halfWidth half its edge along y [m]
+   */
+  public static List<Vertex> inside(List<Vertex> polygon, double halfDepth, double halfWidth) {
+    List<Vertex> inside = polygon;
+    for (int side : new int[] {1, -1}) {
+      inside = clipped(inside, new Vec3(side, 0, 0), halfDepth);
+      inside = clipped(inside, new Vec3(0, side, 0), halfWidth);
+    }
+    return inside;
   }
 
   private static Vertex between(Vertex from, Vertex to, double part) {
