@@ -17,6 +17,7 @@ import tellosimulator.scenery.drone.ExtensionBoard;
 import tellosimulator.scenery.drone.Livery;
 import tellosimulator.scenery.drone.PropellerSpin;
 import tellosimulator.scenery.drone.StatusLight;
+import tellosimulator.scenery.furniture.CastShadows;
 import tellosimulator.scenery.furniture.ContactShadows;
 import tellosimulator.scenery.furniture.Furniture;
 import tellosimulator.scenery.mesh.Instance;
@@ -44,6 +45,7 @@ public final class SceneBuilder {
   private final Furniture furniture = new Furniture();
   private final ExtensionBoard boards = new ExtensionBoard();
   private final ContactShadows contactShadows = new ContactShadows();
+  private final CastShadows castShadows = new CastShadows();
 
   /** By colour; numbers hash without the reflection that records need at first. */
   private final Map<Integer, StartMark> startMarks = new ConcurrentHashMap<>();
@@ -89,6 +91,7 @@ public final class SceneBuilder {
   private Scene scene(
       SimSnapshot snapshot, OptionalInt without, Finish finish, Optional<Vec3> eye) {
     Arena arena = snapshot.arena();
+    List<Instance> obstacles = furniture.instances(arena.obstacles());
     int count = snapshot.drones().size();
     List<DrawnDrone> seen =
         snapshot.drones().stream()
@@ -108,16 +111,16 @@ public final class SceneBuilder {
         without.isEmpty()
             ? interior.onSlab(arena.room(), arena.decor(), finish)
             : interior.instances(arena.room(), arena.decor(), finish),
-        ground(snapshot),
-        furniture.instances(arena.obstacles()),
+        ground(snapshot, obstacles),
+        obstacles,
         drones,
         List.of());
   }
 
-  private List<Instance> ground(SimSnapshot snapshot) {
+  private List<Instance> ground(SimSnapshot snapshot, List<Instance> obstacles) {
     Arena arena = snapshot.arena();
-    List<Instance> ground =
-        new ArrayList<>(contactShadows.instances(arena.room(), arena.obstacles()));
+    List<Instance> ground = new ArrayList<>(castShadows.instances(arena.room(), obstacles));
+    ground.addAll(contactShadows.instances(arena.room(), arena.obstacles()));
     ground.addAll(pads.instances(arena.room(), arena.pads()));
     for (DroneSnapshot drone : snapshot.drones()) {
       Rgb color = Livery.of(drone).color();
