@@ -31,7 +31,7 @@ final class AmbientOcclusion {
   private static final double BELOW_CEILING = 0.5;
 
   /** Opacity right at an edge. Decided: by eye. */
-  private static final double DARKEST = 0.27;
+  private static final double DARKEST = 0.22;
 
   /** Warm, as light that wood and plaster reflect. Decided: by eye. */
   private static final Rgb SHADE = Rgb.of(0x1c1813);

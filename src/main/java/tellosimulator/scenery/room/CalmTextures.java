@@ -37,8 +37,8 @@ final class CalmTextures {
   /** How far a joint is to be seen [texels]. */
   private static final double JOINT_WIDTH = 1.3;
 
-  private static final Rgb ACCENT = Rgb.of(0xa9b7a7);
-  private static final Rgb PLASTER = Rgb.of(0xebe8e2);
+  private static final Rgb ACCENT = Rgb.of(0xaabfb0);
+  private static final Rgb PLASTER = Rgb.of(0xf0ede7);
   private static final Rgb CEILING = Rgb.of(0xf4f2ee);
 
   /** Brightness at the foot of a wall, compared with its top. */
@@ -73,7 +73,7 @@ final class CalmTextures {
             switch (surface) {
               case FRONT_WALL -> ACCENT;
               case BACK_WALL -> PLASTER.shaded(0.985);
-              case LEFT_WALL -> PLASTER.shaded(0.955);
+              case LEFT_WALL -> PLASTER.shaded(0.965);
               case CEILING -> CEILING;
               default -> PLASTER;
             };

@@ -143,6 +143,8 @@ public final class Interior {
         .get(room)
         .forEach((surface, plaster) -> parts.add(plastered(Face.of(room, surface), plaster)));
     parts.addAll(Trim.CALM.parts(room));
+    parts.addAll(RoomWindows.parts(room));
+    parts.addAll(RoomDoor.parts(room));
     parts.add(AmbientOcclusion.onFloor(room));
     return parts;
   }

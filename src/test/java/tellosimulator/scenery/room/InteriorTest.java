@@ -12,11 +12,14 @@ import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.EnumSource;
 import tellosimulator.math.Vec3;
 import tellosimulator.scenery.RayTracer;
 import tellosimulator.scenery.Scene;
 import tellosimulator.scenery.mesh.Instance;
+import tellosimulator.scenery.mesh.Lights;
+import tellosimulator.scenery.mesh.Part;
 import tellosimulator.scenery.mesh.Rgb;
 import tellosimulator.scenery.mesh.Shading;
 import tellosimulator.world.Decor;
@@ -186,6 +189,65 @@ class InteriorTest {
 
     assertThat(nearTheWall).isLessThan(0.9 * inTheMiddle);
     assertThat(meanAt(eye, 1.98)).isLessThan(0.95 * meanAt(eye, 1));
+  }
+
+  @Test
+  void aCalmRoomHasWindowsAndTheirLightIsOnTheFloorAlongTheKeyLight() {
+    RayTracer eye = eye(Decor.DEFAULT, Finish.CALM);
+    // three windows of 1.2 m, 1.55 m apart in a wall of 6 m; beside the bars
+    Vec3 glass = new Vec3(0.3, 2, 1.5);
+    Rgb sky = seen(eye, glass);
+    Rgb wall = seen(eye, new Vec3(0.78, 2, 1.5));
+    Vec3 lit = glass.plusScaled(Lights.KEY, -glass.z() / Lights.KEY.z());
+
+    assertThat(sky.blue()).as("sky").isGreaterThan(sky.red() + 15);
+    assertThat(wall.blue()).as("plaster").isLessThanOrEqualTo(wall.red());
+    assertThat(meanAround(eye, lit))
+        .isGreaterThan(meanAround(eye, lit.plus(new Vec3(0, -1.2, 0))) + 8);
+  }
+
+  /** The mean of a spot of 20 cm on the floor. */
+  private static double meanAround(RayTracer eye, Vec3 middle) {
+    double sum = 0;
+    int count = 0;
+    for (double x = -0.1; x < 0.1; x += 0.01) {
+      for (double y = -0.1; y < 0.1; y += 0.01) {
+        sum += brightness(seen(eye, middle.plus(new Vec3(x, y, 0))));
+        count++;
+      }
+    }
+    return sum / count;
+  }
+
+  @Test
+  void aCalmRoomHasADoorAtTheRightOfItsFrontWall() {
+    RayTracer eye = eye(Decor.DEFAULT, Finish.CALM);
+
+    Rgb leaf = seen(eye, new Vec3(3, -1.2, 1.5));
+    Rgb wall = seen(eye, new Vec3(3, 1.2, 1.5));
+    assertThat(leaf.red()).as("wood").isGreaterThan(leaf.green() + 10);
+    assertThat(wall.red()).as("accent").isLessThan(wall.green());
+  }
+
+  @ParameterizedTest
+  @CsvSource({"6, 6, 2.2", "1, 1, 1"})
+  void whatDoesNotFitIntoACalmRoomIsLeftOut(double width, double depth, double height) {
+    Room low = new Room(width, depth, height);
+
+    assertThat(RoomWindows.parts(low)).isEmpty();
+    assertThat(RoomDoor.parts(low)).isEmpty();
+  }
+
+  @ParameterizedTest
+  @CsvSource({"1, 6", "6, 2", "20, 20"})
+  void theLightOfWindowsEndsWhereTheFloorEnds(double width, double depth) {
+    for (Part part : RoomWindows.parts(new Room(width, depth, 3))) {
+      for (int i = 0; i < part.mesh().positions(); i++) {
+        Vec3 position = part.mesh().position(i);
+        assertThat(Math.abs(position.x())).isLessThanOrEqualTo(depth / 2 + 1e-6);
+        assertThat(Math.abs(position.y())).isLessThanOrEqualTo(width / 2 + 1e-6);
+      }
+    }
   }
 
   /** The mean of the front wall so far from its middle, from 1.2 to 1.8 m [m]. */
