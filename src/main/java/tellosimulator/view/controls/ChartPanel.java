@@ -129,15 +129,25 @@ final class ChartPanel extends Card {
 
     @Override
     protected void layoutChildren() {
-      double each = Math.floor((getHeight() - 2 * GAP) / 3);
-      boolean alone = each >= LEAST_ALONE;
+      if (getHeight() >= 3 * LEAST_ALONE + 2 * GAP) {
+        layoutBelowEachOther();
+      } else {
+        layoutBesideEachOther();
+      }
+    }
+
+    /** The charge, which hardly changes in a minute, has least; the others share the rest. */
+    private void layoutBelowEachOther() {
+      double each = Math.floor((getHeight() - LEAST_ALONE - 2 * GAP) / 2);
+      height.resizeRelocate(0, 0, getWidth(), each);
+      speed.resizeRelocate(0, each + GAP, getWidth(), each);
+      battery.resizeRelocate(0, 2 * (each + GAP), getWidth(), LEAST_ALONE);
+    }
+
+    private void layoutBesideEachOther() {
       double wide = Math.floor((getWidth() - 2 * GAP) / 3);
       for (int i = 0; i < charts.size(); i++) {
-        if (alone) {
-          charts.get(i).resizeRelocate(0, i * (each + GAP), getWidth(), each);
-        } else {
-          charts.get(i).resizeRelocate(i * (wide + GAP), 0, wide, getHeight());
-        }
+        charts.get(i).resizeRelocate(i * (wide + GAP), 0, wide, getHeight());
       }
     }
   }

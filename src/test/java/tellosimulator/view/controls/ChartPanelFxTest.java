@@ -1,0 +1,63 @@
+package tellosimulator.view.controls;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import javafx.geometry.Bounds;
+import javafx.scene.Node;
+import javafx.stage.Stage;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.extension.ExtendWith;
+import org.testfx.api.FxRobot;
+import org.testfx.framework.junit5.ApplicationExtension;
+import org.testfx.framework.junit5.Start;
+
+@ExtendWith(ApplicationExtension.class)
+class ChartPanelFxTest {
+
+  private PanelWindow window;
+  private ChartPanel panel;
+
+  @Start
+  void open(Stage stage) {
+    window =
+        PanelWindow.open(
+            stage,
+            1,
+            context -> {
+              panel = new ChartPanel(context);
+              return panel;
+            });
+  }
+
+  @AfterEach
+  void close() {
+    window.close();
+  }
+
+  @Test
+  void whereThereIsRoomTheyAreBelowEachOtherAndTheChargeHasLeast(FxRobot robot) {
+    robot.interact(() -> panel.getScene().getWindow().setHeight(420));
+
+    window.until(() -> bounds("#speed-chart").getMinY() > bounds("#height-chart").getMaxY());
+    assertThat(bounds("#battery-chart").getMinY()).isGreaterThan(bounds("#speed-chart").getMaxY());
+    assertThat(bounds("#battery-chart").getHeight()).isEqualTo(64);
+    assertThat(bounds("#height-chart").getHeight())
+        .isEqualTo(bounds("#speed-chart").getHeight())
+        .isGreaterThan(80);
+  }
+
+  @Test
+  void elseTheyAreBesideEachOther(FxRobot robot) {
+    robot.interact(() -> panel.getScene().getWindow().setHeight(150));
+
+    window.until(() -> bounds("#speed-chart").getMinX() > bounds("#height-chart").getMaxX());
+    assertThat(bounds("#battery-chart").getMinX()).isGreaterThan(bounds("#speed-chart").getMaxX());
+    assertThat(bounds("#battery-chart").getMinY()).isEqualTo(bounds("#height-chart").getMinY());
+  }
+
+  private Bounds bounds(String id) {
+    Node chart = panel.lookup(id);
+    return chart.localToScene(chart.getLayoutBounds());
+  }
+}
