@@ -35,8 +35,10 @@ final class RoomWindows {
   /** From its upper edge to the ceiling at least [m]. */
   private static final double LINTEL = 0.2;
 
-  /** From the middle of a window to the next one's [m]. */
-  private static final double SPACING = 1.55;
+  /** From the middle of a window to the next one's, at least and at most [m]. */
+  private static final double LEAST_SPACING = 1.55;
+
+  private static final double MOST_SPACING = 2;
 
   /** Of the frame [m]; the bars have the same. */
   private static final double FRAME = 0.05;
@@ -67,14 +69,15 @@ final class RoomWindows {
   /** The windows and their light, room frame; nothing if they do not fit in. */
   static List<Part> parts(Room room) {
     Face wall = Face.of(room, Surface.LEFT_WALL);
-    int count = (int) Math.floor(wall.width() / SPACING);
+    int count = count(wall.width());
     if (count == 0 || room.height() < SILL + HEIGHT + LINTEL) {
       return List.of();
     }
+    double spacing = Math.min(MOST_SPACING, wall.width() / count);
     MeshBuilder windows = new MeshBuilder();
     MeshBuilder light = new MeshBuilder();
     for (int i = 0; i < count; i++) {
-      double middle = (i - (count - 1) / 2.0) * SPACING;
+      double middle = (i - (count - 1) / 2.0) * spacing;
       Area painted =
           new Area(
               middle - WIDTH / 2 - BOARD,
@@ -87,6 +90,12 @@ final class RoomWindows {
     return List.of(
         new Part(light.build(), LIGHT, Shading.DECAL),
         new Part(windows.build(), WINDOW, Shading.DECAL));
+  }
+
+  /** As many on either side of the wall's middle, where posters and pads are hung; or one alone. */
+  private static int count(double wallWidth) {
+    int pairs = (int) Math.floor(wallWidth / (2 * LEAST_SPACING));
+    return pairs == 0 && wallWidth >= LEAST_SPACING ? 1 : 2 * pairs;
   }
 
   /** Where the light through a part of the wall falls on the floor. */
