@@ -25,8 +25,8 @@ import tellosimulator.world.Room;
  */
 public final class CastShadows {
 
-  /** Edge of the texture [texels]: a centimetre each in a room of 5 m. */
-  private static final int SIZE = 512;
+  /** Edge of the texture [texels]: 2 cm each in a room of 5 m, which is less than it is blurred. */
+  private static final int SIZE = 256;
 
   /** Opacity where no key light arrives. Decided: by eye. */
   private static final double DARKEST = 0.3;

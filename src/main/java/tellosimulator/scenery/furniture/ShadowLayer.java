@@ -7,7 +7,7 @@ package tellosimulator.scenery.furniture;
 final class ShadowLayer {
 
   private final int size;
-  private double[] shaded;
+  private float[] shaded;
 
   /**
    * A layer without any shade.
@@ -16,7 +16,7 @@ final class ShadowLayer {
    */
   ShadowLayer(int size) {
     this.size = size;
-    shaded = new double[size * size];
+    shaded = new float[size * size];
   }
 
   /**
@@ -67,31 +67,42 @@ final class ShadowLayer {
    */
   void blur(double columns, double rows) {
     for (int pass = 0; pass < 2; pass++) {
-      blurLines((int) Math.round(columns), 1, size);
-      blurLines((int) Math.round(rows), size, 1);
+      blurRows((int) Math.round(columns));
+      blurColumns((int) Math.round(rows));
     }
   }
 
-  /**
-   * A box filter along all lines of one direction.
-   *
-   * @param radius half the box [texels]
-   * @param step from a texel of a line to its next one
-   * @param lineStep from a line to the next one
-   */
-  private void blurLines(int radius, int step, int lineStep) {
-    double[] blurred = new double[shaded.length];
-    double share = 1.0 / (2 * radius + 1);
-    for (int line = 0; line < size; line++) {
-      int start = line * lineStep;
+  private void blurRows(int radius) {
+    float[] blurred = new float[shaded.length];
+    for (int y = 0; y < size; y++) {
+      int row = y * size;
       double sum = 0;
       for (int i = -radius; i <= radius; i++) {
-        sum += shaded[start + within(i) * step];
+        sum += shaded[row + within(i)];
       }
-      for (int i = 0; i < size; i++) {
-        blurred[start + i * step] = sum * share;
-        sum += shaded[start + within(i + radius + 1) * step];
-        sum -= shaded[start + within(i - radius) * step];
+      for (int x = 0; x < size; x++) {
+        blurred[row + x] = (float) (sum / (2 * radius + 1));
+        sum += shaded[row + within(x + radius + 1)] - shaded[row + within(x - radius)];
+      }
+    }
+    shaded = blurred;
+  }
+
+  /** Row by row with a sum for each column, as memory is read fastest. */
+  private void blurColumns(int radius) {
+    float[] blurred = new float[shaded.length];
+    double[] sums = new double[size];
+    for (int i = -radius; i <= radius; i++) {
+      for (int x = 0; x < size; x++) {
+        sums[x] += shaded[within(i) * size + x];
+      }
+    }
+    for (int y = 0; y < size; y++) {
+      int entering = within(y + radius + 1) * size;
+      int leaving = within(y - radius) * size;
+      for (int x = 0; x < size; x++) {
+        blurred[y * size + x] = (float) (sums[x] / (2 * radius + 1));
+        sums[x] += shaded[entering + x] - shaded[leaving + x];
       }
     }
     shaded = blurred;
