@@ -48,6 +48,19 @@ public final class Texture {
     return new Texture(width, height, texels);
   }
 
+  /**
+   * The same image, through which one sees more.
+   *
+   * @param factor of each texel's opacity, 0 to 1
+   */
+  public Texture faded(double factor) {
+    int[] argb = argbArray();
+    for (int i = 0; i < argb.length; i++) {
+      argb[i] = Rgb.of(argb[i]).argb(factor * (argb[i] >>> 24) / 255.0);
+    }
+    return new Texture(width, height, argb);
+  }
+
   public int width() {
     return width;
   }

@@ -66,6 +66,9 @@ final class HeadingRing {
 
   private static final double BOLD_LINE = 12;
 
+  /** How much larger the ring around a chosen drone is. Decided: to be found among twenty. */
+  private static final double LARGER = 1.4;
+
   private final Part part;
   private final Part bold;
   private final double share;
@@ -80,22 +83,28 @@ final class HeadingRing {
   }
 
   /**
-   * The ring of a drone; empty if the drone is large enough without.
-   *
-   * @param chosen whether it is the one of several that people have chosen
+   * The ring of a drone; empty if the drone is large enough without. That of a chosen drone is in
+   * front of all others.
    */
-  Optional<Marker> around(Pose drone, boolean chosen, Eye eye) {
+  Optional<Marker> around(Pose drone, Emphasis emphasis, Eye eye) {
     Vec3 middle = drone.position().plusScaled(Vec3.UP, MIDDLE);
     Vec3 camera = eye.pose().position();
     double distance = camera.distanceTo(middle);
     if (distance < NEAREST) {
       return Optional.empty();
     }
-    double nearer = Layer.RINGS.distance(distance, eye) / distance;
+    boolean chosen = emphasis == Emphasis.STRONG;
+    double order = chosen ? 0 : distance;
+    double nearer = Layer.RINGS.distance(order, eye) / distance;
     Vec3 shown = camera.plusScaled(middle.minus(camera), nearer);
     Pose pose = new Pose(shown, attitude(drone, eye));
-    Instance ring = new Instance(chosen ? bold : part, pose, share * distance * nearer, 1);
-    return Optional.of(Marker.inFront(Layer.RINGS, ring, distance));
+    double radius = share(emphasis) * distance * nearer;
+    Instance ring = new Instance(chosen ? bold : part, pose, radius, 1);
+    return Optional.of(Marker.inFront(Layer.RINGS, ring, order));
+  }
+
+  private double share(Emphasis emphasis) {
+    return emphasis == Emphasis.STRONG ? LARGER * share : share;
   }
 
   /**
@@ -103,7 +112,7 @@ final class HeadingRing {
    *
    * @param drone room frame
    */
-  double reach(Pose drone, Eye eye) {
+  double reach(Pose drone, Emphasis emphasis, Eye eye) {
     double distance = eye.pose().position().distanceTo(drone.position());
     if (distance < NEAREST) {
       return 0;
@@ -112,7 +121,7 @@ final class HeadingRing {
     Vec3 up = eye.pose().attitude().toRoom(Vec3.UP);
     double along = up.dot(attitude.toRoom(new Vec3(1, 0, 0)));
     double across = up.dot(attitude.toRoom(new Vec3(0, 1, 0)));
-    return share * distance * Math.max(TIP * along, StrictMath.hypot(along, across));
+    return share(emphasis) * distance * Math.max(TIP * along, StrictMath.hypot(along, across));
   }
 
   /** Turned as the drone, and level if one looks down on it. */

@@ -6,6 +6,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.OptionalInt;
+import java.util.stream.IntStream;
 import tellosimulator.goal.GoalMark;
 import tellosimulator.math.Pose;
 import tellosimulator.math.Vec3;
@@ -54,7 +55,7 @@ public final class Overlay {
       plumbLines.add(new PlumbLine(livery));
       rings.add(new HeadingRing(livery, first.drones().size()));
       if (first.drones().size() > 1) {
-        tags.add(new DroneTag(drone.state().drone(), livery));
+        tags.add(new DroneTag(drone.state().drone(), livery, first.drones().size()));
       }
     }
   }
@@ -69,7 +70,7 @@ public final class Overlay {
     goalLineShown = shown;
   }
 
-  /** Marks one of several drones from now on, by its number. */
+  /** Lets one of several drones stand out from now on, by its number; the others are fainter. */
   public void choose(int drone) {
     chosen = colors.size() > 1 ? OptionalInt.of(drone) : OptionalInt.empty();
   }
@@ -104,12 +105,16 @@ public final class Overlay {
     List<Instance> instances = new ArrayList<>();
     List<DroneSnapshot> drones = snapshot.drones();
     Vec3 camera = eye.pose().position();
+    List<Integer> order = inDrawingOrder(drones);
     if (trailsShown) {
-      trails.forEach(trail -> instances.addAll(trail.instances(camera)));
+      for (int i : order) {
+        instances.addAll(trails.get(i).instances(camera, emphasis(drones.get(i))));
+      }
     }
-    for (int i = 0; i < drones.size(); i++) {
+    for (int i : order) {
       DroneSnapshot drone = drones.get(i);
-      instances.addAll(plumbLines.get(i).from(drone.state().motion().position(), camera));
+      Vec3 place = drone.state().motion().position();
+      instances.addAll(plumbLines.get(i).from(place, camera, emphasis(drone)));
       if (goalLineShown) {
         addGoalLine(instances, drone, camera);
       }
@@ -119,6 +124,21 @@ public final class Overlay {
         .map(Marker::instance)
         .forEach(instances::add);
     return instances;
+  }
+
+  /** Indices of the drones: first the chosen one, whose path is seen through those of others. */
+  private List<Integer> inDrawingOrder(List<DroneSnapshot> drones) {
+    return IntStream.range(0, drones.size())
+        .boxed()
+        .sorted(Comparator.comparing(i -> emphasis(drones.get(i)) != Emphasis.STRONG))
+        .toList();
+  }
+
+  private Emphasis emphasis(DroneSnapshot drone) {
+    if (chosen.isEmpty()) {
+      return Emphasis.NORMAL;
+    }
+    return chosen.getAsInt() == drone.state().drone() ? Emphasis.STRONG : Emphasis.FAINT;
   }
 
   private void addGoalLine(List<Instance> instances, DroneSnapshot drone, Vec3 camera) {
@@ -135,10 +155,11 @@ public final class Overlay {
     }
     for (int i = 0; i < rings.size(); i++) {
       Pose drone = drones.get(i).state().motion().pose();
-      boolean bold = chosen.equals(OptionalInt.of(drones.get(i).state().drone()));
-      rings.get(i).around(drone, bold, eye).ifPresent(markers::add);
+      Emphasis emphasis = emphasis(drones.get(i));
+      rings.get(i).around(drone, emphasis, eye).ifPresent(markers::add);
       if (!tags.isEmpty()) {
-        markers.add(tags.get(i).above(drone, rings.get(i).reach(drone, eye), eye));
+        double clear = rings.get(i).reach(drone, emphasis, eye);
+        markers.add(tags.get(i).above(drone, clear, emphasis, eye));
       }
     }
     Map<Vec3, Integer> at = new HashMap<>();

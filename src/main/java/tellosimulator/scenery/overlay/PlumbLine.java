@@ -46,7 +46,10 @@ final class PlumbLine {
   private static final Mesh MESH =
       MeshBuilder.of(new Quad(new Vec3(0, -0.5, 0), new Vec3(0, 1, 0), Vec3.UP));
 
-  private static final Part LINE = new Part(MESH, dashes(), Shading.TRANSLUCENT);
+  private static final Texture DASHED = dashes();
+
+  private static final Part LINE = part(MESH, DASHED, Emphasis.NORMAL);
+  private static final Part FAINT_LINE = part(MESH, DASHED, Emphasis.FAINT);
 
   /** Radius of the target, as a share of the distance from the camera. Decided: by eye. */
   private static final double RADIUS = 0.014;
@@ -64,13 +67,19 @@ final class PlumbLine {
   private static final Mesh TARGET = MeshBuilder.of(Quad.onFloor(2));
 
   private final Part target;
+  private final Part faintTarget;
 
   PlumbLine(Livery livery) {
     Texture texture =
         new Canvas(TEXELS_OF_TARGET, livery.color())
             .paint(Rgb.WHITE, mask -> mask.stroke(Arc.circle(CENTER, 17).points(), 8))
             .cutOut(new AlphaMask(TEXELS_OF_TARGET).dot(CENTER, 30));
-    target = new Part(TARGET, texture, Shading.TRANSLUCENT);
+    target = part(TARGET, texture, Emphasis.NORMAL);
+    faintTarget = part(TARGET, texture, Emphasis.FAINT);
+  }
+
+  private static Part part(Mesh mesh, Texture texture, Emphasis emphasis) {
+    return new Part(mesh, texture.faded(emphasis.opacity()), Shading.TRANSLUCENT);
   }
 
   private static Texture dashes() {
@@ -88,7 +97,7 @@ final class PlumbLine {
    * @param drone its position, room frame [m]
    * @param camera its position, room frame [m]
    */
-  List<Instance> from(Vec3 drone, Vec3 camera) {
+  List<Instance> from(Vec3 drone, Vec3 camera, Emphasis emphasis) {
     if (drone.z() <= LOWEST) {
       return List.of();
     }
@@ -99,8 +108,9 @@ final class PlumbLine {
     double width = WIDTH * towards.norm();
     double radius = Math.max(LEAST_RADIUS, RADIUS * camera.distanceTo(floor));
     Pose level = new Pose(drone.withZ(OFFSET), Attitude.LEVEL);
+    boolean faint = emphasis == Emphasis.FAINT;
     return List.of(
-        new Instance(target, level, radius, 1),
-        new Instance(LINE, foot, new Vec3(1, width, drone.z()), 1));
+        new Instance(faint ? faintTarget : target, level, radius, 1),
+        new Instance(faint ? FAINT_LINE : LINE, foot, new Vec3(1, width, drone.z()), 1));
   }
 }

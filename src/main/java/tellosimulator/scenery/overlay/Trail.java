@@ -16,11 +16,12 @@ import tellosimulator.scenery.mesh.Texture;
 import tellosimulator.sim.SimSnapshot.DroneSnapshot;
 
 /**
- * The path that a drone has flown, as a thin tube in the air; those of earlier flights are fainter.
- * The last few points are a mesh of their own, which changes some times a second and is small; the
- * long one behind it changes only when these have become many, or when the camera comes so near
- * that the tube would be too thick. Measured: with one mesh a path, twenty drones that circle took
- * half of a processor for nothing else. For one thread.
+ * The path that a drone has flown, as a thin tube in the air; those of earlier flights are fainter,
+ * as are all of a drone beside a chosen one. The last few points are a mesh of their own, which
+ * changes some times a second and is small; the long one behind it changes only when these have
+ * become many, or when the camera comes so near that the tube would be too thick. Measured: with
+ * one mesh a path, twenty drones that circle took half of a processor for nothing else. For one
+ * thread.
  */
 final class Trail {
 
@@ -37,11 +38,12 @@ final class Trail {
   private static final double MIDDLE = 0.02;
 
   private final Rgb color;
-  private final Material material;
   private final FlightPaths paths = new FlightPaths(CAPACITY);
   private List<Instance> earlier = List.of();
   private List<Instance> settled = List.of();
   private List<Instance> recent = List.of();
+  private Emphasis emphasis = Emphasis.NORMAL;
+  private Material material;
   private LineWidth width = new LineWidth(Vec3.ZERO);
   private Pose last;
   private boolean changed;
@@ -56,7 +58,7 @@ final class Trail {
 
   Trail(DroneSnapshot drone) {
     color = Livery.of(drone).color();
-    material = new Material(texture(1), Shading.UNLIT);
+    material = material(1);
     last = drone.state().motion().pose();
   }
 
@@ -89,15 +91,20 @@ final class Trail {
    *
    * @param camera its position, room frame [m]
    */
-  List<Instance> instances(Vec3 camera) {
+  List<Instance> instances(Vec3 camera, Emphasis wantedEmphasis) {
     LineWidth wanted = new LineWidth(camera);
+    boolean faded = wantedEmphasis.opacity() != emphasis.opacity();
+    if (faded) {
+      emphasis = wantedEmphasis;
+      material = material(1);
+    }
     boolean resized = !wanted.equals(width) && !looksRight(wanted);
     boolean due = changed && now - lastUpdate >= UPDATE_PERIOD;
-    if (resized || due) {
+    if (resized || faded || due) {
       lastUpdate = now;
       changed = false;
       width = resized ? wanted : width;
-      update(resized);
+      update(resized || faded);
     }
     List<Instance> all = new ArrayList<>(earlier);
     all.addAll(settled);
@@ -136,15 +143,21 @@ final class Trail {
     List<Instance> all = new ArrayList<>();
     int age = 1;
     for (FlightPath path : paths.earlier()) {
-      Material faint = new Material(texture(FlightPaths.opacity(age)), Shading.TRANSLUCENT);
-      all.addAll(tube(path, 0, path.size() - 1, faint));
+      all.addAll(tube(path, 0, path.size() - 1, material(FlightPaths.opacity(age))));
       age++;
     }
     return all;
   }
 
-  private Texture texture(double opacity) {
-    return new Texture(1, 1, new int[] {color.argb(opacity)});
+  /**
+   * That of a path.
+   *
+   * @param opacity of a drone that is not faint
+   */
+  private Material material(double opacity) {
+    double shown = opacity * emphasis.opacity();
+    Texture texture = new Texture(1, 1, new int[] {color.argb(shown)});
+    return new Material(texture, shown < 1 ? Shading.TRANSLUCENT : Shading.UNLIT);
   }
 
   /** Part of a path; empty unless it has two points. */

@@ -21,6 +21,14 @@ class TextureTest {
   }
 
   @Test
+  void aFadedOneHasTheSameColorsAndAPartOfTheirOpacity() {
+    Texture texture = new Texture(2, 1, new int[] {OPAQUE | 0x123456, 0x80abcdef});
+
+    // half of 255, rounded up, and of 128
+    assertThat(texture.faded(0.5).argbArray()).containsExactly(0x80123456, 0x40abcdef);
+  }
+
+  @Test
   void texelsMustBeAsManyAsTheSizeSays() {
     assertThatThrownBy(() -> new Texture(2, 1, new int[1]))
         .hasMessage("argb has 1 texels, but must have 2 times 1");

@@ -64,7 +64,8 @@ class HeadingRingTest {
   void amongManyItIsSmaller() {
     Pose drone = new Pose(Vec3.ZERO, Attitude.LEVEL);
     Eye eye = eye(-4, 4);
-    Instance ofMany = new HeadingRing(BLUE, 20).around(drone, false, eye).orElseThrow().instance();
+    Instance ofMany =
+        new HeadingRing(BLUE, 20).around(drone, Emphasis.NORMAL, eye).orElseThrow().instance();
 
     // the sixth root of 20 is 1.65
     assertThat(instance(drone, eye).largestScale() / ofMany.largestScale())
@@ -72,14 +73,22 @@ class HeadingRingTest {
   }
 
   @Test
-  void thatOfTheChosenDroneIsBolder() {
+  void thatOfTheChosenDroneIsLargerAndBolderAndInFrontOfOthers() {
     Pose drone = new Pose(Vec3.ZERO, Attitude.LEVEL);
-    Instance chosen = ring.around(drone, true, eye(-4, 4)).orElseThrow().instance();
-    Instance other = instance(drone, eye(-4, 4));
+    Eye eye = eye(-4, 4);
+    Marker chosenRing = ring.around(drone, Emphasis.STRONG, eye).orElseThrow();
+    Marker otherRing = ring.around(drone, Emphasis.FAINT, eye).orElseThrow();
+    Instance chosen = chosenRing.instance();
+    Instance other = otherRing.instance();
 
-    assertThat(chosen.pose()).isEqualTo(other.pose());
-    assertThat(chosen.scale()).isEqualTo(other.scale());
+    assertThat(seen(chosen, eye) / seen(other, eye)).isCloseTo(1.4, within(1e-6));
+    assertThat(chosenRing.distance()).isLessThan(otherRing.distance());
     assertThat(covered(chosen)).isGreaterThan(1.3 * covered(other));
+  }
+
+  /** Radius in the picture, as a share of the distance. */
+  private static double seen(Instance ring, Eye eye) {
+    return ring.largestScale() / ring.pose().position().distanceTo(eye.pose().position());
   }
 
   /** How many texels can be seen. */
@@ -96,9 +105,9 @@ class HeadingRingTest {
     Pose towards = new Pose(Vec3.ZERO, Attitude.ofHeading(Math.PI));
 
     // From above a ring of 0.031 times 5 m, and an arrowhead of 1.9 radii upwards in the picture.
-    assertThat(ring.reach(towards, above)).isCloseTo(0.155, within(1e-3));
-    assertThat(ring.reach(away, above)).isCloseTo(1.9 * 0.155, within(1e-3));
-    assertThat(ring.reach(away, eye(-1, 1))).as("without a ring").isZero();
+    assertThat(ring.reach(towards, Emphasis.NORMAL, above)).isCloseTo(0.155, within(1e-3));
+    assertThat(ring.reach(away, Emphasis.NORMAL, above)).isCloseTo(1.9 * 0.155, within(1e-3));
+    assertThat(ring.reach(away, Emphasis.NORMAL, eye(-1, 1))).as("without a ring").isZero();
   }
 
   private static Attitude lookingDown() {
@@ -106,7 +115,7 @@ class HeadingRingTest {
   }
 
   private Instance instance(Pose drone, Eye eye) {
-    return ring.around(drone, false, eye).orElseThrow().instance();
+    return ring.around(drone, Emphasis.NORMAL, eye).orElseThrow().instance();
   }
 
   private static Eye eye(double x, double z) {

@@ -2,6 +2,7 @@ package tellosimulator.scenery.overlay;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.util.Arrays;
 import java.util.DoubleSummaryStatistics;
 import java.util.List;
 import java.util.stream.IntStream;
@@ -104,7 +105,35 @@ class OverlayTest {
   }
 
   @Test
-  void theRingOfTheChosenDroneOfSeveralIsBold() {
+  void pathAndPlumbLineOfADroneBesideTheChosenOneAreFaint() {
+    SimConfig two =
+        SimConfig.DEFAULT.withRoom(Room.DEFAULT, Formation.row(2, Vec3.ZERO, Room.DEFAULT));
+    Simulation pair = simulation(two);
+    Overlay several = new Overlay(pair.snapshot());
+    fly(pair, several);
+
+    // dashes have 0.75 * 255 = 191
+    assertThat(opacities(several, pair)).containsExactly(255, 255, 255, 191);
+    several.choose(1);
+    assertThat(opacities(several, pair)).containsExactly(255, 255, 255, 191);
+    several.choose(2); // 0.35 * 255 = 89, and 0.35 * 191 = 67
+    assertThat(opacities(several, pair)).containsExactly(89, 89, 89, 67);
+  }
+
+  /**
+   * Of both parts of the path of the only drone that flies, its target and its plumb line, 0 to
+   * 255.
+   */
+  private static List<Integer> opacities(Overlay overlay, Simulation simulation) {
+    return overlay.instances(simulation.snapshot(), CAMERA).stream()
+        .limit(4)
+        .map(one -> one.part().material().texture().argbArray())
+        .map(texels -> Arrays.stream(texels).map(argb -> argb >>> 24).max().orElseThrow())
+        .toList();
+  }
+
+  @Test
+  void ringAndTagOfTheChosenDroneOfSeveralStandOut() {
     SimConfig three =
         SimConfig.DEFAULT.withRoom(Room.DEFAULT, Formation.row(3, Vec3.ZERO, Room.DEFAULT));
     SimSnapshot snapshot = simulation(three).snapshot();
@@ -115,8 +144,11 @@ class OverlayTest {
     several.choose(2);
     List<Instance> after = several.instances(snapshot, afar);
 
-    assertThat(IntStream.range(0, before.size()).filter(i -> !after.get(i).equals(before.get(i))))
-        .hasSize(1);
+    assertThat(after).hasSameSizeAs(before);
+    assertThat(before.stream().filter(one -> !after.contains(one)))
+        .as("its ring and its tag")
+        .hasSize(2);
+    assertThat(before).as("the tag is in front").doesNotContain(after.get(after.size() - 1));
     List<Instance> alone = overlay.instances(snapshot(), afar);
     overlay.choose(1);
     assertThat(overlay.instances(snapshot(), afar)).isEqualTo(alone);
@@ -141,8 +173,12 @@ class OverlayTest {
     return new Eye(new Pose(new Vec3(x, 0, z), Attitude.LEVEL), 0.1);
   }
 
-  /** Takes off, and moves up by 150 cm. */
   private void fly() {
+    fly(simulation, overlay);
+  }
+
+  /** Takes off with the first drone, and moves up by 150 cm. */
+  private void fly(Simulation simulation, Overlay overlay) {
     simulation.control(new Control.Power(1, true));
     for (String command : List.of("command", "takeoff", "up 150")) {
       simulation.submit(1, OPERATOR, command);
@@ -150,7 +186,7 @@ class OverlayTest {
         simulation.drain();
         simulation.step();
         nanos += 5_000_000;
-        overlay.advance(snapshot(), nanos);
+        overlay.advance(simulation.snapshot(), nanos);
       }
     }
   }
