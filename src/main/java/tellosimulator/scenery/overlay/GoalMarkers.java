@@ -26,9 +26,9 @@ import tellosimulator.world.Shape;
 
 /**
  * The markers of goals in the room: balls to reach, circles to land on, and outlines of the gates
- * that come next, with an arrow where one shall fly. Other gates keep their own color: a tint over
- * it would be mud, and their tags say whether they are done. Keeps the parts that it has made. For
- * one thread.
+ * that come next, with an arrow where one shall fly. Gates that are done have a thin line along
+ * their edge; a tint over their own color would be mud. Gates for later have only their tags. Keeps
+ * the parts that it has made. For one thread.
  */
 final class GoalMarkers {
 
@@ -124,17 +124,25 @@ final class GoalMarkers {
         markers.add(marker(beacon(BEACON_INSIDE, mark, color), pose, high, eye));
         markers.add(marker(beacon(BEACON_OUTSIDE, mark, color), pose, high, eye));
       }
-    } else if (place instanceof GoalMark.Opening opening && active) {
+    } else if (place instanceof GoalMark.Opening opening && mark.state() != GoalState.LATER) {
       Part outline =
           parts.computeIfAbsent(
               new Look(opening.gate(), color, mark.state()),
-              look -> GateOutline.of(opening.gate(), GoalTextures.plain(color, 0.62)));
+              look -> outline(opening.gate(), color, active));
       markers.add(
           new Marker(
               new Instance(outline, opening.pose()),
               eye.pose().position().distanceTo(place.middle())));
-      opening.way().ifPresent(way -> markers.add(arrow(mark, opening, way, color, eye)));
+      if (active) {
+        opening.way().ifPresent(way -> markers.add(arrow(mark, opening, way, color, eye)));
+      }
     }
+  }
+
+  private static Part outline(Shape.Gate gate, Rgb color, boolean active) {
+    return active
+        ? GateOutline.of(gate, GoalTextures.plain(color, 0.62))
+        : GateOutline.thin(gate, GoalTextures.plain(color, 0.9));
   }
 
   private Part beacon(Mesh mesh, GoalMark mark, Rgb color) {

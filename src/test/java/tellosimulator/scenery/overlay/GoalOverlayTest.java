@@ -1,11 +1,15 @@
 package tellosimulator.scenery.overlay;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 
 import java.util.Arrays;
+import java.util.DoubleSummaryStatistics;
 import java.util.List;
 import java.util.OptionalInt;
 import java.util.function.Predicate;
+import java.util.function.ToDoubleFunction;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import tellosimulator.goal.Goal.Direction;
 import tellosimulator.goal.GoalMark;
@@ -14,6 +18,7 @@ import tellosimulator.math.Attitude;
 import tellosimulator.math.Pose;
 import tellosimulator.math.Vec3;
 import tellosimulator.scenery.mesh.Instance;
+import tellosimulator.scenery.mesh.Mesh;
 import tellosimulator.scenery.mesh.Rgb;
 import tellosimulator.scenery.mesh.Shading;
 import tellosimulator.sim.Formation;
@@ -35,6 +40,7 @@ class GoalOverlayTest {
   private static final GoalMark.Ball BALL = new GoalMark.Ball(new Vec3(1, 0, 1), 0.4);
 
   private static final Shape.Gate RING = new Shape.Ring(0.5, 0.05, 1);
+  private static final Shape.Gate FRAME = new Shape.Frame(1, 0.8, 0.05, 1);
 
   private final Overlay overlay = new Overlay(SNAPSHOT);
   private final int others = shown().size();
@@ -109,16 +115,48 @@ class GoalOverlayTest {
   }
 
   @Test
-  void onlyTheGateThatComesNextHasAnOutlineAndAnArrowIfThereIsAWay() {
+  void theGateThatComesNextHasAnOutlineAndAnArrowIfThereIsAWay() {
     overlay.showGoalLine(false);
     show(mark(1, GoalState.ACTIVE, gate(Direction.ALONG)));
     assertThat(shown()).as("outline, arrow, number").hasSize(others + 3);
     show(mark(1, GoalState.ACTIVE, gate(Direction.EITHER)));
     assertThat(shown()).as("outline, number").hasSize(others + 2);
-    for (GoalState state : List.of(GoalState.LATER, GoalState.DONE)) {
-      show(mark(1, state, gate(Direction.ALONG)));
-      assertThat(shown()).as("in its own color, with a number or a tick").hasSize(others + 1);
+    show(mark(1, GoalState.LATER, gate(Direction.ALONG)));
+    assertThat(shown()).as("in its own color, with a number").hasSize(others + 1);
+  }
+
+  @Test
+  void aGateThatIsDoneHasAThinGreenLineAlongItsOuterEdge() {
+    overlay.showGoalLine(false);
+    for (Shape.Gate shape : List.of(RING, FRAME)) {
+      show(mark(1, GoalState.DONE, gate(shape, Direction.ALONG)));
+      assertThat(shown()).as("line and tick, no arrow").hasSize(others + 2);
+      assertThat(count(hasColor(MarkColors.of(GoalState.DONE)))).isEqualTo(2);
+
+      Mesh line = gateMesh();
+      // both are 0.5 + 0.05 m from the middle to the outer edge; the line is 0.016 m thick
+      assertThat(extent(line, Vec3::y)).isCloseTo(2 * (0.55 + 0.016), within(1e-6));
+      assertThat(extent(line, Vec3::x)).as("depth").isCloseTo(0.016, within(1e-3));
     }
+  }
+
+  /** Of the only instance at the foot of the gate. */
+  private Mesh gateMesh() {
+    return shown().stream()
+        .filter(one -> one.pose().position().equals(new Vec3(1, 0, 0)))
+        .findFirst()
+        .orElseThrow()
+        .part()
+        .mesh();
+  }
+
+  private static double extent(Mesh mesh, ToDoubleFunction<Vec3> along) {
+    DoubleSummaryStatistics all =
+        IntStream.range(0, mesh.positions())
+            .mapToObj(mesh::position)
+            .mapToDouble(along)
+            .summaryStatistics();
+    return all.getMax() - all.getMin();
   }
 
   @Test
@@ -223,8 +261,12 @@ class GoalOverlayTest {
 
   /** Its way along x leads to the right. */
   private static GoalMark.Opening gate(Direction direction) {
+    return gate(RING, direction);
+  }
+
+  private static GoalMark.Opening gate(Shape.Gate shape, Direction direction) {
     Pose foot = new Pose(new Vec3(1, 0, 0), Attitude.ofHeading(-Math.PI / 2));
-    return new GoalMark.Opening("A", RING, foot, direction);
+    return new GoalMark.Opening("A", shape, foot, direction);
   }
 
   private static SimSnapshot snapshot() {
