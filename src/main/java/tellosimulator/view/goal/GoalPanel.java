@@ -37,8 +37,8 @@ import tellosimulator.view.text.Messages;
 
 /**
  * What the scenario teaches, its goals with their numbers in the room and a time for each that is
- * reached, the time, and how it ended. Not there if nothing is asked for or said. For the JavaFX
- * thread.
+ * reached, the time, and how it ended. When the goals have failed it folds itself to its name and
+ * the reason. Not there if nothing is asked for or said. For the JavaFX thread.
  */
 public final class GoalPanel extends VBox {
 
@@ -64,6 +64,12 @@ public final class GoalPanel extends VBox {
   private final Button fold = new Button();
   private final VBox details = new VBox();
   private final VBox goals = new VBox();
+
+  /** Whether the details are wanted while nothing has failed. */
+  private boolean open = true;
+
+  /** Whether somebody has folded or unfolded the panel himself since the goals began. */
+  private boolean chosen;
 
   /** What is there only with goals. */
   private List<Region> ofGoals = List.of();
@@ -125,6 +131,7 @@ public final class GoalPanel extends VBox {
     fold.setId("goal-fold");
     fold.getStyleClass().add("fold");
     goals.getStyleClass().add("goals");
+    details.setId("goal-details");
     details.getStyleClass().add("details");
   }
 
@@ -146,15 +153,38 @@ public final class GoalPanel extends VBox {
 
   private void setupEventHandlers() {
     again.setOnAction(pressed -> again());
-    fold.setOnAction(pressed -> unfold(!details.isVisible()));
-    unfold(true);
+    fold.setOnAction(pressed -> choose(!details.isVisible()));
   }
 
-  /** Shows what is below the name, or folds it away. */
-  public void unfold(boolean open) {
-    details.setVisible(open);
-    details.setManaged(open);
-    fold.setGraphic(new FontIcon(open ? Feather.CHEVRON_UP : Feather.CHEVRON_DOWN));
+  /**
+   * Shows what is below the name, or folds it away, unless somebody has chosen himself since the
+   * goals began.
+   */
+  public void unfold(boolean wanted) {
+    if (!chosen) {
+      open = wanted;
+      showDetails();
+    }
+  }
+
+  private void follow(Progress now) {
+    if (now.equals(Progress.start(now.challenge()))) {
+      chosen = false;
+    }
+    show();
+  }
+
+  private void choose(boolean wanted) {
+    open = wanted;
+    chosen = true;
+    showDetails();
+  }
+
+  /** What has failed does not cover the room, unless somebody wants to see it. */
+  private void showDetails() {
+    boolean shown = open && (chosen || progress.getValue().status() != Status.FAILED);
+    setShown(details, shown);
+    fold.setGraphic(new FontIcon(shown ? Feather.CHEVRON_UP : Feather.CHEVRON_DOWN));
   }
 
   private void setupBindings() {
@@ -173,7 +203,8 @@ public final class GoalPanel extends VBox {
             Bindings.createStringBinding(
                 this::rules, language.localeProperty(), scenario.challengeProperty()));
     scenario.challengeProperty().subscribe(this::showGoals);
-    progress.addListener((property, before, now) -> show());
+    progress.addListener((property, before, now) -> follow(now));
+    progress.map(Progress::status).subscribe(status -> showDetails());
     language.localeProperty().addListener((property, before, now) -> show());
     show();
   }

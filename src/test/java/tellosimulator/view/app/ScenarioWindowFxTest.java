@@ -295,7 +295,54 @@ class ScenarioWindowFxTest {
   }
 
   @Test
-  void aFailureIsToldWithItsReason() throws IOException {
+  void aFailureIsToldWithItsReasonAndDoesNotCoverTheRoom() throws IOException {
+    openWithObstacleAhead();
+    assertThat(detailsShown()).isTrue();
+
+    fly("command", "takeoff", "forward 100");
+
+    waitUntil(
+        () -> window.label("goal-banner").equals("Failed: drone 1 touched the obstacle pole"));
+    waitUntil(() -> !detailsShown());
+    assertThat(robot.lookup("#goal-banner").query().isVisible()).isTrue();
+    assertThat(robot.lookup("#scenario-name").query().isVisible()).isTrue();
+
+    robot.clickOn("#goal-fold");
+    assertThat(detailsShown()).as("somebody wants to see the goals").isTrue();
+
+    robot.clickOn("#goal-fold").push(KeyCode.CONTROL, KeyCode.N);
+    waitUntil(() -> !robot.lookup("#goal-banner").query().isVisible());
+    assertThat(detailsShown()).as("somebody has folded them").isFalse();
+  }
+
+  @Test
+  void goalsThatFoldedThemselvesAreThereWhenDronesBeginAnew() throws IOException {
+    openWithObstacleAhead();
+    fly("command", "takeoff", "forward 100");
+    waitUntil(() -> !detailsShown());
+
+    robot.press(KeyCode.CONTROL).type(KeyCode.N).release(KeyCode.CONTROL);
+
+    waitUntil(this::detailsShown);
+  }
+
+  @Test
+  void whatSomebodyHasUnfoldedStaysSoWhenTheGoalsFail() throws IOException {
+    openWithObstacleAhead();
+    robot.clickOn("#goal-fold").clickOn("#goal-fold");
+
+    fly("command", "takeoff", "forward 100");
+
+    waitUntil(() -> robot.lookup("#goal-banner").query().isVisible());
+    assertThat(detailsShown()).isTrue();
+  }
+
+  private boolean detailsShown() {
+    return robot.lookup("#goal-details").query().isVisible();
+  }
+
+  /** The first drone is on, and touches the pole if it moves forward by 100 cm. */
+  private void openWithObstacleAhead() throws IOException {
     Files.writeString(
         file,
         SLALOM
@@ -305,11 +352,6 @@ class ScenarioWindowFxTest {
             .replace("at: [100, 0]", "at: [-150, 50]"));
     change(() -> app.open(file));
     robot.clickOn("#power");
-
-    fly("command", "takeoff", "forward 100");
-
-    waitUntil(
-        () -> window.label("goal-banner").equals("Failed: drone 1 touched the obstacle pole"));
   }
 
   @ParameterizedTest
