@@ -8,12 +8,15 @@ import java.util.stream.Stream;
 import javafx.application.Platform;
 import javafx.css.PseudoClass;
 import javafx.geometry.Orientation;
+import javafx.scene.control.ContentDisplay;
 import javafx.scene.control.Label;
 import javafx.scene.layout.BorderPane;
 import javafx.scene.layout.FlowPane;
 import javafx.scene.layout.HBox;
 import javafx.scene.layout.Region;
 import javafx.scene.layout.VBox;
+import org.kordamp.ikonli.feather.Feather;
+import org.kordamp.ikonli.javafx.FontIcon;
 import tellosimulator.goal.Challenge;
 import tellosimulator.goal.Progress;
 import tellosimulator.goal.Progress.Status;
@@ -135,6 +138,7 @@ public final class ProjectorPane extends BorderPane {
       Label mark = new Label(String.valueOf(i));
       mark.setId("projector-goal-" + i);
       mark.getStyleClass().add("mark");
+      mark.setContentDisplay(ContentDisplay.RIGHT);
       marks.add(mark);
     }
     goalRow.getChildren().setAll(marks);
@@ -208,10 +212,16 @@ public final class ProjectorPane extends BorderPane {
         });
   }
 
-  /** A goal of one drone has its colour while it is next, as in the room. */
+  /**
+   * One that is reached has a tick beside its number, as in the goal panel. A goal of one drone has
+   * its colour while it is next, as in the room.
+   */
   private void showMark(int index, boolean reached, boolean next) {
     Label mark = marks.get(index);
     mark.pseudoClassStateChanged(REACHED, reached);
+    if (reached != (mark.getGraphic() != null)) {
+      mark.setGraphic(reached ? new FontIcon(Feather.CHECK) : null);
+    }
     mark.pseudoClassStateChanged(NEXT, next);
     mark.setStyle(
         next

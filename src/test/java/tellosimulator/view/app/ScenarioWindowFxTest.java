@@ -141,10 +141,20 @@ class ScenarioWindowFxTest {
         """);
     change(() -> app.open(file));
 
-    robot.press(KeyCode.SHIFT).type(KeyCode.F11).release(KeyCode.SHIFT);
+    project();
 
     waitUntil(() -> projected(1).contains("#d01020"));
     assertThat(projected(2)).as("comes later").isEmpty();
+    assertThat(tickedForTheClass(1)).as("not reached").isFalse();
+  }
+
+  /** Shows the projector view, or the whole window again. */
+  private void project() {
+    robot.press(KeyCode.SHIFT).type(KeyCode.F11).release(KeyCode.SHIFT);
+  }
+
+  private boolean tickedForTheClass(int goal) {
+    return robot.lookup("#projector-goal-" + goal).queryLabeled().getGraphic() != null;
   }
 
   private String projected(int goal) {
@@ -287,6 +297,11 @@ class ScenarioWindowFxTest {
         .as("the numbers that they have in the room")
         .extracting(Label::getText)
         .containsExactlyInAnyOrder("1", "2");
+
+    project();
+    assertThat(robot.lookup("#projector-goal-1").queryLabeled().getText()).isEqualTo("1");
+    waitUntil(() -> tickedForTheClass(1) && tickedForTheClass(2));
+    project();
 
     robot.clickOn("#goal-again");
     waitUntil(() -> ticked() == 0);
