@@ -136,7 +136,7 @@ public final class GoalPanel extends VBox {
   }
 
   private void layoutParts() {
-    HBox head = new HBox(name, time, fold);
+    HBox head = new HBox(name, fold);
     head.getStyleClass().add("head");
     ScrollPane scroll = new ScrollPane(goals);
     scroll.setFitToWidth(true);
@@ -148,7 +148,7 @@ public final class GoalPanel extends VBox {
     foot.getStyleClass().add("foot");
     ofGoals = List.of(scroll, foot, time);
     details.getChildren().addAll(teaches, scroll, foot);
-    getChildren().addAll(head, banner, details);
+    getChildren().addAll(head, time, banner, details); // long names need the whole width
   }
 
   private void setupEventHandlers() {
@@ -196,6 +196,8 @@ public final class GoalPanel extends VBox {
                 .map(what -> what.isEmpty() ? "" : messages.now("learn", what)));
     again.textProperty().bind(messages.text("again"));
     Tooltips.install(again, messages.text("again.hint"));
+    Tooltips.install(time, messages.text("time.hint"));
+    time.accessibleHelpProperty().bind(messages.text("time.hint"));
     fold.accessibleTextProperty().bind(messages.text("fold"));
     rules
         .textProperty()

@@ -2,6 +2,7 @@ package tellosimulator.view.log;
 
 import java.util.Locale;
 import java.util.stream.Collectors;
+import javafx.beans.value.ObservableValue;
 import tellosimulator.view.text.Language;
 import tellosimulator.view.text.Messages;
 
@@ -23,6 +24,11 @@ final class LogFormat {
 
   String time(LogLine line) {
     return String.format(language.locale(), "%.3f s", line.time().seconds());
+  }
+
+  /** What the time of a line is, in the language that is chosen. */
+  ObservableValue<String> timeHint() {
+    return messages.text("time.tooltip");
   }
 
   /** Which drone it is about; empty if there is only one, or if it is about all of them. */

@@ -7,6 +7,7 @@ import javafx.scene.control.Tooltip;
 import javafx.scene.layout.HBox;
 import javafx.scene.layout.Priority;
 import org.kordamp.ikonli.javafx.FontIcon;
+import tellosimulator.view.fx.Tooltips;
 
 /**
  * Shows a row of the log in one line: level, time, drone, and what happened; of a command its
@@ -37,6 +38,7 @@ final class LogRowView extends HBox {
     whole.setWrapText(true);
     whole.setMaxWidth(TOOLTIP_WIDTH);
     time.getStyleClass().add("log-time");
+    Tooltips.install(time, text.timeHint());
     drone.getStyleClass().add("log-drone");
     drone.setMinWidth(USE_PREF_SIZE);
     words.getStyleClass().add("log-words");

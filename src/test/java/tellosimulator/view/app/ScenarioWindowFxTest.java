@@ -16,6 +16,7 @@ import java.nio.file.attribute.FileTime;
 import java.util.List;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import javafx.geometry.Bounds;
 import javafx.scene.Node;
 import javafx.scene.control.CheckBox;
 import javafx.scene.control.Label;
@@ -84,12 +85,23 @@ class ScenarioWindowFxTest {
     assertThat(stage.getWidth()).isEqualTo(width);
     assertThat(window.label("scenario-name")).isEqualTo("Small slalom");
     assertThat(window.label("scenario-teaches")).isEqualTo("Learn to fly around things");
-    assertThat(window.label("goal-time")).isEqualTo("0.0 of 60.0 s");
+    assertThat(window.label("goal-time")).isEqualTo("Task 0.0 of 60.0 s");
+    assertThat(bounds("goal-time").getMinY())
+        .as("below the name, which has the whole width")
+        .isGreaterThan(bounds("scenario-name").getMaxY());
+    assertThat(robot.lookup("#goal-time").queryLabeled().getTooltip().getText())
+        .contains("since the first takeoff")
+        .contains("simulation time");
     assertThat(robot.lookup("#drone-list").query().isVisible()).isTrue();
     assertThat(robot.lookup(".goal").queryAll()).hasSize(2);
     waitUntil(
         () -> window.log().contains("Welcome") && window.log().contains("slalom.yaml is open"));
     assertThat(robot.lookup("#start-x-value").queryTextInputControl().getText()).isEqualTo("-200");
+  }
+
+  private Bounds bounds(String id) {
+    Node part = robot.lookup("#" + id).query();
+    return part.localToScene(part.getLayoutBounds());
   }
 
   @Test
@@ -306,7 +318,7 @@ class ScenarioWindowFxTest {
     robot.clickOn("#goal-again");
     waitUntil(() -> ticked() == 0);
     assertThat(robot.lookup("#goal-banner").query().isVisible()).isFalse();
-    assertThat(window.label("goal-time")).isEqualTo("0.0 s");
+    assertThat(window.label("goal-time")).isEqualTo("Task 0.0 s");
   }
 
   @Test

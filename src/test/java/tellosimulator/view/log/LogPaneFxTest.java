@@ -102,6 +102,8 @@ class LogPaneFxTest {
 
     ListCell<?> cell = cells().stream().filter(one -> one.getIndex() == 1).findFirst().get();
     assertThat(textOf(cell, ".log-time")).isEqualTo("1.500 s");
+    assertThat(robot.from(cell).lookup(".log-time").queryLabeled().getTooltip().getText())
+        .isEqualTo("Simulation time");
     assertThat(textOf(cell, ".log-drone")).isEqualTo("drone 2");
     assertThat(textOf(cell, ".log-words")).startsWith("crashed into the ceiling at 2.0 m/s");
     assertThat(cell.lookup(".log-error")).isNotNull();
