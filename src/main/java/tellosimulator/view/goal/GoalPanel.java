@@ -143,12 +143,11 @@ public final class GoalPanel extends VBox {
     scroll.prefViewportHeightProperty().bind(goals.heightProperty()); // with wrapped lines
     scroll.setHbarPolicy(ScrollPane.ScrollBarPolicy.NEVER);
     scroll.setFocusTraversable(false);
-    HBox.setHgrow(rules, Priority.ALWAYS);
-    HBox foot = new HBox(rules, new Spacer(), again);
-    foot.getStyleClass().add("foot");
-    ofGoals = List.of(scroll, foot, time);
-    details.getChildren().addAll(teaches, scroll, foot);
-    getChildren().addAll(head, time, banner, details); // long names need the whole width
+    HBox attempt = new HBox(time, new Spacer(), again);
+    attempt.getStyleClass().add("attempt");
+    ofGoals = List.of(scroll, attempt);
+    details.getChildren().addAll(teaches, scroll, rules);
+    getChildren().addAll(head, attempt, banner, details); // long names need the whole width
   }
 
   private void setupEventHandlers() {
