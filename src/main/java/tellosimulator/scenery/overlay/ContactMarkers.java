@@ -1,25 +1,25 @@
 package tellosimulator.scenery.overlay;
 
 import java.util.List;
-import tellosimulator.math.Pose;
 import tellosimulator.math.Vec3;
-import tellosimulator.scenery.mesh.Instance;
 import tellosimulator.scenery.mesh.Rgb;
 import tellosimulator.scenery.mesh.Texture;
+import tellosimulator.scenery.overlay.Marker.Layer;
 import tellosimulator.scenery.texture.AlphaMask;
 import tellosimulator.scenery.texture.AlphaMask.Point;
 import tellosimulator.scenery.texture.Canvas;
 
 /**
- * The markers where drones touched something, a red disc with a cross, and where they crashed, a
- * larger red diamond with a cross. For one thread.
+ * The markers where drones touched something, a red pin with a cross, and where they crashed, a
+ * larger red diamond with a cross. Each stands with its tip on the place, in front of the room and
+ * of the ring around a drone that is still there. For one thread.
  */
 final class ContactMarkers {
 
   /** Their sizes, as shares of the distance from the camera. Decided: by eye. */
-  private static final double TOUCH = 0.018;
+  private static final double TOUCH = 0.03;
 
-  private static final double CRASH = 0.03;
+  private static final double CRASH = 0.042;
 
   /** Height above the drone's feet [m]. Documented: half of 41 mm. */
   private static final double MIDDLE = 0.02;
@@ -29,31 +29,52 @@ final class ContactMarkers {
 
   private static final Point CENTER = new Point(32, 32);
 
-  private final Billboard touch = Billboard.centered(touchTexture(), TOUCH);
-  private final Billboard crash = Billboard.centered(crashTexture(), CRASH);
+  /** The middle of the disc of a pin. */
+  private static final Point PIN_HEAD = new Point(32, 24);
 
-  Instance of(ContactMark mark, Pose camera) {
+  private final Billboard touch = Billboard.standing(touchTexture(), TOUCH);
+  private final Billboard crash = Billboard.standing(crashTexture(), CRASH);
+
+  Marker of(ContactMark mark, Eye eye) {
     Vec3 place = mark.place().plusScaled(Vec3.UP, MIDDLE);
-    return (mark.crash() ? crash : touch).at(place, camera);
+    double distance = eye.pose().position().distanceTo(place);
+    double near = Layer.CONTACTS.distance(distance, eye);
+    Billboard billboard = mark.crash() ? crash : touch;
+    return Marker.inFront(Layer.CONTACTS, billboard.inFront(place, eye.pose(), 0, near), distance);
   }
 
   private static Texture touchTexture() {
     return new Canvas(TEXELS, Rgb.WHITE)
-        .paint(MarkColors.CONTACT, mask -> mask.dot(CENTER, 27))
-        .paint(Rgb.WHITE, mask -> cross(mask, 11))
-        .cutOut(new AlphaMask(TEXELS).dot(CENTER, 31));
+        .paint(MarkColors.CONTACT, mask -> pin(mask, 19, 58))
+        .paint(Rgb.WHITE, mask -> cross(mask, PIN_HEAD, 8))
+        .cutOut(pin(new AlphaMask(TEXELS), 23, 63));
   }
 
   private static Texture crashTexture() {
     return new Canvas(TEXELS, Rgb.WHITE)
         .paint(MarkColors.CONTACT, mask -> mask.fill(diamond(26)))
-        .paint(Rgb.WHITE, mask -> cross(mask, 8))
+        .paint(Rgb.WHITE, mask -> cross(mask, CENTER, 8))
         .cutOut(new AlphaMask(TEXELS).fill(diamond(31)));
   }
 
-  private static void cross(AlphaMask mask, double reach) {
-    mask.stroke(List.of(at(-reach, -reach), at(reach, reach)), 7);
-    mask.stroke(List.of(at(-reach, reach), at(reach, -reach)), 7);
+  /**
+   * A disc with a tip below it.
+   *
+   * @param radius of the disc
+   * @param tip how far it is from the top of the texture
+   */
+  private static AlphaMask pin(AlphaMask mask, double radius, double tip) {
+    Point left = new Point(PIN_HEAD.x() - 0.7 * radius, PIN_HEAD.y() + 0.7 * radius);
+    Point right = new Point(PIN_HEAD.x() + 0.7 * radius, PIN_HEAD.y() + 0.7 * radius);
+    return mask.dot(PIN_HEAD, radius).fill(List.of(left, right, new Point(PIN_HEAD.x(), tip)));
+  }
+
+  private static void cross(AlphaMask mask, Point middle, double reach) {
+    for (int side : new int[] {1, -1}) {
+      Point from = new Point(middle.x() - reach, middle.y() - side * reach);
+      Point to = new Point(middle.x() + reach, middle.y() + side * reach);
+      mask.stroke(List.of(from, to), 7);
+    }
   }
 
   private static List<Point> diamond(double reach) {

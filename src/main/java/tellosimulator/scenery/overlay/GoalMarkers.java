@@ -22,6 +22,7 @@ import tellosimulator.scenery.mesh.Shading;
 import tellosimulator.scenery.mesh.Texture;
 import tellosimulator.scenery.overlay.LatheMesh.Point;
 import tellosimulator.scenery.overlay.LatheMesh.Range;
+import tellosimulator.scenery.overlay.Marker.Layer;
 import tellosimulator.world.Shape;
 
 /**
@@ -40,6 +41,9 @@ final class GoalMarkers {
 
   /** Length of an arrow, in widths of the opening. Decided: by eye. */
   private static final double ARROW = 0.8;
+
+  /** How much one sees of a circle through what is in front of it, 0 to 1. Decided: by eye. */
+  private static final double THROUGH_OBSTACLES = 0.35;
 
   private static final int SIDES = 40;
 
@@ -120,6 +124,7 @@ final class GoalMarkers {
       Vec3 scale = even(circle.radius()).withZ(1);
       markers.add(marker(part(CIRCLE, mark, color, GoalTextures::circle), pose, scale, eye));
       if (active) {
+        markers.add(throughObstacles(mark, color, pose, scale, eye));
         Vec3 high = scale.withZ(BEACON * circle.radius());
         markers.add(marker(beacon(BEACON_INSIDE, mark, color), pose, high, eye));
         markers.add(marker(beacon(BEACON_OUTSIDE, mark, color), pose, high, eye));
@@ -137,6 +142,24 @@ final class GoalMarkers {
         opening.way().ifPresent(way -> markers.add(arrow(mark, opening, way, color, eye)));
       }
     }
+  }
+
+  /** A circle as it is seen through a wall, faintly, so that one knows where it is. */
+  private Marker throughObstacles(GoalMark mark, Rgb color, Pose pose, Vec3 scale, Eye eye) {
+    Part part =
+        parts.computeIfAbsent(
+            new Look(Layer.GOALS, color, mark.state()),
+            look ->
+                new Part(
+                    CIRCLE,
+                    GoalTextures.circle(color, opacity(mark)).faded(THROUGH_OBSTACLES),
+                    Shading.TRANSLUCENT));
+    Vec3 camera = eye.pose().position();
+    double distance = camera.distanceTo(pose.position());
+    double nearer = Layer.GOALS.distance(distance, eye) / distance;
+    Vec3 shown = camera.plusScaled(pose.position().minus(camera), nearer);
+    Instance circle = new Instance(part, new Pose(shown, pose.attitude()), scale.times(nearer), 1);
+    return Marker.inFront(Layer.GOALS, circle, distance);
   }
 
   private static Part outline(Shape.Gate gate, Rgb color, boolean active) {

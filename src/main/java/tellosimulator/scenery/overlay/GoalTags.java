@@ -22,8 +22,11 @@ public final class GoalTags {
   /** Edge of the tag that comes next, as a share of the distance from the camera. Decided. */
   public static final double SIZE = DroneTag.SIZE;
 
-  /** How much smaller than others are those of goals that cannot be reached now. Decided. */
-  private static final double SMALLER = 0.8;
+  /** How much smaller than others are those of goals that come later. Decided. */
+  private static final double LATER = 0.8;
+
+  /** The same of those that are done: they shall not cover what still matters. Decided. */
+  private static final double DONE = 0.6;
 
   /** Height above a circle on which one lands [m]. Decided: clear of a drone that stands there. */
   private static final double ABOVE_CIRCLE = 0.3;
@@ -65,8 +68,13 @@ public final class GoalTags {
   }
 
   private static Billboard billboard(Look look) {
-    boolean active = look.state == GoalState.ACTIVE;
-    return Billboard.standing(texture(look), SIZE * (active ? 1 : SMALLER));
+    double factor =
+        switch (look.state) {
+          case ACTIVE -> 1;
+          case LATER -> LATER;
+          case DONE -> DONE;
+        };
+    return Billboard.standing(texture(look), SIZE * factor);
   }
 
   private static Texture texture(Look look) {

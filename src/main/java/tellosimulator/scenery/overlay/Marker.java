@@ -20,12 +20,14 @@ record Marker(Instance instance, double distance) {
 
   /** What is in front of the room, from behind to before: a drone matters more than a goal. */
   enum Layer {
-    GOAL_TAGS(1),
-    RINGS(2),
-    DRONE_TAGS(3);
+    GOALS(1),
+    GOAL_TAGS(2),
+    RINGS(3),
+    CONTACTS(4),
+    DRONE_TAGS(5);
 
     /** How many layers there are. */
-    private static final int COUNT = 3;
+    private static final int COUNT = 5;
 
     /** Its place, from 1 for the one that is behind all others. */
     private final int place;

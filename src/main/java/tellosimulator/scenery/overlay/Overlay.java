@@ -151,7 +151,7 @@ public final class Overlay {
   private List<Marker> markers(List<DroneSnapshot> drones, Eye eye) {
     List<Marker> markers = new ArrayList<>(goalMarkers.of(goals, this::color, eye));
     for (ContactMark contact : contacts) {
-      markers.add(Marker.at(contact.place(), contactMarkers.of(contact, eye.pose()), eye));
+      markers.add(contactMarkers.of(contact, eye));
     }
     for (int i = 0; i < rings.size(); i++) {
       Pose drone = drones.get(i).state().motion().pose();

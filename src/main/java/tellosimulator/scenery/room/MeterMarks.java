@@ -54,7 +54,7 @@ final class MeterMarks {
   /** The same, as a part of the room's shorter edge. Decided: by eye. */
   private static final double LARGEST_NUMBER = 0.07;
 
-  private static final Rgb INK = Rgb.of(0x7d7263);
+  private static final Rgb INK = Rgb.of(0x756b5d);
 
   /** On wood with much contrast. */
   private static final Rgb DARK_INK = Rgb.of(0x1d1812);

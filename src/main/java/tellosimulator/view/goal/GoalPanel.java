@@ -140,6 +140,7 @@ public final class GoalPanel extends VBox {
     head.getStyleClass().add("head");
     ScrollPane scroll = new ScrollPane(goals);
     scroll.setFitToWidth(true);
+    scroll.setMinViewportHeight(1); // else it is never lower than 36 px
     scroll.prefViewportHeightProperty().bind(goals.heightProperty()); // with wrapped lines
     scroll.setHbarPolicy(ScrollPane.ScrollBarPolicy.NEVER);
     scroll.setFocusTraversable(false);
@@ -263,7 +264,7 @@ public final class GoalPanel extends VBox {
     String elapsed = seconds(now.elapsed());
     time.setText(
         challenge().timeLimit().isPresent()
-            ? messages.now("time-of", elapsed, seconds(challenge().timeLimit().getAsDouble()))
+            ? messages.now("time-of", elapsed, limit(challenge().timeLimit().getAsDouble()))
             : messages.now("time", elapsed));
     Status status = now.status();
     banner.pseudoClassStateChanged(REACHED, status == Status.REACHED);
@@ -278,6 +279,12 @@ public final class GoalPanel extends VBox {
 
   private String seconds(double seconds) {
     return String.format(language.locale(), "%.1f", seconds);
+  }
+
+  /** Without a decimal where it is whole, as it mostly is. */
+  private String limit(double seconds) {
+    String format = seconds == Math.rint(seconds) ? "%.0f" : "%.1f";
+    return String.format(language.locale(), format, seconds);
   }
 
   private static void onlyWithText(Label label) {

@@ -17,7 +17,8 @@ import tellosimulator.scenery.overlay.GoalTags;
 
 /**
  * The names of the gates that are goals, each at the right of the gate's numbers in the picture of
- * the room: so one finds the gate that the list of goals names. For the JavaFX thread.
+ * the room: so one finds the gate that the list of goals names. Gates that are done say it no
+ * longer. For the JavaFX thread.
  */
 final class GateNames extends Pane {
 
@@ -38,6 +39,7 @@ final class GateNames extends Pane {
     private final GoalMark.Opening opening;
     private int numbers;
     private boolean next;
+    private boolean wanted;
 
     Gate(GoalMark.Opening opening) {
       this.opening = opening;
@@ -85,9 +87,10 @@ final class GateNames extends Pane {
         Gate gate = gates.computeIfAbsent(opening.name(), name -> new Gate(opening));
         gate.numbers++;
         gate.next |= goal.state() == GoalState.ACTIVE;
+        gate.wanted |= goal.state() != GoalState.DONE;
       }
     }
-    return List.copyOf(gates.values());
+    return gates.values().stream().filter(gate -> gate.wanted).toList();
   }
 
   /**

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import javafx.geometry.Bounds;
 import javafx.scene.Node;
+import javafx.scene.layout.VBox;
 import javafx.stage.Stage;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
@@ -26,7 +27,7 @@ class ChartPanelFxTest {
             1,
             context -> {
               panel = new ChartPanel(context);
-              return panel;
+              return new VBox(panel);
             });
   }
 
@@ -37,7 +38,7 @@ class ChartPanelFxTest {
 
   @Test
   void whereThereIsRoomTheyAreBelowEachOtherAndTheChargeHasLeast(FxRobot robot) {
-    robot.interact(() -> panel.getScene().getWindow().setHeight(420));
+    setHeight(robot, 380);
 
     window.until(() -> bounds("#speed-chart").getMinY() > bounds("#height-chart").getMaxY());
     assertThat(bounds("#battery-chart").getMinY()).isGreaterThan(bounds("#speed-chart").getMaxY());
@@ -49,11 +50,19 @@ class ChartPanelFxTest {
 
   @Test
   void elseTheyAreBesideEachOther(FxRobot robot) {
-    robot.interact(() -> panel.getScene().getWindow().setHeight(150));
+    setHeight(robot, 150);
 
     window.until(() -> bounds("#speed-chart").getMinX() > bounds("#height-chart").getMaxX());
     assertThat(bounds("#battery-chart").getMinX()).isGreaterThan(bounds("#speed-chart").getMaxX());
     assertThat(bounds("#battery-chart").getMinY()).isEqualTo(bounds("#height-chart").getMinY());
+  }
+
+  private void setHeight(FxRobot robot, double height) {
+    robot.interact(
+        () -> {
+          panel.setMinHeight(height);
+          panel.setMaxHeight(height);
+        });
   }
 
   private Bounds bounds(String id) {
