@@ -43,7 +43,7 @@ final class GoalMarkers {
   private static final double ARROW = 0.8;
 
   /** How much one sees of a circle through what is in front of it, 0 to 1. Decided: by eye. */
-  private static final double THROUGH_OBSTACLES = 0.35;
+  private static final double THROUGH_OBSTACLES = 0.5;
 
   private static final int SIDES = 40;
 
