@@ -85,7 +85,7 @@ class ScenarioWindowFxTest {
     assertThat(stage.getWidth()).isEqualTo(width);
     assertThat(window.label("scenario-name")).isEqualTo("Small slalom");
     assertThat(window.label("scenario-teaches")).isEqualTo("Learn to fly around things");
-    assertThat(window.label("goal-time")).isEqualTo("Task 0.0 of 60.0 s");
+    assertThat(window.label("goal-time")).isEqualTo("Task 0.0 of 60 s");
     assertThat(bounds("goal-time").getMinY())
         .as("below the name, which has the whole width")
         .isGreaterThan(bounds("scenario-name").getMaxY());
