@@ -336,7 +336,10 @@ final class SimulatorWindow implements AutoCloseable {
     world
         .viewCameraProperty()
         .subscribe(
-            camera -> simulatorControls.droneCameraProperty().set(camera == ViewCamera.DRONE));
+            camera -> {
+              simulatorControls.droneCameraProperty().set(camera == ViewCamera.DRONE);
+              fit(narrow.getValue());
+            });
   }
 
   /** Leaves nothing of those who flew before: operators, drones, batteries, paths, log, clock. */
@@ -367,12 +370,16 @@ final class SimulatorWindow implements AutoCloseable {
     return width < (withPower ? NARROW_WITH_POWER : NARROW);
   }
 
-  /** Leaves room to the scene: where there is more to list, the drones are a line that unfolds. */
+  /**
+   * Leaves room to the scene, and all of it to a drone's film: where there is more to list, the
+   * drones are a line that unfolds.
+   */
   private void fit(boolean narrow) {
     boolean few = context.simulation().drones().size() <= FEW_DRONES;
     pilot.narrowProperty().set(narrow);
-    goals.unfold(!narrow);
-    drones.unfold(!narrow && few && context.scenario().challenge().goals().isEmpty());
+    boolean room = !narrow && world.viewCameraProperty().get() != ViewCamera.DRONE;
+    goals.unfold(room);
+    drones.unfold(room && few && context.scenario().challenge().goals().isEmpty());
   }
 
   /** The plan's keys would steer a drone that one does not see. */

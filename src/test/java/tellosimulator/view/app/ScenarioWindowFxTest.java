@@ -364,6 +364,18 @@ class ScenarioWindowFxTest {
     assertThat(detailsShown()).isTrue();
   }
 
+  @Test
+  void theGoalsAreFoldedWhileTheDronesFilmIsLarge() throws IOException {
+    openWithObstacleAhead();
+    assertThat(detailsShown()).isTrue();
+
+    robot.type(KeyCode.DIGIT5);
+    assertThat(detailsShown()).isFalse();
+
+    robot.type(KeyCode.DIGIT5);
+    assertThat(detailsShown()).isTrue();
+  }
+
   private boolean detailsShown() {
     return robot.lookup("#goal-details").query().isVisible();
   }
