@@ -1,6 +1,6 @@
 package tellosimulator.scenery.furniture;
 
-import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import tellosimulator.math.Vec3;
 import tellosimulator.scenery.mesh.Instance;
@@ -25,8 +25,19 @@ import tellosimulator.world.Room;
  */
 public final class CastShadows {
 
-  /** Edge of the texture [texels]: 2 cm each in a room of 5 m, which is less than it is blurred. */
-  private static final int SIZE = 256;
+  /** Edge of a texel at most, where it is possible [m]. Decided: less than a post is wide. */
+  private static final double TEXEL = 0.025;
+
+  private static final int LEAST_TEXELS = 128;
+
+  /** Decided: more would take too long to bake while somebody moves an obstacle. */
+  private static final int MOST_TEXELS = 1024;
+
+  /**
+   * Obstacles with more triangles cast no shadows. Decided: that is hundreds of gates, between
+   * which one would not tell them apart, and a quarter of a second to bake.
+   */
+  private static final int MOST_TRIANGLES = 200_000;
 
   /** Opacity where no key light arrives. Decided: by eye. */
   private static final double DARKEST = 0.3;
@@ -63,61 +74,32 @@ public final class CastShadows {
   }
 
   private List<Instance> make() {
-    List<List<Vertex>> triangles = triangles(latest);
-    FloorArea area = FloorArea.around(triangles, room);
+    List<Instance> opaque =
+        latest.stream().filter(one -> !one.part().material().shading().blended()).toList();
+    if (opaque.stream().mapToInt(one -> one.part().mesh().triangles()).sum() > MOST_TRIANGLES) {
+      return List.of();
+    }
+    List<Mesh> meshes = MeshBatch.of(opaque).stream().map(Part::mesh).toList();
+    FloorArea area = FloorArea.around(meshes, room);
     if (area.isEmpty()) {
       return List.of();
     }
-    Texture texture = Texture.lazy(SIZE, SIZE, () -> texels(triangles, area));
-    double texel = 1.0 / SIZE; // between the centres of the outer texels, or edges wrap around
-    TextureRegion region = new TextureRegion(texel / 2, texel / 2, 1 - texel, 1 - texel);
-    Mesh mesh = new MeshBuilder().quad(area.quad(), region).build();
+    int size = area.texels();
+    Texture texture = Texture.lazy(size, size, () -> texels(meshes, area));
+    Mesh mesh = new MeshBuilder().quad(area.quad(), TextureRegion.unwrapped(size)).build();
     return List.of(Instance.atOrigin(new Part(mesh, texture, Shading.DECAL)));
   }
 
-  /** All triangles of what is opaque, room frame. */
-  private static List<List<Vertex>> triangles(List<Instance> obstacles) {
-    List<Instance> opaque =
-        obstacles.stream().filter(one -> !one.part().material().shading().blended()).toList();
-    List<List<Vertex>> triangles = new ArrayList<>();
-    for (Part part : MeshBatch.of(opaque)) {
-      Mesh mesh = part.mesh();
-      int[] faces = mesh.faceArray();
-      for (int face = 0; face < faces.length; face += 9) {
-        triangles.add(
-            List.of(
-                corner(mesh, faces[face]),
-                corner(mesh, faces[face + 3]),
-                corner(mesh, faces[face + 6])));
-      }
-    }
-    return triangles;
-  }
-
-  private static Vertex corner(Mesh mesh, int position) {
-    return new Vertex(mesh.position(position), Vec3.UP, 0, 0);
-  }
-
-  /** Where the shadow of a point falls. */
-  private static Vec3 onFloor(Vec3 point) {
-    return point.plusScaled(Lights.KEY, -point.z() / Lights.KEY.z());
-  }
-
   /** Layer by layer: the higher it is, the softer its shadow. */
-  private static int[] texels(List<List<Vertex>> triangles, FloorArea area) {
-    double[] shaded = new double[SIZE * SIZE];
+  private static int[] texels(List<Mesh> meshes, FloorArea area) {
+    int size = area.texels();
+    double[] shaded = new double[size * size];
     for (int i = 0; i < LAYERS; i++) {
       double bottom = i * LAYER;
       double top = i < LAYERS - 1 ? bottom + LAYER : Double.POSITIVE_INFINITY;
-      ShadowLayer layer = new ShadowLayer(SIZE);
-      for (List<Vertex> triangle : triangles) {
-        List<Vertex> lower = PolygonClip.clipped(triangle, Vec3.UP, top);
-        List<Vertex> within = PolygonClip.clipped(lower, Vec3.UP.times(-1), -bottom);
-        layer.fill(
-            within.stream()
-                .mapToDouble(vertex -> area.column(onFloor(vertex.position())))
-                .toArray(),
-            within.stream().mapToDouble(vertex -> area.row(onFloor(vertex.position()))).toArray());
+      ShadowLayer layer = new ShadowLayer(size);
+      for (Mesh mesh : meshes) {
+        fill(layer, mesh, bottom, top, area);
       }
       double blur = LEAST_BLUR + BLUR_BY_HEIGHT * (bottom + LAYER / 2);
       layer.blur(blur / area.texelWidth(), blur / area.texelHeight());
@@ -130,6 +112,31 @@ public final class CastShadows {
     return argb;
   }
 
+  /** Fills the shadow of what of a mesh is between two heights [m]. */
+  private static void fill(
+      ShadowLayer layer, Mesh mesh, double bottom, double top, FloorArea area) {
+    int[] faces = mesh.faceArray();
+    for (int face = 0; face < faces.length; face += 9) {
+      Vec3 a = mesh.position(faces[face]);
+      Vec3 b = mesh.position(faces[face + 3]);
+      Vec3 c = mesh.position(faces[face + 6]);
+      double lowest = Math.min(a.z(), Math.min(b.z(), c.z()));
+      double highest = Math.max(a.z(), Math.max(b.z(), c.z()));
+      if (lowest < top && highest > bottom) {
+        List<Vertex> lower = PolygonClip.clipped(triangle(a, b, c), Vec3.UP, top);
+        List<Vertex> within = PolygonClip.clipped(lower, Vec3.UP.times(-1), -bottom);
+        List<Vec3> shadow = within.stream().map(one -> Lights.onFloor(one.position())).toList();
+        layer.fill(
+            shadow.stream().mapToDouble(area::column).toArray(),
+            shadow.stream().mapToDouble(area::row).toArray());
+      }
+    }
+  }
+
+  private static List<Vertex> triangle(Vec3... corners) {
+    return Arrays.stream(corners).map(corner -> new Vertex(corner, Vec3.UP, 0, 0)).toList();
+  }
+
   /**
    * The part of the floor that the texture covers, room frame [m]. The texture is seen from above,
    * x upwards, as on a plan.
@@ -140,12 +147,12 @@ public final class CastShadows {
     private static final double MARGIN = 2 * (LEAST_BLUR + BLUR_BY_HEIGHT * LAYERS * LAYER);
 
     /** The smallest one with all shadows that are in the room. */
-    static FloorArea around(List<List<Vertex>> triangles, Room room) {
+    static FloorArea around(List<Mesh> meshes, Room room) {
       double all = Double.POSITIVE_INFINITY;
       FloorArea around = new FloorArea(all, -all, all, -all);
-      for (List<Vertex> triangle : triangles) {
-        for (Vertex corner : triangle) {
-          around = around.with(onFloor(corner.position()));
+      for (Mesh mesh : meshes) {
+        for (int i = 0; i < mesh.positions(); i++) {
+          around = around.with(Lights.onFloor(mesh.position(i)));
         }
       }
       return new FloorArea(
@@ -172,12 +179,21 @@ public final class CastShadows {
           new Vec3(back, left, 0), new Vec3(0, right - left, 0), new Vec3(front - back, 0, 0));
     }
 
+    /** Edge of the texture: as fine as it is worth while, a power of two. */
+    int texels() {
+      int texels = LEAST_TEXELS;
+      while (texels < MOST_TEXELS && Math.max(front - back, left - right) > texels * TEXEL) {
+        texels *= 2;
+      }
+      return texels;
+    }
+
     double texelWidth() {
-      return (left - right) / SIZE;
+      return (left - right) / texels();
     }
 
     double texelHeight() {
-      return (front - back) / SIZE;
+      return (front - back) / texels();
     }
 
     double column(Vec3 point) {

@@ -67,9 +67,14 @@ final class ShadowLayer {
    */
   void blur(double columns, double rows) {
     for (int pass = 0; pass < 2; pass++) {
-      blurRows((int) Math.round(columns));
-      blurColumns((int) Math.round(rows));
+      blurRows(radius(columns));
+      blurColumns(radius(rows));
     }
+  }
+
+  /** At least one texel, as edges are not antialiased, and never more than there are. */
+  private int radius(double texels) {
+    return (int) Math.max(1, Math.min(size, Math.round(texels)));
   }
 
   private void blurRows(int radius) {

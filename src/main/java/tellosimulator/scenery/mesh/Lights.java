@@ -40,6 +40,11 @@ public record Lights(Rgb ambient, List<Directional> directional) {
           Rgb.of(0xb3b3b4),
           List.of(new Directional(Rgb.of(0x5c5b58), KEY), new Directional(Rgb.of(0x232427), FILL)));
 
+  /** Where the key light that comes by a point above the floor falls on it, room frame [m]. */
+  public static Vec3 onFloor(Vec3 point) {
+    return point.plusScaled(KEY, -point.z() / KEY.z());
+  }
+
   public Lights {
     directional = List.copyOf(directional);
   }

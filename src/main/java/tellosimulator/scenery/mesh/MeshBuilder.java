@@ -48,6 +48,17 @@ public final class MeshBuilder {
 
     /** The whole texture. */
     public static final TextureRegion WHOLE = new TextureRegion(0, 0, 1, 1);
+
+    /**
+     * The whole of a texture that stands alone: from the centre of the first texel to that of the
+     * last, or the edges would wrap around.
+     *
+     * @param texels edge of the texture
+     */
+    public static TextureRegion unwrapped(int texels) {
+      double texel = 1.0 / texels;
+      return new TextureRegion(texel / 2, texel / 2, 1 - texel, 1 - texel);
+    }
   }
 
   private final List<Vertex> vertices = new ArrayList<>();

@@ -156,10 +156,8 @@ public final class Interior {
         new MeshBuilder().quad(floor.quad(), centered(floor, cells * grid, 0.5 / cells)), texture);
   }
 
-  /** From the centre of the first texel to that of the last, or the edges would wrap around. */
   private static Part plastered(Face face, Texture plaster) {
-    double texel = 1.0 / plaster.width();
-    TextureRegion whole = new TextureRegion(texel / 2, texel / 2, 1 - texel, 1 - texel);
+    TextureRegion whole = TextureRegion.unwrapped(plaster.width());
     return painted(new MeshBuilder().quad(face.quad(), whole), plaster);
   }
 

@@ -1,7 +1,9 @@
 package tellosimulator.scenery.room;
 
 import java.util.List;
+import tellosimulator.scenery.mesh.Mesh;
 import tellosimulator.scenery.mesh.MeshBuilder;
+import tellosimulator.scenery.mesh.MeshBuilder.TextureRegion;
 import tellosimulator.scenery.mesh.Part;
 import tellosimulator.scenery.mesh.Rgb;
 import tellosimulator.scenery.mesh.Shading;
@@ -31,9 +33,10 @@ final class RoomDoor {
   /** The edge of the leaf [m]. */
   private static final double GAP = 0.008;
 
-  /** From the leaf's edge to the inset panels, and from the middle of each to its bevel [m]. */
+  /** From the edge of the leaf, and from its rails' middles, to its inset panels [m]. */
   private static final double STILE = 0.13;
 
+  /** Width of the bevel around a panel [m]. */
   private static final double BEVEL = 0.018;
 
   private static final double HANDLE_HEIGHT = 1.03;
@@ -55,7 +58,8 @@ final class RoomDoor {
       return List.of();
     }
     Area area = new Area(wall.width() / 2 - CLEARANCE - WIDTH, 0, WIDTH, HEIGHT);
-    return List.of(new Part(MeshBuilder.of(wall.quad(area)), TEXTURE, Shading.DECAL));
+    Mesh mesh = new MeshBuilder().quad(wall.quad(area), TextureRegion.unwrapped(SIZE)).build();
+    return List.of(new Part(mesh, TEXTURE, Shading.DECAL));
   }
 
   private static int texel(int x, int y) {

@@ -43,6 +43,9 @@ final class RoomWindows {
   /** Of the frame [m]; the bars have the same. */
   private static final double FRAME = 0.05;
 
+  /** Of the middle of the horizontal bar above the lower edge [m]. */
+  private static final double CROSSBAR = 0.85;
+
   /** How far the sill board stands out at either side, and how high it is [m]. */
   private static final double BOARD = 0.045;
 
@@ -84,7 +87,7 @@ final class RoomWindows {
               SILL - BOARD - SHADE,
               WIDTH + 2 * BOARD,
               HEIGHT + BOARD + SHADE);
-      windows.quad(wall.quad(painted), TextureRegion.WHOLE);
+      windows.quad(wall.quad(painted), TextureRegion.unwrapped(SIZE));
       light.polygon(onFloor(room, wall, new Area(middle - WIDTH / 2, SILL, WIDTH, HEIGHT)));
     }
     return List.of(
@@ -92,7 +95,10 @@ final class RoomWindows {
         new Part(windows.build(), WINDOW, Shading.DECAL));
   }
 
-  /** As many on either side of the wall's middle, where posters and pads are hung; or one alone. */
+  /**
+   * As many on either side of the wall's middle, where posters and pads are hung and at least a
+   * quarter of a metre is free; or one alone.
+   */
   private static int count(double wallWidth) {
     int pairs = (int) Math.floor(wallWidth / (2 * LEAST_SPACING));
     return pairs == 0 && wallWidth >= LEAST_SPACING ? 1 : 2 * pairs;
@@ -111,8 +117,7 @@ final class RoomWindows {
 
   private static Vertex onFloor(Face wall, double across, double up, double u, double v) {
     Vec3 place = wall.origin().plusScaled(wall.right(), across).plusScaled(wall.up(), up);
-    Vec3 floor = place.plusScaled(Lights.KEY, -place.z() / Lights.KEY.z());
-    return new Vertex(floor, Vec3.UP, u, v);
+    return new Vertex(Lights.onFloor(place), Vec3.UP, u, v);
   }
 
   /** A texel of a window with its board. */
@@ -135,7 +140,7 @@ final class RoomWindows {
 
   /** A texel of frame, bars or glass. */
   private static int glazed(double across, double above, double fromEdge) {
-    double fromBar = Math.min(Math.abs(across), Math.abs(above - 0.68 * HEIGHT)) - FRAME / 2;
+    double fromBar = Math.min(Math.abs(across), Math.abs(above - CROSSBAR)) - FRAME / 2;
     double inGlass = Math.min(fromEdge - FRAME, fromBar);
     if (inGlass < 0) {
       return (fromEdge < 0.008 ? EDGE : WHITE).argb();
@@ -151,7 +156,7 @@ final class RoomWindows {
     double above = (1 - (y + 0.5) / LIGHT_SIZE) * HEIGHT;
     double fromEdge =
         Math.min(WIDTH / 2 - Math.abs(across), Math.min(above, HEIGHT - above)) - FRAME / 2;
-    double fromBar = Math.min(Math.abs(across), Math.abs(above - 0.68 * HEIGHT));
+    double fromBar = Math.min(Math.abs(across), Math.abs(above - CROSSBAR));
     double soft = 0.07;
     double edge = Math.max(0, Math.min(1, fromEdge / soft));
     double bar = Math.max(0.25, Math.min(1, fromBar / soft));

@@ -65,6 +65,10 @@ public final class Simulator3DScene extends Region {
   private final Pulse pulse;
   private final DroneOptics optics;
   private final SceneBuilder scenes;
+
+  /** One of its own, as each builder keeps what it has made of the latest obstacles. */
+  private final SceneBuilder ghostScenes = new SceneBuilder();
+
   private final Overlay overlay;
   private final FxMarks marks;
   private final SceneView view;
@@ -315,7 +319,7 @@ public final class Simulator3DScene extends Region {
     } else {
       Viewpoint viewpoint = camera.viewpoint();
       view.show(
-          forPeople(snapshot, viewpoint).withOverlay(aids(snapshot, viewpoint, nanos)),
+          forPeople(scenes, snapshot, viewpoint).withOverlay(aids(snapshot, viewpoint, nanos)),
           viewpoint,
           nanos);
       faults.advance(snapshot, Optional.of(viewpoint));
@@ -324,10 +328,10 @@ public final class Simulator3DScene extends Region {
     }
   }
 
-  private Scene forPeople(SimSnapshot snapshot, Viewpoint viewpoint) {
+  private Scene forPeople(SceneBuilder builder, SimSnapshot snapshot, Viewpoint viewpoint) {
     return dronesEnlarged.get()
-        ? scenes.scene(snapshot, viewpoint.pose().position())
-        : scenes.scene(snapshot);
+        ? builder.scene(snapshot, viewpoint.pose().position())
+        : builder.scene(snapshot);
   }
 
   /** What only people see. */
@@ -336,7 +340,7 @@ public final class Simulator3DScene extends Region {
     ghost.ifPresent(
         other -> {
           other.showTrails(trailVisible.get());
-          Scene scene = forPeople(other.snapshot(), viewpoint);
+          Scene scene = forPeople(ghostScenes, other.snapshot(), viewpoint);
           aids.addAll(other.instances(scene, viewpoint, nanos));
         });
     overlay.choose(simulation.selected().number());

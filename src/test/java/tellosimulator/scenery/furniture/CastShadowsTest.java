@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import tellosimulator.math.Attitude;
 import tellosimulator.math.Pose;
@@ -75,6 +76,30 @@ class CastShadowsTest {
   }
 
   @Test
+  void inALargeRoomThePostOfAGateCastsOne() {
+    Room hall = new Room(20, 20, 3);
+    List<Obstacle> obstacles =
+        List.of(
+            new Obstacle("a", RING, new Vec3(8, 8, 0), 0, ObstacleAppearance.DEFAULT),
+            new Obstacle("b", RING, new Vec3(-8, -8, 0), 0, ObstacleAppearance.DEFAULT));
+    RayTracer eye = eye(20, shadows.instances(hall, new Furniture().instances(obstacles)));
+
+    for (double height = 0.2; height < 0.7; height += 0.05) {
+      assertThat(brightness(eye, Lights.onFloor(new Vec3(8, 8, height)))).isLessThan(245);
+    }
+  }
+
+  @Test
+  void thousandsOfGatesCastNone() {
+    List<Obstacle> gates =
+        IntStream.range(0, 3000)
+            .mapToObj(i -> new Obstacle("", RING, Vec3.ZERO, i, ObstacleAppearance.DEFAULT))
+            .toList();
+
+    assertThat(shadows.instances(ROOM, new Furniture().instances(gates))).isEmpty();
+  }
+
+  @Test
   void noneReachesOutOfTheRoom() {
     Mesh mesh = made(new Shape.Box(0.4, 0.4, 2), new Vec3(2.7, -2.7, 0)).get(0).part().mesh();
 
@@ -130,11 +155,14 @@ class CastShadowsTest {
 
   /** On a white floor, without the obstacle itself. */
   private RayTracer eye(Shape shape, Vec3 foot) {
+    return eye(6, made(shape, foot));
+  }
+
+  private static RayTracer eye(double size, List<Instance> shadows) {
     Texture white = new Texture(1, 1, new int[] {Rgb.WHITE.argb()});
-    Part floor = new Part(MeshBuilder.of(Quad.onFloor(6)), white, Shading.UNLIT);
-    List<Instance> instances = new ArrayList<>();
-    instances.add(Instance.atOrigin(floor));
-    instances.addAll(made(shape, foot));
+    Part floor = new Part(MeshBuilder.of(Quad.onFloor(size)), white, Shading.UNLIT);
+    List<Instance> instances = new ArrayList<>(List.of(Instance.atOrigin(floor)));
+    instances.addAll(shadows);
     return new RayTracer(Scene.of(instances));
   }
 

@@ -16,7 +16,7 @@ class ShadowLayerTest {
   void texelsWhoseCentersAreInATriangleAreShaded() {
     layer.fill(new double[] {2, 6, 2}, new double[] {2, 2, 6});
 
-    assertThat(shaded()).isEqualTo(3 + 2 + 1, within(4.0)); // 4 of them have the edge's centre
+    assertThat(shaded()).isEqualTo(4 + 3 + 2 + 1); // the long edge goes through the last centres
     assertThat(at(2, 2)).isEqualTo(1);
     assertThat(at(5, 5)).isZero();
     assertThat(at(1, 2)).isZero();
@@ -48,6 +48,15 @@ class ShadowLayerTest {
     assertThat(at(6, 8)).isEqualTo(at(10, 8), within(1e-6)).isPositive();
     assertThat(at(8, 4)).isEqualTo(at(8, 12), within(1e-6)).isPositive();
     assertThat(at(5, 8)).isZero();
+  }
+
+  @Test
+  void aBlurIsNeverWiderThanTheTexture() {
+    layer.fill(new double[] {8, 9, 9, 8}, new double[] {8, 8, 9, 9});
+
+    layer.blur(1e12, 1e12);
+
+    assertThat(at(3, 3)).isPositive();
   }
 
   @Test
