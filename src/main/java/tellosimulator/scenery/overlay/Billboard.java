@@ -20,10 +20,6 @@ final class Billboard {
   private static final Mesh STANDING =
       MeshBuilder.of(new Quad(new Vec3(0, 0.5, 0), new Vec3(0, -1, 0), Vec3.UP));
 
-  /** The same with its middle in the origin. */
-  private static final Mesh CENTERED =
-      MeshBuilder.of(new Quad(new Vec3(0, 0.5, -0.5), new Vec3(0, -1, 0), Vec3.UP));
-
   private final Part part;
   private final double size;
 
@@ -39,21 +35,6 @@ final class Billboard {
    */
   static Billboard standing(Texture texture, double size) {
     return new Billboard(STANDING, texture, size);
-  }
-
-  /**
-   * One that has its middle at its place.
-   *
-   * @param size of its edge, as a share of the distance from the camera
-   */
-  static Billboard centered(Texture texture, double size) {
-    return new Billboard(CENTERED, texture, size);
-  }
-
-  /** The picture at a place of the room. */
-  Instance at(Vec3 place, Pose camera) {
-    double edge = size * camera.position().distanceTo(place);
-    return new Instance(part, new Pose(place, camera.attitude()), edge, 1);
   }
 
   /**

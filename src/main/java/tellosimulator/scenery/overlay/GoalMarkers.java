@@ -43,12 +43,15 @@ final class GoalMarkers {
   private static final double ARROW = 0.8;
 
   /** How much one sees of a circle through what is in front of it, 0 to 1. Decided: by eye. */
-  private static final double THROUGH_OBSTACLES = 0.5;
+  private static final double THROUGH_OBSTACLES = 0.4;
 
   private static final int SIDES = 40;
 
   private static final Mesh BALL = LatheMesh.ball(SIDES);
   private static final Mesh CIRCLE = MeshBuilder.of(Quad.onFloor(2));
+
+  /** The form of a circle that is seen through obstacles. */
+  private static final String HIDDEN_CIRCLE = "hidden circle";
 
   private static final Range RISING = Range.upwards(GoalTextures.LENGTH);
 
@@ -148,7 +151,7 @@ final class GoalMarkers {
   private Marker throughObstacles(GoalMark mark, Rgb color, Pose pose, Vec3 scale, Eye eye) {
     Part part =
         parts.computeIfAbsent(
-            new Look(Layer.GOALS, color, mark.state()),
+            new Look(HIDDEN_CIRCLE, color, mark.state()),
             look ->
                 new Part(
                     CIRCLE,
@@ -156,7 +159,7 @@ final class GoalMarkers {
                     Shading.TRANSLUCENT));
     Vec3 camera = eye.pose().position();
     double distance = camera.distanceTo(pose.position());
-    double nearer = Layer.GOALS.distance(distance, eye) / distance;
+    double nearer = Math.min(1, Layer.GOALS.distance(distance, eye) / distance);
     Vec3 shown = camera.plusScaled(pose.position().minus(camera), nearer);
     Instance circle = new Instance(part, new Pose(shown, pose.attitude()), scale.times(nearer), 1);
     return Marker.inFront(Layer.GOALS, circle, distance);

@@ -29,6 +29,15 @@ record Marker(Instance instance, double distance) {
     /** How many layers there are. */
     private static final int COUNT = 5;
 
+    /** How far the layer that is before all others is shown, in the nearest distance that is. */
+    private static final double FOREMOST = 1.6;
+
+    /** From a layer to the next one behind it. */
+    private static final double STEP = 1.35;
+
+    /** How much farther things of one layer are shown that are farther; less than a step. */
+    private static final double DEPTH = 0.15;
+
     /** Its place, from 1 for the one that is behind all others. */
     private final int place;
 
@@ -38,13 +47,14 @@ record Marker(Instance instance, double distance) {
 
     /**
      * How far from the camera one shows what is in this layer [m]: so near that hardly anything of
-     * the room is nearer, and the farther, the farther what it is about is. What reaches a tenth of
-     * that back and forth does not meet the next layer.
+     * the room is nearer, and the farther, the farther what it is about is. Each is nearer than all
+     * of the layer behind it.
      *
      * @param distance of what it is about [m]
      */
     double distance(double distance, Eye eye) {
-      return eye.nearest() * (COUNT + 1 - place) * (2 + distance / (1 + distance));
+      double farther = 1 + DEPTH * distance / (1 + distance);
+      return eye.nearest() * FOREMOST * StrictMath.pow(STEP, COUNT - place) * farther;
     }
   }
 

@@ -199,8 +199,8 @@ class GoalOverlayTest {
     assertThat(balls.get(1).pose().position().x()).isEqualTo(1);
     int ofDrones = all.size() - others; // rings and tags of drones come last
     for (Instance number : all.subList(ofDrones - 2, ofDrones)) {
-      // clipped is what is nearer than 0.1 m, 4 times 0.2 to 0.3 m are the tags of goals
-      assertThat(number.pose().position().distanceTo(EYE.pose().position())).isBetween(0.8, 1.2);
+      // clipped is what is nearer than 0.1 m; the tags of goals are four layers from that
+      assertThat(number.pose().position().distanceTo(EYE.pose().position())).isBetween(0.39, 0.46);
     }
     assertThat(all).allMatch(one -> one.part().material().shading() == Shading.TRANSLUCENT);
   }
@@ -221,6 +221,72 @@ class GoalOverlayTest {
             new ContactMark(1, new Vec3(2, 0, 0), true)));
 
     assertThat(count(hasColor(MarkColors.CONTACT))).isEqualTo(2);
+  }
+
+  @Test
+  void aContactStandsOnItsPlaceInFrontOfRingsAndBehindNumbersOfDrones() {
+    Vec3 place = new Vec3(1, 0.5, 1);
+    overlay.show(List.of(), List.of(new ContactMark(1, place, false)));
+
+    Instance pin = shown().stream().filter(hasColor(MarkColors.CONTACT)).findFirst().orElseThrow();
+    Vec3 camera = EYE.pose().position();
+    Vec3 seen = pin.pose().position().minus(camera);
+    Vec3 middle = place.plusScaled(Vec3.UP, 0.02).minus(camera); // of the drone
+    assertThat(seen.normalized().distanceTo(middle.normalized())).isLessThan(1e-9);
+    assertThat(seen.norm()).isBetween(0.2, 0.26);
+    assertThat(pin.part().mesh().position(0).z()).as("its tip").isZero();
+  }
+
+  @Test
+  void numbersOfGoalsAreTheSmallerTheLessTheyMatter() {
+    overlay.showGoalLine(false);
+
+    double active = numberSize(GoalState.ACTIVE);
+    assertThat(numberSize(GoalState.LATER)).isCloseTo(0.8 * active, within(1e-9));
+    assertThat(numberSize(GoalState.DONE)).isCloseTo(0.6 * active, within(1e-9));
+  }
+
+  /** Tags have textures of 64 texels. */
+  private double numberSize(GoalState state) {
+    show(mark(1, state, BALL));
+    return shown().stream()
+        .filter(one -> one.part().material().texture().width() == 64)
+        .filter(hasColor(MarkColors.of(state)))
+        .mapToDouble(one -> one.scale().x())
+        .findFirst()
+        .orElseThrow();
+  }
+
+  @Test
+  void theCircleThatComesNextIsFaintlySeenThroughObstacles() {
+    overlay.showGoalLine(false);
+    show(mark(1, GoalState.ACTIVE, new GoalMark.Circle(new Vec3(1, 0, 0), 0.2)));
+    Vec3 camera = EYE.pose().position();
+    double farthest = camera.distanceTo(new Vec3(1, 0, 0));
+
+    List<Instance> circles =
+        shown().stream()
+            .filter(one -> one.part().material().texture().width() == 128)
+            .filter(one -> one.pose().attitude().equals(Attitude.LEVEL))
+            .toList(); // rings are not level
+    List<Instance> near =
+        circles.stream()
+            .filter(one -> camera.distanceTo(one.pose().position()) < farthest / 2)
+            .toList();
+
+    assertThat(circles).hasSize(2);
+    assertThat(near).hasSize(1);
+    assertThat(strongest(near.get(0)))
+        .isCloseTo((int) (0.4 * 255), within(15))
+        .isLessThan(strongest(circles.get(0)));
+  }
+
+  /** The largest alpha of its texture. */
+  private static int strongest(Instance instance) {
+    return Arrays.stream(instance.part().material().texture().argbArray())
+        .map(argb -> argb >>> 24)
+        .max()
+        .orElseThrow();
   }
 
   private void show(GoalMark... marks) {

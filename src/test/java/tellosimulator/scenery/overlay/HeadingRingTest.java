@@ -57,7 +57,9 @@ class HeadingRingTest {
 
     double seenAt = shown.pose().position().distanceTo(eye.pose().position());
     assertThat(shown.largestScale() / seenAt).isCloseTo(share, within(1e-6));
-    assertThat(seenAt).as("in front of the room, but not of tags").isBetween(6 * NEAR, 9 * NEAR);
+    assertThat(seenAt)
+        .as("in front of the room, but not of tags")
+        .isBetween(2.9 * NEAR, 3.4 * NEAR);
   }
 
   @Test
