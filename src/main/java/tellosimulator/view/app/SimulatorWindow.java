@@ -338,7 +338,7 @@ final class SimulatorWindow implements AutoCloseable {
         .subscribe(
             camera -> {
               simulatorControls.droneCameraProperty().set(camera == ViewCamera.DRONE);
-              fit(narrow.getValue());
+              foldGoals(narrow.getValue());
             });
   }
 
@@ -370,16 +370,17 @@ final class SimulatorWindow implements AutoCloseable {
     return width < (withPower ? NARROW_WITH_POWER : NARROW);
   }
 
-  /**
-   * Leaves room to the scene, and all of it to a drone's film: where there is more to list, the
-   * drones are a line that unfolds.
-   */
+  /** Leaves room to the scene: where there is more to list, the drones are a line that unfolds. */
   private void fit(boolean narrow) {
     boolean few = context.simulation().drones().size() <= FEW_DRONES;
     pilot.narrowProperty().set(narrow);
-    boolean room = !narrow && world.viewCameraProperty().get() != ViewCamera.DRONE;
-    goals.unfold(room);
-    drones.unfold(room && few && context.scenario().challenge().goals().isEmpty());
+    foldGoals(narrow);
+    drones.unfold(!narrow && few && context.scenario().challenge().goals().isEmpty());
+  }
+
+  /** Nor shall they cover a drone's film. */
+  private void foldGoals(boolean narrow) {
+    goals.unfold(!narrow && world.viewCameraProperty().get() != ViewCamera.DRONE);
   }
 
   /** The plan's keys would steer a drone that one does not see. */
