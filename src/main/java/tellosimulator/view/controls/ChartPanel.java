@@ -124,7 +124,7 @@ final class ChartPanel extends Card {
 
     @Override
     protected double computeMaxHeight(double width) {
-      return 3 * MOST_ALONE + 2 * GAP;
+      return 2 * MOST_ALONE + LEAST_ALONE + 2 * GAP;
     }
 
     @Override

