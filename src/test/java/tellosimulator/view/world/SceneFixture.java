@@ -210,6 +210,13 @@ public final class SceneFixture implements BeforeEachCallback, AfterEachCallback
     progress = new Progress(challenge, none, 0, Optional.empty());
   }
 
+  /** Has the first of the goals reached; the next beat shows it. */
+  void reachFirst() {
+    List<OptionalDouble> reached = new ArrayList<>(progress.reached());
+    reached.set(0, OptionalDouble.of(1));
+    progress = new Progress(progress.challenge(), reached, 1, Optional.empty());
+  }
+
   /** Marks where drones touched something; the next beat shows it. */
   void mark(ContactMark... marks) {
     contacts = List.of(marks);

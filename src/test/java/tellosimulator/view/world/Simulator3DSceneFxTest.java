@@ -239,6 +239,31 @@ class Simulator3DSceneFxTest {
     assertThat(name.isVisible()).isFalse();
   }
 
+  @Test
+  void aGateThatIsDoneSaysItsNameNoLonger() {
+    fixture.furnish(arena -> arena.withObstacles(List.of(ring("A", 0.5), ring("C", -0.5))));
+    fixture.ask(pass("A"), pass("C"), pass("A"));
+    fly(0, new Vec3(-1, 0, 1));
+    fixture.pass(0.1);
+    assertThat(shownNames()).containsExactlyInAnyOrder("A", "C");
+
+    fixture.reachFirst();
+    fixture.pass(0.1);
+    assertThat(shownNames()).as("A is asked for once more").containsExactlyInAnyOrder("A", "C");
+
+    fixture.ask(pass("A"), pass("C"));
+    fixture.reachFirst();
+    fixture.pass(0.1);
+    assertThat(shownNames()).containsExactly("C");
+  }
+
+  private List<String> shownNames() {
+    return fixture.scene().lookupAll(".gate-name").stream()
+        .filter(Node::isVisible)
+        .map(name -> ((Label) name).getText())
+        .toList();
+  }
+
   /** The only name of a gate that is shown. */
   private Label onlyName() {
     return (Label)
