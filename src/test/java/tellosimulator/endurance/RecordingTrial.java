@@ -3,6 +3,7 @@ package tellosimulator.endurance;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import tellosimulator.benchmark.Measurement;
 
@@ -42,10 +43,14 @@ final class RecordingTrial {
     return Integer.parseInt(line.split(" ", -1)[1]);
   }
 
-  /** How many pictures ffmpeg makes of it without a complaint; -1 if it complains. */
+  /**
+   * How many pictures ffmpeg makes of it without a complaint; -1 if it complains. By itself it
+   * would leave out pictures that a busy machine took shortly after one another.
+   */
   private static int decode(Path film) throws IOException {
-    List<String> command =
-        List.of("ffmpeg", "-nostdin", "-v", "error", "-i", film.toString(), "-f", "framecrc", "-");
+    List<String> command = new ArrayList<>(List.of("ffmpeg", "-nostdin", "-v", "error"));
+    command.addAll(List.of("-i", film.toString()));
+    command.addAll(List.of("-fps_mode", "passthrough", "-f", "framecrc", "-"));
     try (Program ffmpeg = Host.HERE.start(command)) {
       List<String> lines = ffmpeg.rest(PATIENCE_SECONDS);
       if (!ffmpeg.errors().isEmpty()) {
