@@ -48,7 +48,8 @@ final class ElementEdits {
     } else if (index + 1 < elements.size()) {
       edits.remove(element.start(), elements.get(index + 1).start());
     } else {
-      edits.remove(element.start(), element.end());
+      boolean comma = edits.text().startsWith(",", element.end()); // which none may stand behind
+      edits.remove(element.start(), element.end() + (comma ? 1 : 0));
     }
   }
 
@@ -93,7 +94,7 @@ final class ElementEdits {
     } else if (after >= 0) {
       edits.insert(elements.get(after).start(), joined + ", ");
     } else {
-      int inside = elements.isEmpty() ? collection.end() - 1 : elements.get(slot - 1).end();
+      int inside = elements.isEmpty() ? collection.end() - 1 : elements.get(0).start();
       edits.insert(inside, joined);
     }
   }

@@ -9,6 +9,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.SplittableRandom;
+import java.util.regex.Pattern;
 import org.junit.jupiter.api.Test;
 import tellosimulator.goal.Challenge;
 import tellosimulator.scenario.ScenarioCodec.Noted;
@@ -111,6 +112,9 @@ class RandomEditsTest {
         - pass: {gate: gate 2}
       """;
 
+  /** A number sign in a word, such as a colour, begins none. */
+  private static final Pattern COMMENT = Pattern.compile("(?<=\\s|^)(#.*)");
+
   @Test
   void eachEditChangesOnlyItsOwnLines() throws Exception {
     List<ScenarioDocument> documents = new ArrayList<>();
@@ -192,14 +196,7 @@ class RandomEditsTest {
   }
 
   private static List<String> comments(String text) {
-    return text.lines()
-        .map(
-            line ->
-                line.indexOf('#') < 0 || line.contains("\"#")
-                    ? ""
-                    : line.substring(line.indexOf('#')))
-        .filter(comment -> !comment.isEmpty())
-        .toList();
+    return COMMENT.matcher(text).results().map(match -> match.group(1)).toList();
   }
 
   /** Length of the longest common subsequence. */

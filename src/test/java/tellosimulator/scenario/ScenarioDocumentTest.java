@@ -216,6 +216,11 @@ class ScenarioDocumentTest {
         .isEqualTo("pads: [{id: 2, at: [0, 100]}]");
     assertThat(changed("pads: [{id: 1, at: [0, 0]}, {id: 2, at: [0, 100]}]", withoutPad(2)))
         .isEqualTo("pads: [{id: 1, at: [0, 0]}]");
+    assertThat(changed("pads: [{id: 1, at: [0, 0]},]  # one", withoutPad(1)))
+        .isEqualTo("pads: []  # one");
+    MissionPad third = MissionPad.onFloor(3, new Vec3(1, 0, 0), 0);
+    assertThat(changed("pads: [{id: 1, at: [0, 0]},]", arena(a -> a.withPads(List.of(third)))))
+        .isEqualTo("pads: [{id: 3, at: [100, 0]}]");
   }
 
   @Test
