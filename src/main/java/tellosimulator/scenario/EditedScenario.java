@@ -100,6 +100,7 @@ public record EditedScenario(OpenedScenario opened, Scenario present, List<Drone
         new Decor(
             changed(decor.grid(), was.grid(), is.grid()),
             changed(decor.walls(), was.walls(), is.walls()),
+            changed(decor.accent(), was.accent(), is.accent()),
             changed(decor.posters(), was.posters(), is.posters())),
         changed(written.obstacles(), opened.obstacles(), now.obstacles()),
         changed(written.pads(), opened.pads(), now.pads()),

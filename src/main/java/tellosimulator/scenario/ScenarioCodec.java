@@ -130,6 +130,9 @@ final class ScenarioCodec extends RecordCodec<ScenarioCodec.Noted> {
           .usual(
               WordCodec.of(Walls.values()).or(Decor.DEFAULT.walls()),
               noted -> noted.arena().decor().walls());
+  private final Field<Noted, Integer> accent =
+      key("accent", "The colour of the front wall in the window's calm room.")
+          .optionalInt(Scalars.COLOR, noted -> noted.arena().decor().accent());
   private final Field<Noted, List<Item<Poster>>> posters =
       key("posters", "Images on the walls.")
           .usual(
@@ -298,7 +301,8 @@ final class ScenarioCodec extends RecordCodec<ScenarioCodec.Noted> {
     Arena arena =
         new Arena(
             in.get(room),
-            new Decor(in.get(grid), in.get(walls), Item.values(in.get(posters))),
+            new Decor(
+                in.get(grid), in.get(walls), in.findInt(accent), Item.values(in.get(posters))),
             Item.values(named(in.get(obstacles))),
             List.copyOf(padsById.values()),
             in.get(wind));

@@ -76,7 +76,13 @@ final class RandomScenario {
     Arena arena =
         new Arena(
             room,
-            new Decor(cm(10, 200), random.nextBoolean() ? Walls.PLAIN : Walls.TEXTURED, List.of()),
+            new Decor(
+                cm(10, 200),
+                random.nextBoolean() ? Walls.PLAIN : Walls.TEXTURED,
+                random.nextBoolean()
+                    ? OptionalInt.empty()
+                    : OptionalInt.of(random.nextInt(0x1000000)),
+                List.of()),
             obstacles,
             pads,
             wind());

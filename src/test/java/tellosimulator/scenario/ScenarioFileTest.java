@@ -68,6 +68,7 @@ class ScenarioFileTest {
       room: {width: 800, depth: 600, height: 250}
       grid: 50
       walls: plain
+      accent: "#c9b18a"
       posters:
         - {wall: left, along: -20, height: 120, width: 30, picture: face.png}
       obstacles:
@@ -133,7 +134,10 @@ class ScenarioFileTest {
     assertThat(arena.decor())
         .isEqualTo(
             new Decor(
-                0.5, Walls.PLAIN, List.of(new Poster(Surface.LEFT_WALL, -0.2, 1.2, 0.3, picture))));
+                0.5,
+                Walls.PLAIN,
+                OptionalInt.of(0xc9b18a),
+                List.of(new Poster(Surface.LEFT_WALL, -0.2, 1.2, 0.3, picture))));
     assertThat(arena.wind().mean().distanceTo(new Vec3(0, 1.5, 0))).isLessThan(1e-9);
     assertThat(arena.wind().gusts()).isEqualTo(0.4);
     assertThat(scenario.config().rules().crashSpeed()).isEqualTo(0.8);
@@ -269,6 +273,7 @@ class ScenarioFileTest {
             room: {width: 800, depth: 600, height: 250}
             grid: 50
             walls: plain
+            accent: "#c9b18a"
 
             posters:
               - {wall: left, along: -20, height: 120, width: 30, picture: face.png}
@@ -328,7 +333,7 @@ class ScenarioFileTest {
           room: 5                             | 1:7: expected a room, found "5"
           rom: {width: 500}                   | 1:1: a scenario has no key "rom", did you mean room?
           time_limit: 5                       | 1:1: a scenario has no key "time_limit", did you mean time-limit?
-          zebra: 5                            | 1:1: a scenario has no key "zebra", but only name, teaches, difficulty, room, grid, walls, posters, obstacles, pads, drones, wind, link, faults, crash-speed, time-factor, seed, goals, in-order, time-limit, touch
+          zebra: 5                            | 1:1: a scenario has no key "zebra", but only name, teaches, difficulty, room, grid, walls, accent, posters, obstacles, pads, drones, wind, link, faults, crash-speed, time-factor, seed, goals, in-order, time-limit, touch
           name: {}                            | 1:7: expected a text in at least one language, found none
           name: {english: a}                  | 1:8: expected a language such as en or de, found "english"
           name: {[de]: a}                     | 1:8: expected a language such as en or de, found a list of 1

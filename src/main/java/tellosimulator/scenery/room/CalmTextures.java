@@ -2,6 +2,7 @@ package tellosimulator.scenery.room;
 
 import java.util.EnumMap;
 import java.util.Map;
+import java.util.OptionalInt;
 import tellosimulator.scenery.mesh.Rgb;
 import tellosimulator.scenery.mesh.Texture;
 import tellosimulator.scenery.texture.ColorRamp;
@@ -37,7 +38,7 @@ final class CalmTextures {
   /** How far a joint is to be seen [texels]. */
   private static final double JOINT_WIDTH = 1.3;
 
-  private static final Rgb ACCENT = Rgb.of(0xaabfb0);
+  private static final int ACCENT = 0xaabfb0;
   private static final Rgb PLASTER = Rgb.of(0xf0ede7);
   private static final Rgb CEILING = Rgb.of(0xf4f2ee);
 
@@ -64,20 +65,23 @@ final class CalmTextures {
     return Shared.BOARDS;
   }
 
+  /** What the textures of a calm room's walls depend on. */
+  record Plastered(Room room, OptionalInt accent) {}
+
   /** Each wall and the ceiling as a whole, with the ambient occlusion in the room's corners. */
-  static Map<Surface, Texture> plastered(Room room) {
+  static Map<Surface, Texture> plastered(Plastered walls) {
     Map<Surface, Texture> textures = new EnumMap<>(Surface.class);
     for (Surface surface : Surface.values()) {
       if (surface != Surface.FLOOR) {
         Rgb color =
             switch (surface) {
-              case FRONT_WALL -> ACCENT;
+              case FRONT_WALL -> Rgb.of(walls.accent.orElse(ACCENT));
               case BACK_WALL -> PLASTER.shaded(0.985);
               case LEFT_WALL -> PLASTER.shaded(0.965);
               case CEILING -> CEILING;
               default -> PLASTER;
             };
-        textures.put(surface, plaster(color, Face.of(room, surface)));
+        textures.put(surface, plaster(color, Face.of(walls.room, surface)));
       }
     }
     return textures;

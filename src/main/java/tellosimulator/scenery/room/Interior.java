@@ -12,6 +12,7 @@ import tellosimulator.scenery.mesh.MeshBuilder.TextureRegion;
 import tellosimulator.scenery.mesh.Part;
 import tellosimulator.scenery.mesh.Shading;
 import tellosimulator.scenery.mesh.Texture;
+import tellosimulator.scenery.room.CalmTextures.Plastered;
 import tellosimulator.world.Decor;
 import tellosimulator.world.Room;
 import tellosimulator.world.Surface;
@@ -57,7 +58,7 @@ public final class Interior {
   private final Cached<Double, Texture> plainFloor = new Cached<>(PlainTextures::floor);
   private final Cached<Double, Texture> texturedFloor = new Cached<>(Parquet.TEXTURED::texture);
   private final Cached<Double, Texture> calmFloor = new Cached<>(Parquet.CALM::texture);
-  private final Cached<Room, Map<Surface, Texture>> calmWalls =
+  private final Cached<Plastered, Map<Surface, Texture>> calmWalls =
       new Cached<>(CalmTextures::plastered);
   private final Cached<Double, Texture> plainWall =
       new Cached<>(height -> PlainTextures.wall(height, 1));
@@ -94,7 +95,7 @@ public final class Interior {
         switch (finish) {
           case PLAIN -> plain(room, look.decor.grid());
           case TEXTURED -> textured(room, look.decor.grid());
-          case CALM -> calm(room, look.decor.grid());
+          case CALM -> calm(room, look.decor);
         };
     List<Part> all = new ArrayList<>(parts);
     all.add(MeterMarks.part(room, finish));
@@ -136,11 +137,11 @@ public final class Interior {
     return parts;
   }
 
-  private List<Part> calm(Room room, double grid) {
+  private List<Part> calm(Room room, Decor decor) {
     List<Part> parts = new ArrayList<>();
-    parts.add(wooden(room, grid, calmFloor.get(grid)));
+    parts.add(wooden(room, decor.grid(), calmFloor.get(decor.grid())));
     calmWalls
-        .get(room)
+        .get(new Plastered(room, decor.accent()))
         .forEach((surface, plaster) -> parts.add(plastered(Face.of(room, surface), plaster)));
     parts.addAll(Trim.CALM.parts(room));
     parts.addAll(RoomWindows.parts(room));

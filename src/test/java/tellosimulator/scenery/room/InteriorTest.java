@@ -7,6 +7,7 @@ import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.OptionalInt;
 import java.util.stream.IntStream;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Test;
@@ -268,6 +269,9 @@ class InteriorTest {
     Vec3 back = mean(eye, Surface.BACK_WALL);
     assertThat(front.y()).as("sage").isGreaterThan(1.03 * front.x());
     assertThat(back.y()).as("white").isGreaterThan(1.15 * front.y());
+    Decor terracotta = new Decor(0.4, Walls.AUTO, OptionalInt.of(0xd0a080), List.of());
+    Vec3 chosen = mean(eye(terracotta, Finish.CALM), Surface.FRONT_WALL);
+    assertThat(chosen.x()).as("as a scenario says").isGreaterThan(1.3 * chosen.z());
     Rgb here = seen(eye, new Vec3(-3, 0.31, 1.5));
     Rgb there = seen(eye, new Vec3(-3, -0.47, 1.5));
     assertThat(brightness(here)).isCloseTo(brightness(there), within(6.0));
