@@ -38,7 +38,7 @@ final class HeadingRing {
   /**
    * Its radius around a drone alone, as a share of the distance from the camera. Decided: by eye.
    */
-  private static final double RADIUS = 0.031;
+  private static final double RADIUS = 0.034;
 
   /** From the middle to the tip of the arrowhead, in radii. Decided: by eye. */
   private static final double TIP = 1.9;
@@ -62,9 +62,9 @@ final class HeadingRing {
   private static final Mesh MESH = MeshBuilder.of(Quad.onFloor(TEXELS / RING));
 
   /** Width of its line, and of that around a chosen drone [texels]. Decided: by eye. */
-  private static final double LINE = 6;
+  private static final double LINE = 4.5;
 
-  private static final double BOLD_LINE = 12;
+  private static final double BOLD_LINE = 9;
 
   /** How much larger the ring around a chosen drone is. Decided: to be found among twenty. */
   private static final double LARGER = 1.4;

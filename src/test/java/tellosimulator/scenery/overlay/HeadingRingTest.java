@@ -50,7 +50,7 @@ class HeadingRingTest {
   }
 
   @ParameterizedTest
-  @CsvSource({"4, 0.031", "12, 0.031"})
+  @CsvSource({"4, 0.034", "12, 0.034"})
   void itHasTheSameSizeInThePictureFromEverywhere(double distance, double share) {
     Eye eye = eye(-distance, 0);
     Instance shown = instance(new Pose(Vec3.ZERO, Attitude.LEVEL), eye);
@@ -106,9 +106,9 @@ class HeadingRingTest {
     Pose away = new Pose(Vec3.ZERO, Attitude.LEVEL);
     Pose towards = new Pose(Vec3.ZERO, Attitude.ofHeading(Math.PI));
 
-    // From above a ring of 0.031 times 5 m, and an arrowhead of 1.9 radii upwards in the picture.
-    assertThat(ring.reach(towards, Emphasis.NORMAL, above)).isCloseTo(0.155, within(1e-3));
-    assertThat(ring.reach(away, Emphasis.NORMAL, above)).isCloseTo(1.9 * 0.155, within(1e-3));
+    // From above a ring of 0.034 times 5 m, and an arrowhead of 1.9 radii upwards in the picture.
+    assertThat(ring.reach(towards, Emphasis.NORMAL, above)).isCloseTo(0.17, within(1e-3));
+    assertThat(ring.reach(away, Emphasis.NORMAL, above)).isCloseTo(1.9 * 0.17, within(1e-3));
     assertThat(ring.reach(away, Emphasis.NORMAL, eye(-1, 1))).as("without a ring").isZero();
   }
 
