@@ -2,7 +2,10 @@ package tellosimulator.view.controls;
 
 import atlantafx.base.controls.Spacer;
 import java.util.List;
+import javafx.beans.property.BooleanProperty;
 import javafx.beans.property.ObjectProperty;
+import javafx.beans.property.ReadOnlyBooleanProperty;
+import javafx.beans.property.SimpleBooleanProperty;
 import javafx.beans.property.SimpleObjectProperty;
 import javafx.beans.value.ObservableValue;
 import javafx.geometry.Pos;
@@ -35,8 +38,8 @@ class Card extends VBox {
   private final ToggleButton head = new ToggleButton();
   private final HBox top = new HBox(head);
   private final VBox content = new VBox();
+  private final BooleanProperty useful = new SimpleBooleanProperty(this, "useful", true);
   private boolean room = true;
-  private boolean useful = true;
 
   /**
    * @param name in settings; the heading's id is {@code card-} with it
@@ -53,6 +56,7 @@ class Card extends VBox {
     getChildren().addAll(top, content);
     head.setOnAction(pressed -> folding.set(head.isSelected() ? Folding.OPEN : Folding.FOLDED));
     folding.subscribe(this::show);
+    useful.subscribe(this::show);
   }
 
   /** Lays out what can be folded away. */
@@ -88,13 +92,16 @@ class Card extends VBox {
 
   /** Says whether it is of use now, without which it is open only if a person wants it. */
   final void setUseful(boolean newUseful) {
-    useful = newUseful;
-    show();
+    useful.set(newUseful);
+  }
+
+  final ReadOnlyBooleanProperty usefulProperty() {
+    return useful;
   }
 
   private void show() {
     boolean open =
-        folding.get() == Folding.AUTOMATIC ? room && useful : folding.get() == Folding.OPEN;
+        folding.get() == Folding.AUTOMATIC ? room && useful.get() : folding.get() == Folding.OPEN;
     content.setVisible(open);
     content.setManaged(open);
     head.setSelected(open);

@@ -15,7 +15,7 @@ import tellosimulator.view.text.Messages;
 /**
  * Charts of height, speed and battery: beside each other where there is little room, and below each
  * other where there is more. Each drone's last minute is kept, so that choosing another drone shows
- * its own. For the JavaFX thread.
+ * its own. Of use from the first flight on. For the JavaFX thread.
  */
 final class ChartPanel extends Card {
 
@@ -77,6 +77,7 @@ final class ChartPanel extends Card {
     row.setId("charts");
     VBox.setVgrow(row, Priority.ALWAYS);
     layoutCard(row);
+    setUseful(false); // before the first flight
     clock = new DrawingClock(simulation, PERIOD_NANOS);
     context.pulse().onBeat(this::beat);
   }
@@ -85,6 +86,9 @@ final class ChartPanel extends Card {
     double seconds = simulation.secondsProperty().get();
     for (FxDroneModel drone : simulation.drones()) {
       histories.computeIfAbsent(drone, unknown -> History.empty()).add(drone, seconds);
+      if (drone.phaseProperty().get().flying()) {
+        setUseful(true);
+      }
     }
     History shown = histories.get(simulation.selected());
     boolean drawn = shown.newest() == drawnSeconds && drawnDrone == simulation.selected().number();

@@ -31,6 +31,7 @@ public final class SimulatorControls extends ControlPanel {
   private final BooleanProperty droneCamera = new SimpleBooleanProperty(this, "droneCamera");
   private final DroneComboBox choice;
   private final FlightPanel flight;
+  private final ProgramPanel program;
   private final ChartPanel charts;
   private final RoomPanel room;
   private final MorePanel more;
@@ -44,6 +45,7 @@ public final class SimulatorControls extends ControlPanel {
     messages = context.language().messages(SimulatorControls.class);
     choice = new DroneComboBox(context.scene());
     flight = new FlightPanel(context);
+    program = new ProgramPanel(context);
     charts = new ChartPanel(context);
     room = new RoomPanel(context);
     more = new MorePanel(context);
@@ -71,8 +73,8 @@ public final class SimulatorControls extends ControlPanel {
     HBox buttons = new HBox(8, reset, cameraSwitch);
     setFitToHeight(true);
     VBox.setVgrow(charts, Priority.ALWAYS);
-    layoutPanel(choice, flight, buttons, charts, room, more);
-    foldInOrder(more, charts, room);
+    layoutPanel(choice, flight, buttons, program, charts, room, more);
+    foldInOrder(more, program, charts, room);
   }
 
   private void setupEventHandlers() {
@@ -88,6 +90,13 @@ public final class SimulatorControls extends ControlPanel {
             droneCamera.flatMap(
                 drone -> messages.text(drone ? "camera.simulator" : "camera.drone")));
     cameraSwitch.selectedProperty().bindBidirectional(droneCamera);
+    charts.usefulProperty().subscribe(this::makeRoom);
+  }
+
+  /** The first program has flown when there is something for the charts to show. */
+  private void makeRoom(boolean flown) {
+    program.setUseful(!flown);
+    foldSoon();
   }
 
   /** Whether the scene shall be seen through the drone's camera; the button switches it. */

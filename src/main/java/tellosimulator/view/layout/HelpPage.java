@@ -17,6 +17,7 @@ import javafx.scene.layout.GridPane;
 import javafx.scene.layout.HBox;
 import javafx.scene.layout.Region;
 import javafx.scene.layout.VBox;
+import tellosimulator.view.controls.FirstProgram;
 import tellosimulator.view.controls.NetworkControls;
 import tellosimulator.view.model.ViewContext;
 import tellosimulator.view.pilot.SteeringKey;
@@ -49,7 +50,7 @@ final class HelpPage extends Page {
     messages = context.language().messages(HelpPage.class);
     steering = context.language().messages(SteeringKey.class);
     panels = context.language().messages(NetworkControls.class);
-    program = new FirstProgram(messages);
+    program = new FirstProgram("help", context.language());
     setMaxHeight(USE_PREF_SIZE);
     tabs.setTabClosingPolicy(TabPane.TabClosingPolicy.UNAVAILABLE);
     addButton("help-close", messages.text("close"));

@@ -27,6 +27,7 @@ class ChartPanelFxTest {
             1,
             context -> {
               panel = new ChartPanel(context);
+              panel.foldingProperty().set(Card.Folding.OPEN);
               return new VBox(panel);
             });
   }

@@ -39,6 +39,7 @@ class SimulatorControlsFxTest {
               controls = new SimulatorControls(context);
               return controls;
             });
+    controls.availableHeightProperty().set(600); // as high as the window is
   }
 
   @AfterEach
@@ -65,6 +66,28 @@ class SimulatorControlsFxTest {
     assertThat(accessible(robot, "#compass")).isEqualTo("Heading: yaw 90 degrees");
     assertThat(accessible(robot, "#height-bar")).isEqualTo("Height: 100 of 300 centimetres");
     assertThat(accessible(robot, "#attitude")).contains("pitch 0 degrees");
+  }
+
+  @Test
+  void theFirstProgramIsThereUntilSomethingHasFlownAndThenTheCharts(FxRobot robot)
+      throws IOException {
+    robot.interact(() -> controls.availableHeightProperty().set(1000));
+    window.carryOut(new Control.Power(1, true));
+    window.until(() -> isOpen(robot, "#card-program"));
+    window.until(() -> window.text("#panel-program").contains("host = \"127.0.0.1\""));
+    assertThat(isOpen(robot, "#card-charts")).isFalse();
+    window.carryOut(new Control.SetTimeFactor(TimeFactor.MAX));
+
+    assertThat(window.fly("command", "takeoff")).isEqualTo("ok");
+
+    window.until(() -> isOpen(robot, "#card-charts"));
+    assertThat(isOpen(robot, "#card-program")).isFalse();
+    robot.clickOn("#card-program");
+    assertThat(isOpen(robot, "#card-program")).as("whoever still wants it").isTrue();
+  }
+
+  private static boolean isOpen(FxRobot robot, String card) {
+    return robot.lookup(card).queryAs(ToggleButton.class).isSelected();
   }
 
   @Test

@@ -4,11 +4,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.testfx.util.WaitForAsyncUtils.waitForFxEvents;
 
 import atlantafx.base.theme.PrimerLight;
-import java.io.IOException;
-import java.net.InetAddress;
-import java.net.InetSocketAddress;
-import java.nio.file.Files;
-import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
@@ -123,7 +118,7 @@ class PageOverlayFxTest {
     window.setCommandPort(8881);
     robot.type(KeyCode.F1);
     assertThat(label(robot, "#help-program").getText())
-        .contains("Tello(\"127.0.0.1\")", "tello.address = (\"127.0.0.1\", 8881)");
+        .contains("host = \"127.0.0.1\"", "tello.address = (host, 8881)");
     Button copy = robot.lookup("#help-copy-program").queryButton();
     assertThat(copy.getAccessibleText()).isEqualTo("Copy the program");
 
@@ -135,15 +130,6 @@ class PageOverlayFxTest {
     String[] copied = new String[1];
     robot.interact(() -> copied[0] = Clipboard.getSystemClipboard().getString());
     assertThat(copied[0]).isEqualTo(label(robot, "#help-program").getText());
-  }
-
-  @Test
-  void theReadmeHasTheLinesOfTheFirstProgram() throws IOException {
-    List<String> readme = Files.readAllLines(Path.of("README.md"));
-
-    FirstProgram.python(new InetSocketAddress(InetAddress.getLoopbackAddress(), 8879))
-        .lines()
-        .forEach(line -> assertThat(readme).anyMatch(text -> text.startsWith(line)));
   }
 
   @Test

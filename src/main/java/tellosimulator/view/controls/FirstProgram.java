@@ -1,51 +1,56 @@
-package tellosimulator.view.layout;
+package tellosimulator.view.controls;
 
 import java.net.InetSocketAddress;
 import java.util.Locale;
 import javafx.geometry.Pos;
 import javafx.scene.control.Label;
 import javafx.scene.layout.StackPane;
-import tellosimulator.view.controls.CopyButton;
+import tellosimulator.view.text.Language;
 import tellosimulator.view.text.Messages;
 
 /** A short Python program that flies a drone of this simulator, to copy. For the JavaFX thread. */
-final class FirstProgram extends StackPane {
+public final class FirstProgram extends StackPane {
 
   private final Label program = new Label();
 
-  FirstProgram(Messages messages) {
+  /**
+   * @param id what the ids of its parts begin with
+   */
+  public FirstProgram(String id, Language language) {
+    Messages messages = language.messages(FirstProgram.class);
     getStyleClass().add("program");
-    program.setId("help-program");
+    getStylesheets().add(FirstProgram.class.getResource("program.css").toExternalForm());
+    program.setId(id + "-program");
     program.setMinSize(USE_PREF_SIZE, USE_PREF_SIZE);
-    CopyButton copy = new CopyButton(messages.text("copy-program-tip"), program::getText);
-    copy.setId("help-copy-program");
-    copy.textProperty().bind(messages.text("copy-program"));
+    CopyButton copy = new CopyButton(messages.text("program.copy-tip"), program::getText);
+    copy.setId(id + "-copy-program");
+    copy.textProperty().bind(messages.text("program.copy"));
     StackPane.setAlignment(program, Pos.TOP_LEFT);
-    StackPane.setAlignment(copy, Pos.TOP_RIGHT);
+    StackPane.setAlignment(copy, Pos.BOTTOM_RIGHT);
     getChildren().addAll(program, copy);
   }
 
   /** Flies the drone that takes commands at an address. */
-  void fly(InetSocketAddress address) {
+  public void fly(InetSocketAddress address) {
     program.setText(python(address));
   }
 
   /** The program for djitellopy, whose lines the README has, too. */
   static String python(InetSocketAddress address) {
-    String host = address.getAddress().getHostAddress();
     return String.format(
         Locale.ROOT,
         """
         from djitellopy import Tello
 
-        tello = Tello("%1$s")
-        tello.address = ("%1$s", %2$d)
+        host = "%s"
+        tello = Tello(host)
+        tello.address = (host, %d)
         tello.connect()
         tello.takeoff()
         tello.move_forward(100)
         tello.land()
         """,
-        host,
+        address.getAddress().getHostAddress(),
         address.getPort());
   }
 }
