@@ -16,6 +16,7 @@ import javafx.scene.text.FontWeight;
 import javafx.scene.text.TextAlignment;
 import tellosimulator.goal.GoalMark;
 import tellosimulator.goal.GoalState;
+import tellosimulator.math.Frames;
 import tellosimulator.math.Vec3;
 import tellosimulator.scenery.mesh.Rgb;
 import tellosimulator.scenery.overlay.ContactMark;
@@ -46,6 +47,7 @@ final class MarkPainter {
   /** Length of the arrow of a gate, before and behind it [m]. Decided: by eye. */
   private static final double ARROW = 0.4;
 
+  private static final Color INK = Color.web("#2b2b2b");
   private static final Color CONTACT = FxTextures.color(MarkColors.CONTACT);
 
   private final GraphicsContext pen;
@@ -68,6 +70,7 @@ final class MarkPainter {
       pen.setLineWidth(2);
       if (goal.place() instanceof GoalMark.Ball ball) {
         disc(ball.middle(), ball.radius(), scale);
+        height(ball, scale);
       } else if (goal.place() instanceof GoalMark.Circle circle) {
         disc(circle.middle(), circle.radius(), scale);
         ring(circle.middle(), circle.radius() / 2, scale);
@@ -143,6 +146,18 @@ final class MarkPainter {
     double top = scale.screenY(middle) - radius;
     pen.fillOval(left, top, 2 * radius, 2 * radius);
     pen.strokeOval(left, top, 2 * radius, 2 * radius);
+  }
+
+  /** Says how high a ball is, below it. */
+  private void height(GoalMark.Ball ball, PlanViewport scale) {
+    pen.setFill(INK);
+    pen.setFont(Font.font("System", FontWeight.BOLD, 12));
+    pen.setTextAlign(TextAlignment.CENTER);
+    pen.setTextBaseline(VPos.TOP);
+    pen.fillText(
+        "z " + Math.round(Frames.centimeters(ball.middle().z())),
+        scale.screenX(ball.middle()),
+        scale.screenY(ball.middle()) + ball.radius() * scale.pixels() + 3);
   }
 
   private void ring(Vec3 middle, double meters, PlanViewport scale) {

@@ -30,6 +30,7 @@ import tellosimulator.world.Wind;
 final class PlanPainter {
 
   private static final Color FLOOR = Color.web("#f4f0e8");
+  private static final Color HALO = Color.web("#f4f0e8", 0.75);
   private static final Color GRID = Color.web("#d9d2c5");
   private static final Color AXIS = Color.web("#b9b0a0");
   private static final Color WALL = Color.web("#6f6658");
@@ -50,7 +51,7 @@ final class PlanPainter {
   private static final double TEXT_SIZE = 12;
 
   /** How far the name of a gate is beside the arrow through it [px]. Decided: by eye. */
-  private static final double BESIDE_ARROW = 16;
+  private static final double BESIDE_ARROW = 8;
 
   /** Things that are smaller have no name [px]. */
   private static final double SMALLEST_NAMED = 34;
@@ -322,13 +323,30 @@ final class PlanPainter {
     if (largest < SMALLEST_NAMED) {
       return;
     }
-    pen.setFill(INK);
     boolean below = size(Math.min(outline.width(), outline.depth())) < 22;
     double lowest =
         outline.corners(placement).stream().mapToDouble(scale::screenY).max().orElseThrow();
+    double x = scale.screenX(placement.place());
     double y = below ? lowest + 10 : scale.screenY(placement.place());
-    double aside = obstacle.shape() instanceof Shape.Gate ? BESIDE_ARROW : 0;
-    write(obstacle.name(), scale.screenX(placement.place()) + aside, y, TEXT_SIZE);
+    if (obstacle.shape() instanceof Shape.Gate gate) {
+      double middle = obstacle.foot().z() + gate.middle();
+      String text = obstacle.name() + " · z " + centimeters(middle);
+      writeInFront(text, x + BESIDE_ARROW, y, TextAlignment.LEFT);
+    } else {
+      writeInFront(obstacle.name(), x, y, TextAlignment.CENTER);
+    }
+  }
+
+  /** Writes what can be read on everything. */
+  private void writeInFront(String text, double x, double y, TextAlignment alignment) {
+    pen.setFont(Font.font("System", FontWeight.BOLD, TEXT_SIZE));
+    pen.setTextAlign(alignment);
+    pen.setTextBaseline(VPos.CENTER);
+    pen.setStroke(HALO);
+    pen.setLineWidth(3);
+    pen.strokeText(text, x, y);
+    pen.setFill(INK);
+    pen.fillText(text, x, y);
   }
 
   private void write(String text, double x, double y, double size) {
