@@ -25,7 +25,7 @@ class FilmDeterminismTest {
 
   /** SHA-256 of the stream. Where camera, room or encoder change on purpose, so does this. */
   private static final String EXPECTED =
-      "06d39d5008375d1b1e9f53e795423617515fd001691f63b5a2fb8980e16d331b";
+      "490b5bd539b50bb5b48c25a806729103d9cad8be5d42d9e881f9aa788789168b";
 
   private static final VideoFormat FORMAT = VideoFormat.of(VideoSettings.DEFAULT);
 

@@ -20,9 +20,9 @@ class TexturesTest {
   @CsvSource(
       textBlock =
           """
-          bricks,    -866723902
+          bricks,    986615857
           hexagons,  1925357995
-          boards,    -253724830
+          boards,    -1284615537
           triangles, -1934650623
           panels,    -2024680950
           parquet,   1110434159
