@@ -90,7 +90,7 @@ class SceneBuilderTest {
     List<Instance> far = scenes.scene(flying, new Vec3(-5, 0, 1)).drones();
 
     assertThat(near).as("from 1 m").isEqualTo(lifeSize);
-    double factor = 0.048 * 6 / (0.0925 + 2 * 0.0405); // 48 thousandths of 6 m, for 173.5 mm
+    double factor = 0.06 * 6 / (0.0925 + 2 * 0.0405); // 60 thousandths of 6 m, for 173.5 mm
     assertThat(far).hasSameSizeAs(lifeSize);
     for (int i = 0; i < far.size(); i++) {
       Vec3 feet = new Vec3(1, 0, 1);
@@ -107,7 +107,7 @@ class SceneBuilderTest {
     SimSnapshot flying = flying(new Pose(Vec3.ZERO, Attitude.LEVEL));
 
     assertThat(scenes.scene(flying, new Vec3(-100, 0, 1)).drones())
-        .allMatch(part -> part.largestScale() == 2.5);
+        .allMatch(part -> part.largestScale() == 3);
   }
 
   @Test
