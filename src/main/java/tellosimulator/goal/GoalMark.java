@@ -84,6 +84,12 @@ public record GoalMark(int number, OptionalInt drone, GoalState state, Place pla
     return List.copyOf(marks);
   }
 
+  /** Where goals are, of those that are somewhere in a room. */
+  public static List<Place> places(List<Goal> goals, Arena arena) {
+    Obstacles obstacles = Obstacles.of(arena);
+    return goals.stream().flatMap(goal -> place(goal, arena, obstacles).stream()).toList();
+  }
+
   /** The first mark that can be reached now by a drone. */
   public static Optional<GoalMark> next(List<GoalMark> marks, int drone) {
     return marks.stream()

@@ -3,7 +3,7 @@ package tellosimulator.scenery;
 import java.util.ArrayList;
 import java.util.List;
 import tellosimulator.goal.Goal;
-import tellosimulator.goal.GoalRegion;
+import tellosimulator.goal.GoalMark;
 import tellosimulator.math.Attitude;
 import tellosimulator.math.Pose;
 import tellosimulator.math.Vec3;
@@ -26,8 +26,8 @@ public final class SceneExtent {
   private static final double RING = 0.2;
 
   /**
-   * Height over a gate or a ball that is seen too, and half of that over a pad [m]. Decided: a tag,
-   * seen from some metres away; over a pad it is raised.
+   * Height over a gate or a ball that is seen too, and half of that over a circle [m]. Decided: a
+   * tag, seen from some metres away; over a circle it is raised.
    */
   private static final double TAG = 0.3;
 
@@ -46,17 +46,10 @@ public final class SceneExtent {
     List<Vec3> places = new ArrayList<>();
     Room room = arena.room();
     for (Obstacle obstacle : arena.obstacles()) {
-      Vec3 size = Footprint.size(obstacle.shape());
-      boolean tagged =
-          goals.stream()
-              .anyMatch(goal -> goal instanceof Goal.Pass to && to.gate().equals(obstacle.name()));
-      addCorners(places, obstacle.pose(), tagged ? size.plusScaled(Vec3.UP, TAG) : size);
+      addCorners(places, obstacle.pose(), Footprint.size(obstacle.shape()));
     }
     for (MissionPad pad : arena.pads()) {
-      boolean tagged =
-          goals.stream().anyMatch(goal -> goal instanceof Goal.LandOn on && on.pad() == pad.id());
-      Vec3 size = new Vec3(MissionPad.EDGE, MissionPad.EDGE, 0);
-      addCorners(places, pad.pose(room), tagged ? size.plusScaled(Vec3.UP, 2 * TAG) : size);
+      addCorners(places, pad.pose(room), new Vec3(MissionPad.EDGE, MissionPad.EDGE, 0));
     }
     Vec3 ring = new Vec3(2 * RING, 2 * RING, 0);
     for (Pose start : starts) {
@@ -64,22 +57,32 @@ public final class SceneExtent {
       double air = Math.max(0, Math.min(room.height(), height + TAKEOFF) - height);
       addCorners(places, new Pose(start.position(), Attitude.LEVEL), ring.withZ(air));
     }
-    for (Goal goal : goals) {
-      if (goal instanceof Goal.InRegion at) { // gates and mission pads are there already
-        addBall(places, at.region());
-      }
+    for (GoalMark.Place place : GoalMark.places(goals, arena)) {
+      addGoal(places, place);
     }
     return places;
   }
 
-  private static void addBall(List<Vec3> places, GoalRegion region) {
-    Vec3 middle = region.place();
-    for (double side : new double[] {-region.radius(), region.radius()}) {
+  /** What shows a goal, with its tag. */
+  private static void addGoal(List<Vec3> places, GoalMark.Place place) {
+    Vec3 middle = place.middle();
+    if (place instanceof GoalMark.Ball ball) {
+      addAround(places, middle, ball.radius());
+      places.add(middle.withZ(Math.max(0, middle.z() - ball.radius())));
+      places.add(middle.plusScaled(Vec3.UP, ball.radius() + TAG));
+    } else if (place instanceof GoalMark.Circle circle) {
+      addAround(places, middle, circle.radius());
+      places.add(middle.plusScaled(Vec3.UP, 2 * TAG));
+    } else if (place instanceof GoalMark.Opening gate) { // which is among the obstacles
+      places.add(gate.top().plusScaled(Vec3.UP, TAG));
+    }
+  }
+
+  private static void addAround(List<Vec3> places, Vec3 middle, double radius) {
+    for (double side : new double[] {-radius, radius}) {
       places.add(middle.plus(new Vec3(side, 0, 0)));
       places.add(middle.plus(new Vec3(0, side, 0)));
     }
-    places.add(middle.withZ(Math.max(0, middle.z() - region.radius())));
-    places.add(middle.plusScaled(Vec3.UP, region.radius() + TAG));
   }
 
   /**

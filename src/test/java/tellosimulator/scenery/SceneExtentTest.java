@@ -71,6 +71,19 @@ class SceneExtentTest {
     assertThat(tagged - plain).isCloseTo(0.3, within(1e-9));
   }
 
+  @Test
+  void aCircleToLandOnIsOnTopOfWhatStandsThere() {
+    ObstacleAppearance cover = new ObstacleAppearance(0xff0000, Pattern.PLAIN, Map.of());
+    Obstacle box = new Obstacle("box", new Shape.Box(0.6, 0.6, 0.8), Vec3.ZERO, 0, cover);
+    Arena arena = ROOM.withObstacles(List.of(box));
+    Goal land = new Goal.Land(OptionalInt.empty(), new GoalRegion(Vec3.ZERO, 0.2));
+
+    List<Vec3> places = SceneExtent.things(arena, List.of(), List.of(land));
+
+    assertHas(places, new Vec3(0.2, 0, 0.8));
+    assertHas(places, new Vec3(0, 0, 1.4)); // its tag
+  }
+
   private static double highest(List<Vec3> places) {
     return places.stream().mapToDouble(Vec3::z).max().orElseThrow();
   }
