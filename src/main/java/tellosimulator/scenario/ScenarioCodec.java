@@ -131,7 +131,10 @@ final class ScenarioCodec extends RecordCodec<ScenarioCodec.Noted> {
               WordCodec.of(Walls.values()).or(Decor.DEFAULT.walls()),
               noted -> noted.arena().decor().walls());
   private final Field<Noted, Integer> accent =
-      key("accent", "The colour of the front wall in the window's calm room.")
+      key(
+              "accent",
+              "The colour of the front wall in the window's calm room, and of its bricks in the"
+                  + " drones' film.")
           .optionalInt(Scalars.COLOR, noted -> noted.arena().decor().accent());
   private final Field<Noted, List<Item<Poster>>> posters =
       key("posters", "Images on the walls.")

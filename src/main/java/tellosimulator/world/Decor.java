@@ -7,8 +7,8 @@ import java.util.OptionalInt;
  * What can be chosen about the looks of a room; nothing of it stops a drone. Immutable.
  *
  * @param grid distance between the lines on the floor [m]
- * @param accent colour of the front wall where the room is calm, {@code 0xrrggbb}; the usual one if
- *     empty
+ * @param accent colour of the front wall where the room is calm, and hue of its bricks where it is
+ *     textured, {@code 0xrrggbb}; the usual one if empty
  * @param posters the later ones in front of the earlier ones
  */
 public record Decor(double grid, Walls walls, OptionalInt accent, List<Poster> posters) {

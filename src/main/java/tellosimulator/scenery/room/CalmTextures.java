@@ -38,7 +38,7 @@ final class CalmTextures {
   /** How far a joint is to be seen [texels]. */
   private static final double JOINT_WIDTH = 1.3;
 
-  private static final int ACCENT = 0xaabfb0;
+  static final Rgb ACCENT = Rgb.of(0xaabfb0);
   private static final Rgb PLASTER = Rgb.of(0xf0ede7);
   private static final Rgb CEILING = Rgb.of(0xf4f2ee);
 
@@ -75,7 +75,8 @@ final class CalmTextures {
       if (surface != Surface.FLOOR) {
         Rgb color =
             switch (surface) {
-              case FRONT_WALL -> Rgb.of(walls.accent.orElse(ACCENT));
+              case FRONT_WALL ->
+                  walls.accent.isPresent() ? Rgb.of(walls.accent.getAsInt()) : ACCENT;
               case BACK_WALL -> PLASTER.shaded(0.985);
               case LEFT_WALL -> PLASTER.shaded(0.965);
               case CEILING -> CEILING;

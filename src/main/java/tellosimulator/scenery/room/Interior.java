@@ -5,6 +5,7 @@ import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalInt;
 import java.util.function.Function;
 import tellosimulator.scenery.mesh.Instance;
 import tellosimulator.scenery.mesh.MeshBuilder;
@@ -58,6 +59,7 @@ public final class Interior {
   private final Cached<Double, Texture> plainFloor = new Cached<>(PlainTextures::floor);
   private final Cached<Double, Texture> texturedFloor = new Cached<>(Parquet.TEXTURED::texture);
   private final Cached<Double, Texture> calmFloor = new Cached<>(Parquet.CALM::texture);
+  private final Cached<OptionalInt, Texture> bricks = new Cached<>(AccentBricks::of);
   private final Cached<Plastered, Map<Surface, Texture>> calmWalls =
       new Cached<>(CalmTextures::plastered);
   private final Cached<Double, Texture> plainWall =
@@ -94,7 +96,7 @@ public final class Interior {
     List<Part> parts =
         switch (finish) {
           case PLAIN -> plain(room, look.decor.grid());
-          case TEXTURED -> textured(room, look.decor.grid());
+          case TEXTURED -> textured(room, look.decor);
           case CALM -> calm(room, look.decor);
         };
     List<Part> all = new ArrayList<>(parts);
@@ -121,15 +123,15 @@ public final class Interior {
         painted(along, shadedWall.get(room.height())));
   }
 
-  private List<Part> textured(Room room, double grid) {
+  private List<Part> textured(Room room, Decor decor) {
     Face ceiling = Face.of(room, Surface.CEILING);
     List<Part> parts = new ArrayList<>();
-    parts.add(wooden(room, grid, texturedFloor.get(grid)));
+    parts.add(wooden(room, decor.grid(), texturedFloor.get(decor.grid())));
     parts.add(
         painted(
             new MeshBuilder().quad(ceiling.quad(), centered(ceiling, SurfaceTexture.TILE, 0)),
             SurfaceTexture.PANELS.texture()));
-    parts.add(wall(Face.of(room, Surface.FRONT_WALL), SurfaceTexture.BRICKS.texture()));
+    parts.add(wall(Face.of(room, Surface.FRONT_WALL), bricks.get(decor.accent())));
     parts.add(wall(Face.of(room, Surface.BACK_WALL), SurfaceTexture.HEXAGONS.texture()));
     parts.add(wall(Face.of(room, Surface.LEFT_WALL), SurfaceTexture.BOARDS.texture()));
     parts.add(wall(Face.of(room, Surface.RIGHT_WALL), SurfaceTexture.TRIANGLES.texture()));

@@ -166,6 +166,21 @@ class InteriorTest {
     assertThat(right.x()).as("ochre paper").isGreaterThan(1.4 * right.z());
   }
 
+  @Test
+  void bricksHaveTheHueOfTheAccentAndAreAsBrightAsBefore() {
+    Decor rose = new Decor(0.4, Walls.TEXTURED, OptionalInt.of(0xd2b09c), List.of());
+    RayTracer usual = eye(Decor.DEFAULT);
+    RayTracer tinted = eye(rose);
+
+    assertThat(mean(tinted, Surface.FRONT_WALL).x())
+        .isGreaterThan(1.15 * mean(tinted, Surface.FRONT_WALL).z());
+    for (int i = 0; i < 40; i++) {
+      Vec3 place = new Vec3(3, -1.9 + 0.09 * i, 0.4 + 0.05 * i);
+      assertThat(brightness(seen(tinted, place)))
+          .isCloseTo(brightness(seen(usual, place)), within(1.5));
+    }
+  }
+
   @ParameterizedTest
   @EnumSource(Finish.class)
   void fromOutsideOneSeesThroughItsWalls(Finish finish) {
