@@ -12,6 +12,7 @@ import tellosimulator.view.text.Messages;
 public final class FirstProgram extends StackPane {
 
   private final Label program = new Label();
+  private final CopyButton copy;
 
   /**
    * @param id what the ids of its parts begin with
@@ -22,12 +23,17 @@ public final class FirstProgram extends StackPane {
     getStylesheets().add(FirstProgram.class.getResource("program.css").toExternalForm());
     program.setId(id + "-program");
     program.setMinSize(USE_PREF_SIZE, USE_PREF_SIZE);
-    CopyButton copy = new CopyButton(messages.text("program.copy-tip"), program::getText);
+    copy = new CopyButton(messages.text("program.copy-tip"), program::getText);
     copy.setId(id + "-copy-program");
     copy.textProperty().bind(messages.text("program.copy"));
     StackPane.setAlignment(program, Pos.TOP_LEFT);
-    StackPane.setAlignment(copy, Pos.BOTTOM_RIGHT);
+    StackPane.setAlignment(copy, Pos.TOP_RIGHT);
     getChildren().addAll(program, copy);
+  }
+
+  /** Copies it; beside it unless it is laid out elsewhere. */
+  CopyButton copyButton() {
+    return copy;
   }
 
   /** Flies the drone that takes commands at an address. */

@@ -22,6 +22,7 @@ final class ProgramPanel extends Card {
     actions = context.actions();
     program = new FirstProgram("panel", context.language());
     layoutCard(program);
+    layoutHead(program.copyButton());
     clock = new DrawingClock(simulation, PERIOD_NANOS);
     simulation.selectedProperty().subscribe(this::refresh);
     context.pulse().onBeat(this::beat);

@@ -76,7 +76,7 @@ final class PanelWindow implements AutoCloseable {
   static PanelWindow open(Stage stage, int drones, Function<ViewContext, Parent> panel) {
     PanelWindow window = new PanelWindow(drones);
     Application.setUserAgentStylesheet(new PrimerLight().getUserAgentStylesheet());
-    stage.setScene(new Scene(panel.apply(window.context), 300, 600));
+    stage.setScene(new Scene(panel.apply(window.context), 300, 780));
     stage.show();
     window.context.pulse().start();
     return window;

@@ -39,7 +39,6 @@ class SimulatorControlsFxTest {
               controls = new SimulatorControls(context);
               return controls;
             });
-    controls.availableHeightProperty().set(600); // as high as the window is
   }
 
   @AfterEach
@@ -71,7 +70,6 @@ class SimulatorControlsFxTest {
   @Test
   void theFirstProgramIsThereUntilSomethingHasFlownAndThenTheCharts(FxRobot robot)
       throws IOException {
-    robot.interact(() -> controls.availableHeightProperty().set(1000));
     window.carryOut(new Control.Power(1, true));
     window.until(() -> isOpen(robot, "#card-program"));
     window.until(() -> window.text("#panel-program").contains("host = \"127.0.0.1\""));
