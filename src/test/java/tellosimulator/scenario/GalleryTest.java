@@ -109,6 +109,10 @@ class GalleryTest {
   void tableLanding() {
     reaches("table-landing", "takeoff; up 80; forward 150; left 100; land");
     misses("table-landing", "takeoff; up 80; forward 150; left 85; land", 0);
+    fails(
+        "table-landing",
+        "takeoff; forward 150; left 100; land",
+        "drone 1 touched the obstacle foot of the table");
   }
 
   @Test
