@@ -15,7 +15,7 @@ import tellosimulator.view.text.Messages;
 /**
  * Charts of height, speed and battery: beside each other where there is little room, and below each
  * other where there is more. Each drone's last minute is kept, so that choosing another drone shows
- * its own. Of use from the first flight on. For the JavaFX thread.
+ * its own. Of use once motors have run. For the JavaFX thread.
  */
 final class ChartPanel extends Card {
 
@@ -86,7 +86,7 @@ final class ChartPanel extends Card {
     double seconds = simulation.secondsProperty().get();
     for (FxDroneModel drone : simulation.drones()) {
       histories.computeIfAbsent(drone, unknown -> History.empty()).add(drone, seconds);
-      if (drone.phaseProperty().get().flying()) {
+      if (drone.snapshotProperty().get().state().energy().motorTime() > 0) {
         setUseful(true);
       }
     }

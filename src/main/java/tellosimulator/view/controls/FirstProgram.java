@@ -1,6 +1,7 @@
 package tellosimulator.view.controls;
 
 import java.net.InetSocketAddress;
+import java.util.List;
 import java.util.Locale;
 import javafx.geometry.Pos;
 import javafx.scene.control.Label;
@@ -36,9 +37,15 @@ public final class FirstProgram extends StackPane {
     return copy;
   }
 
-  /** Flies the drone that takes commands at an address. */
-  public void fly(InetSocketAddress address) {
+  /**
+   * Flies the drone that takes commands at some addresses.
+   *
+   * @return the address that it uses
+   */
+  public InetSocketAddress fly(List<InetSocketAddress> addresses) {
+    InetSocketAddress address = AddressList.mostUsefulFirst(addresses).get(0);
     program.setText(python(address));
+    return address;
   }
 
   /** The program for djitellopy, whose lines the README has, too. */

@@ -1,6 +1,5 @@
 package tellosimulator.view.controls;
 
-import java.net.InetSocketAddress;
 import tellosimulator.view.model.FxSimulation;
 import tellosimulator.view.model.SimulatorActions;
 import tellosimulator.view.model.ViewContext;
@@ -24,20 +23,19 @@ final class ProgramPanel extends Card {
     layoutCard(program);
     layoutHead(program.copyButton());
     clock = new DrawingClock(simulation, PERIOD_NANOS);
+    refresh();
     simulation.selectedProperty().subscribe(this::refresh);
     context.pulse().onBeat(this::beat);
   }
 
   private void beat(long nanos) {
-    if (clock.due(nanos) && isOpen() && !actions.pending()) {
+    if (clock.due(nanos) && !actions.pending()) {
       clock.take(nanos);
       refresh();
     }
   }
 
   private void refresh() {
-    int drone = simulation.selected().number();
-    InetSocketAddress address = AddressList.mostUsefulFirst(actions.addresses(drone)).get(0);
-    program.fly(address);
+    program.fly(actions.addresses(simulation.selected().number()));
   }
 }

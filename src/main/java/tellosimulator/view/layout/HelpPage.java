@@ -60,10 +60,9 @@ final class HelpPage extends Page {
   /** Takes over where the selected drone is to be reached. */
   void refresh() {
     int drone = context.simulation().selected().number();
-    InetSocketAddress first = context.actions().addresses(drone).get(0);
-    String host = first.getAddress().getHostAddress();
-    address.set(first.getPort() == 0 ? host : host + ":" + first.getPort());
-    program.fly(first);
+    InetSocketAddress used = program.fly(context.actions().addresses(drone));
+    String host = used.getAddress().getHostAddress();
+    address.set(used.getPort() == 0 ? host : host + ":" + used.getPort());
   }
 
   private void layoutParts() {
