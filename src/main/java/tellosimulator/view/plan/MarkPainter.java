@@ -16,7 +16,6 @@ import javafx.scene.text.FontWeight;
 import javafx.scene.text.TextAlignment;
 import tellosimulator.goal.GoalMark;
 import tellosimulator.goal.GoalState;
-import tellosimulator.math.Frames;
 import tellosimulator.math.Vec3;
 import tellosimulator.scenery.mesh.Rgb;
 import tellosimulator.scenery.overlay.ContactMark;
@@ -155,9 +154,9 @@ final class MarkPainter {
     pen.setTextAlign(TextAlignment.CENTER);
     pen.setTextBaseline(VPos.TOP);
     pen.fillText(
-        "z " + Math.round(Frames.centimeters(ball.middle().z())),
+        PlanPainter.height(ball.middle().z()),
         scale.screenX(ball.middle()),
-        scale.screenY(ball.middle()) + ball.radius() * scale.pixels() + 3);
+        scale.screenY(ball.middle()) + Math.max(SMALLEST, ball.radius() * scale.pixels()) + 3);
   }
 
   private void ring(Vec3 middle, double meters, PlanViewport scale) {

@@ -328,13 +328,23 @@ final class PlanPainter {
         outline.corners(placement).stream().mapToDouble(scale::screenY).max().orElseThrow();
     double x = scale.screenX(placement.place());
     double y = below ? lowest + 10 : scale.screenY(placement.place());
-    if (obstacle.shape() instanceof Shape.Gate gate) {
-      double middle = obstacle.foot().z() + gate.middle();
-      String text = obstacle.name() + " · z " + centimeters(middle);
-      writeInFront(text, x + BESIDE_ARROW, y, TextAlignment.LEFT);
+    if (obstacle.shape() instanceof Shape.Gate) {
+      writeInFront(text(obstacle), x + BESIDE_ARROW, y, TextAlignment.LEFT);
     } else {
-      writeInFront(obstacle.name(), x, y, TextAlignment.CENTER);
+      writeInFront(text(obstacle), x, y, TextAlignment.CENTER);
     }
+  }
+
+  /** Its name, and how high the middle of a gate's opening is. */
+  static String text(Obstacle obstacle) {
+    return obstacle.shape() instanceof Shape.Gate gate
+        ? obstacle.name() + " · " + height(obstacle.foot().z() + gate.middle())
+        : obstacle.name();
+  }
+
+  /** A height as on the plan. */
+  static String height(double meters) {
+    return "z " + centimeters(meters);
   }
 
   /** Writes what can be read on everything. */
