@@ -26,7 +26,7 @@ public final class SceneExtent {
   private static final double RING = 0.2;
 
   /**
-   * Height over a gate or a ball that is seen too, and half of that over a circle [m]. Decided: a
+   * Height over a gate or a ball that is seen too, and twice that over a circle [m]. Decided: a
    * tag, seen from some metres away; over a circle it is raised.
    */
   private static final double TAG = 0.3;

@@ -7,7 +7,8 @@ import tellosimulator.scenery.mesh.Texture;
 
 /**
  * The bricks of the front wall in the hue of a room's accent. Each texel is as bright as in the
- * file, so that programs find as many features; mortar keeps its color.
+ * file, as far as the hue has such a color, so that programs find as many features; mortar keeps
+ * its color.
  */
 final class AccentBricks {
 

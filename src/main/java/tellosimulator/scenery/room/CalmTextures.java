@@ -66,10 +66,10 @@ final class CalmTextures {
   }
 
   /** What the textures of a calm room's walls depend on. */
-  record Plastered(Room room, OptionalInt accent) {}
+  record Plaster(Room room, OptionalInt accent) {}
 
   /** Each wall and the ceiling as a whole, with the ambient occlusion in the room's corners. */
-  static Map<Surface, Texture> plastered(Plastered walls) {
+  static Map<Surface, Texture> plastered(Plaster walls) {
     Map<Surface, Texture> textures = new EnumMap<>(Surface.class);
     for (Surface surface : Surface.values()) {
       if (surface != Surface.FLOOR) {

@@ -13,7 +13,7 @@ import tellosimulator.scenery.mesh.MeshBuilder.TextureRegion;
 import tellosimulator.scenery.mesh.Part;
 import tellosimulator.scenery.mesh.Shading;
 import tellosimulator.scenery.mesh.Texture;
-import tellosimulator.scenery.room.CalmTextures.Plastered;
+import tellosimulator.scenery.room.CalmTextures.Plaster;
 import tellosimulator.world.Decor;
 import tellosimulator.world.Room;
 import tellosimulator.world.Surface;
@@ -60,7 +60,7 @@ public final class Interior {
   private final Cached<Double, Texture> texturedFloor = new Cached<>(Parquet.TEXTURED::texture);
   private final Cached<Double, Texture> calmFloor = new Cached<>(Parquet.CALM::texture);
   private final Cached<OptionalInt, Texture> bricks = new Cached<>(AccentBricks::of);
-  private final Cached<Plastered, Map<Surface, Texture>> calmWalls =
+  private final Cached<Plaster, Map<Surface, Texture>> calmWalls =
       new Cached<>(CalmTextures::plastered);
   private final Cached<Double, Texture> plainWall =
       new Cached<>(height -> PlainTextures.wall(height, 1));
@@ -143,7 +143,7 @@ public final class Interior {
     List<Part> parts = new ArrayList<>();
     parts.add(wooden(room, decor.grid(), calmFloor.get(decor.grid())));
     calmWalls
-        .get(new Plastered(room, decor.accent()))
+        .get(new Plaster(room, decor.accent()))
         .forEach((surface, plaster) -> parts.add(plastered(Face.of(room, surface), plaster)));
     parts.addAll(Trim.CALM.parts(room));
     parts.addAll(RoomWindows.parts(room));
