@@ -8,6 +8,7 @@ import java.util.Locale;
 import javafx.scene.AccessibleAttribute;
 import javafx.scene.control.Slider;
 import javafx.scene.control.ToggleButton;
+import javafx.scene.input.Clipboard;
 import javafx.scene.input.KeyCode;
 import javafx.stage.Stage;
 import org.junit.jupiter.api.AfterEach;
@@ -80,6 +81,10 @@ class SimulatorControlsFxTest {
 
     window.until(() -> isOpen(robot, "#card-charts"));
     assertThat(isOpen(robot, "#card-program")).isFalse();
+    robot.clickOn("#panel-copy-program");
+    String[] copied = new String[1];
+    robot.interact(() -> copied[0] = Clipboard.getSystemClipboard().getString());
+    assertThat(copied[0]).as("also while it is folded").contains("tello.takeoff()");
     robot.clickOn("#card-program");
     assertThat(isOpen(robot, "#card-program")).as("whoever still wants it").isTrue();
   }
