@@ -7,13 +7,9 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.function.IntFunction;
 import javafx.geometry.Point2D;
-import javafx.geometry.VPos;
 import javafx.scene.canvas.GraphicsContext;
 import javafx.scene.paint.Color;
 import javafx.scene.shape.StrokeLineCap;
-import javafx.scene.text.Font;
-import javafx.scene.text.FontWeight;
-import javafx.scene.text.TextAlignment;
 import tellosimulator.goal.GoalMark;
 import tellosimulator.goal.GoalState;
 import tellosimulator.math.Vec3;
@@ -46,10 +42,13 @@ final class MarkPainter {
   /** Length of the arrow of a gate, before and behind it [m]. Decided: by eye. */
   private static final double ARROW = 0.4;
 
-  private static final Color INK = Color.web("#2b2b2b");
+  /** From the rim of a ball to the middle of its height below it [px]. */
+  private static final double BELOW_BALL = 9;
+
   private static final Color CONTACT = FxTextures.color(MarkColors.CONTACT);
 
   private final GraphicsContext pen;
+  private final PlanLabels labels;
   private final IntFunction<Color> drones;
 
   /**
@@ -57,6 +56,7 @@ final class MarkPainter {
    */
   MarkPainter(GraphicsContext pen, IntFunction<Color> drones) {
     this.pen = pen;
+    labels = new PlanLabels(pen);
     this.drones = drones;
   }
 
@@ -149,14 +149,13 @@ final class MarkPainter {
 
   /** Says how high a ball is, below it. */
   private void height(GoalMark.Ball ball, PlanViewport scale) {
-    pen.setFill(INK);
-    pen.setFont(Font.font("System", FontWeight.BOLD, 12));
-    pen.setTextAlign(TextAlignment.CENTER);
-    pen.setTextBaseline(VPos.TOP);
-    pen.fillText(
-        PlanPainter.height(ball.middle().z()),
+    double radius = Math.max(SMALLEST, ball.radius() * scale.pixels());
+    pen.setFill(PlanLabels.INK);
+    labels.write(
+        PlanLabels.height(ball.middle().z()),
         scale.screenX(ball.middle()),
-        scale.screenY(ball.middle()) + Math.max(SMALLEST, ball.radius() * scale.pixels()) + 3);
+        scale.screenY(ball.middle()) + radius + BELOW_BALL,
+        PlanLabels.SIZE);
   }
 
   private void ring(Vec3 middle, double meters, PlanViewport scale) {
@@ -206,10 +205,7 @@ final class MarkPainter {
           new double[] {x - 4, x - 1, x + 4.5}, new double[] {y, y + 3.5, y - 3.5}, 3);
     } else {
       pen.setFill(Color.WHITE);
-      pen.setFont(Font.font("System", FontWeight.BOLD, 12));
-      pen.setTextAlign(TextAlignment.CENTER);
-      pen.setTextBaseline(VPos.CENTER);
-      pen.fillText(Integer.toString(goal.number()), x, y);
+      labels.write(Integer.toString(goal.number()), x, y, PlanLabels.SIZE);
     }
   }
 

@@ -4,14 +4,10 @@ import java.util.List;
 import java.util.OptionalInt;
 import java.util.function.IntFunction;
 import java.util.stream.IntStream;
-import javafx.geometry.VPos;
 import javafx.scene.canvas.GraphicsContext;
 import javafx.scene.paint.Color;
-import javafx.scene.text.Font;
-import javafx.scene.text.FontWeight;
 import javafx.scene.text.TextAlignment;
 import tellosimulator.goal.GoalMark;
-import tellosimulator.math.Frames;
 import tellosimulator.math.Vec3;
 import tellosimulator.model.DroneSpec;
 import tellosimulator.scenery.overlay.ContactMark;
@@ -30,11 +26,10 @@ import tellosimulator.world.Wind;
 final class PlanPainter {
 
   private static final Color FLOOR = Color.web("#f4f0e8");
-  private static final Color HALO = Color.web("#f4f0e8", 0.75);
   private static final Color GRID = Color.web("#d9d2c5");
   private static final Color AXIS = Color.web("#b9b0a0");
   private static final Color WALL = Color.web("#6f6658");
-  private static final Color INK = Color.web("#2b2b2b");
+  private static final Color INK = PlanLabels.INK;
   private static final Color CHOSEN = Color.web("#0969da");
   private static final Color WRONG = Color.web("#cf222e");
   private static final Color WIND = Color.web("#0969da", 0.35);
@@ -47,8 +42,6 @@ final class PlanPainter {
 
   /** Numbers along the walls are at least this far apart [px]. Decided: four digits and a gap. */
   private static final double NARROWEST_NUMBERS = 44;
-
-  private static final double TEXT_SIZE = 12;
 
   /** How far the name of a gate is beside the arrow through it [px]. Decided: by eye. */
   private static final double BESIDE_ARROW = 8;
@@ -66,6 +59,7 @@ final class PlanPainter {
 
   private final GraphicsContext pen;
   private final IntFunction<Color> colors;
+  private final PlanLabels labels;
   private final MarkPainter marks;
   private PlanViewport scale;
 
@@ -75,6 +69,7 @@ final class PlanPainter {
   PlanPainter(GraphicsContext pen, IntFunction<Color> colors) {
     this.pen = pen;
     this.colors = colors;
+    labels = new PlanLabels(pen);
     marks = new MarkPainter(pen, colors);
   }
 
@@ -97,8 +92,11 @@ final class PlanPainter {
     paintRoom(plan.arena().room(), plan.arena().decor().grid());
     pen.setFill(WALL);
     Vec3 middleOfFront = new Vec3(plan.arena().room().depth() / 2, 0, 0);
-    write(
-        remarks.front, scale.screenX(middleOfFront), scale.screenY(middleOfFront) - 14, TEXT_SIZE);
+    labels.write(
+        remarks.front,
+        scale.screenX(middleOfFront),
+        scale.screenY(middleOfFront) - 14,
+        PlanLabels.SIZE);
     paintWind(plan.arena().wind());
     marks.paintPlaces(remarks.goals, scale);
     for (PlanItem item : plan.items()) {
@@ -145,15 +143,23 @@ final class PlanPainter {
   private void paintAxes(Room room, double grid, double left, double top, double bottom) {
     double step = numberStep(grid, scale.pixels());
     pen.setFill(WALL);
-    write("x", left - 18, top - 12, TEXT_SIZE);
-    write("y", left - 18, bottom + 14, TEXT_SIZE);
+    labels.write("x", left - 18, top - 12, PlanLabels.SIZE);
+    labels.write("y", left - 18, bottom + 14, PlanLabels.SIZE);
     int mostX = (int) Math.floor(room.depth() / 2 / step + 1e-9);
     for (int i = -mostX; i <= mostX; i++) {
-      write(centimeters(i * step), left - 18, scale.screenY(new Vec3(i * step, 0, 0)), TEXT_SIZE);
+      labels.write(
+          PlanLabels.centimeters(i * step),
+          left - 18,
+          scale.screenY(new Vec3(i * step, 0, 0)),
+          PlanLabels.SIZE);
     }
     int mostY = (int) Math.floor(room.width() / 2 / step + 1e-9);
     for (int i = -mostY; i <= mostY; i++) {
-      write(centimeters(i * step), scale.screenX(new Vec3(0, i * step, 0)), bottom + 14, TEXT_SIZE);
+      labels.write(
+          PlanLabels.centimeters(i * step),
+          scale.screenX(new Vec3(0, i * step, 0)),
+          bottom + 14,
+          PlanLabels.SIZE);
     }
   }
 
@@ -172,10 +178,6 @@ final class PlanPainter {
     return lines * grid;
   }
 
-  private static String centimeters(double meters) {
-    return Long.toString(Math.round(Frames.centimeters(meters)));
-  }
-
   /** Draws a distance with its length. */
   void paint(MeasuredDistance measured) {
     double fromX = scale.screenX(measured.from());
@@ -189,7 +191,7 @@ final class PlanPainter {
       pen.setFill(CHOSEN);
       pen.fillOval(end[0] - 3, end[1] - 3, 6, 6);
     }
-    write(measured.text(), (fromX + toX) / 2, (fromY + toY) / 2 - 12, 13);
+    labels.write(measured.text(), (fromX + toX) / 2, (fromY + toY) / 2 - 12, 13);
   }
 
   private void upright(Vec3 place, double top, double height) {
@@ -266,7 +268,7 @@ final class PlanPainter {
     pen.strokeRect(-width / 2, -depth / 2, width, depth);
     pen.setFill(INK);
     if (pad.surface().wall()) {
-      write(Integer.toString(pad.id()), 0, -depth - 4, 11);
+      labels.write(Integer.toString(pad.id()), 0, -depth - 4, 11);
       return;
     }
     double tip = depth / 2 * 0.88;
@@ -274,7 +276,7 @@ final class PlanPainter {
         new double[] {0, width * 0.2, -width * 0.2},
         new double[] {-tip, -tip * 0.35, -tip * 0.35},
         3);
-    write(Integer.toString(pad.id()), 0, depth * 0.16, Math.max(8, depth * 0.5));
+    labels.write(Integer.toString(pad.id()), 0, depth * 0.16, Math.max(8, depth * 0.5));
   }
 
   private void paintStart(int drone) {
@@ -311,7 +313,7 @@ final class PlanPainter {
   private void number(int drone, Placement placement) {
     double radius = startRadius();
     pen.setFill(DroneColors.inkOn(colors.apply(drone)));
-    write(
+    labels.write(
         Integer.toString(drone),
         scale.screenX(placement.place()),
         scale.screenY(placement.place()),
@@ -329,41 +331,17 @@ final class PlanPainter {
     double x = scale.screenX(placement.place());
     double y = below ? lowest + 10 : scale.screenY(placement.place());
     if (obstacle.shape() instanceof Shape.Gate) {
-      writeInFront(text(obstacle), x + BESIDE_ARROW, y, TextAlignment.LEFT);
+      labels.writeInFront(text(obstacle), x + BESIDE_ARROW, y, TextAlignment.LEFT);
     } else {
-      writeInFront(text(obstacle), x, y, TextAlignment.CENTER);
+      labels.writeInFront(text(obstacle), x, y, TextAlignment.CENTER);
     }
   }
 
   /** Its name, and how high the middle of a gate's opening is. */
   static String text(Obstacle obstacle) {
     return obstacle.shape() instanceof Shape.Gate gate
-        ? obstacle.name() + " · " + height(obstacle.foot().z() + gate.middle())
+        ? obstacle.name() + " · " + PlanLabels.height(obstacle.foot().z() + gate.middle())
         : obstacle.name();
-  }
-
-  /** A height as on the plan. */
-  static String height(double meters) {
-    return "z " + centimeters(meters);
-  }
-
-  /** Writes what can be read on everything. */
-  private void writeInFront(String text, double x, double y, TextAlignment alignment) {
-    pen.setFont(Font.font("System", FontWeight.BOLD, TEXT_SIZE));
-    pen.setTextAlign(alignment);
-    pen.setTextBaseline(VPos.CENTER);
-    pen.setStroke(HALO);
-    pen.setLineWidth(3);
-    pen.strokeText(text, x, y);
-    pen.setFill(INK);
-    pen.fillText(text, x, y);
-  }
-
-  private void write(String text, double x, double y, double size) {
-    pen.setFont(Font.font("System", FontWeight.BOLD, size));
-    pen.setTextAlign(TextAlignment.CENTER);
-    pen.setTextBaseline(VPos.CENTER);
-    pen.fillText(text, x, y);
   }
 
   private void shape(PlanOutline outline) {
