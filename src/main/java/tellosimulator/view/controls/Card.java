@@ -84,6 +84,10 @@ class Card extends VBox {
     return content.isVisible();
   }
 
+  final ReadOnlyBooleanProperty openProperty() {
+    return content.visibleProperty();
+  }
+
   /** Says whether there is room for it, without which it is open only if a person wants it. */
   final void setRoom(boolean newRoom) {
     room = newRoom;

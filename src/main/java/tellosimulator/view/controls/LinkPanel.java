@@ -57,7 +57,7 @@ final class LinkPanel extends VBox {
     initializeParts();
     layoutParts();
     setupBindings(drone.map(LinkPanel::describe));
-    release.visibleProperty().bind(drone.map(LinkPanel::linked).orElse(false));
+    drone.map(LinkPanel::linked).subscribe(this::offerRelease);
   }
 
   private void initializeSelf() {
@@ -77,7 +77,6 @@ final class LinkPanel extends VBox {
     release.getStyleClass().add("icon-button");
     release.setOnAction(
         pressed -> actions.carryOut(new Control.Release(simulation.selected().number())));
-    release.managedProperty().bind(release.visibleProperty());
     release.accessibleTextProperty().bind(messages.text("release.hint"));
     Tooltips.install(release, messages.text("release.hint"));
   }
@@ -96,6 +95,12 @@ final class LinkPanel extends VBox {
 
   private void setupBindings(ObservableValue<Message> who) {
     operator.textProperty().bind(who.flatMap(now -> now.text(messages)));
+  }
+
+  /** Not bound: it would ask for a layout of the whole panel at each new snapshot. */
+  private void offerRelease(boolean linked) {
+    release.setVisible(linked);
+    release.setManaged(linked);
   }
 
   /** Counts anew. */

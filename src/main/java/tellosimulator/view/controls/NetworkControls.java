@@ -47,10 +47,12 @@ public final class NetworkControls extends ControlPanel {
         .selectedProperty()
         .flatMap(FxDroneModel::onProperty)
         .addListener((property, before, now) -> refresh());
+    visibleProperty().subscribe(this::refresh);
   }
 
+  /** Changes nothing that cannot be seen: JavaFX draws the whole window anew for it. */
   private void beat(long nanos) {
-    if (clock.due(nanos) && !actions.pending()) {
+    if (isVisible() && clock.due(nanos) && !actions.pending()) {
       clock.take(nanos);
       refresh();
     }

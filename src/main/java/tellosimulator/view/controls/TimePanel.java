@@ -104,15 +104,18 @@ final class TimePanel extends Card {
             simulation
                 .pausedProperty()
                 .flatMap(paused -> messages.text(paused ? "time.resume" : "time.pause")));
+    openProperty().subscribe(this::refresh);
     simulation.pausedProperty().addListener((property, before, now) -> showPause(now));
     simulation.timeFactorProperty().addListener((property, before, now) -> showFactor(now));
     showPause(simulation.pausedProperty().get());
     showFactor(simulation.timeFactorProperty().get());
   }
 
-  /** Shows how late it is. */
+  /** Shows how late it is, unless it is folded away. */
   void refresh() {
-    clock.setText(NumberText.time(simulation.secondsProperty().get()));
+    if (isOpen()) {
+      clock.setText(NumberText.time(simulation.secondsProperty().get()));
+    }
   }
 
   private void showPause(boolean paused) {

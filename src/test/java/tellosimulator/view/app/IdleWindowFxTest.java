@@ -5,6 +5,7 @@ import static tellosimulator.view.testing.WindowFixture.onFxThread;
 import static tellosimulator.view.testing.WindowFixture.waitUntil;
 
 import java.nio.file.Path;
+import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicLong;
 import javafx.event.Event;
 import javafx.event.EventTarget;
@@ -28,6 +29,9 @@ import tellosimulator.view.model.FxDroneModel;
 class IdleWindowFxTest {
 
   private static final long CALM_SECONDS = 2;
+
+  /** What is drawn seldom while the window is idle is drawn at least this often. */
+  private static final double LONGEST_PERIOD_SECONDS = 2;
 
   @TempDir private Path folder;
   private final AtomicLong lastNanos = new AtomicLong();
@@ -133,6 +137,24 @@ class IdleWindowFxTest {
     waitUntil(() -> window.context().simulation().secondsProperty().get() > before + 0.5);
 
     assertThat(idle()).isTrue();
+  }
+
+  /** A clock in a panel that is not shown would have the whole window drawn anew. */
+  @Test
+  void idleItDrawsNothing() {
+    window.change(() -> window.state().networkControlsShownProperty().set(false));
+    AtomicInteger frames = new AtomicInteger();
+    window.change(
+        () -> window.stage().getScene().addPostLayoutPulseListener(frames::incrementAndGet));
+    waitUntil(() -> frames.get() > 0);
+    becomeIdle();
+    passSimulated(LONGEST_PERIOD_SECONDS); // what changed last is drawn
+    frames.set(0);
+
+    passSimulated(2 * LONGEST_PERIOD_SECONDS);
+
+    assertThat(idle()).isTrue();
+    assertThat(frames).hasValue(0);
   }
 
   @Test

@@ -7,6 +7,7 @@ import java.io.IOException;
 import java.net.DatagramSocket;
 import java.util.List;
 import java.util.Locale;
+import javafx.scene.Node;
 import javafx.scene.control.ComboBox;
 import javafx.scene.control.Label;
 import javafx.scene.control.ToggleButton;
@@ -280,6 +281,23 @@ class NetworkControlsFxTest {
     window.until(() -> window.text("#pause").equals("Pause"));
     assertThat(robot.lookup("#pause").queryAs(ToggleButton.class).isSelected()).isFalse();
     window.until(() -> !window.text("#simulated-time").equals("0:00.0"));
+  }
+
+  @Test
+  void theClockOfAHiddenPanelStandsStillAndIsRightAtOnceWhenItIsShown(FxRobot robot) {
+    window.until(() -> !window.text("#simulated-time").equals("0:00.0"));
+    Node panel = robot.lookup("#network-controls").query();
+    robot.interact(() -> panel.setVisible(false));
+    String hidden = window.text("#simulated-time");
+    double then = window.simulation().snapshot().time().seconds();
+    window.until(() -> window.simulation().snapshot().time().seconds() > then + 1.5);
+    assertThat(window.text("#simulated-time")).isEqualTo(hidden);
+
+    robot.interact(
+        () -> {
+          panel.setVisible(true);
+          assertThat(window.text("#simulated-time")).isNotEqualTo(hidden);
+        });
   }
 
   @Test
