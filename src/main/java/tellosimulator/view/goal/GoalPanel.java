@@ -37,13 +37,13 @@ import tellosimulator.view.text.Messages;
 
 /**
  * What the scenario teaches, its goals with their numbers in the room and a time for each that is
- * reached, the time, and how it ended. When the goals have failed it folds itself to its name and
- * the reason. Not there if nothing is asked for or said. For the JavaFX thread.
+ * reached, the time, and how it ended. When the goals have failed it folds itself to its name, the
+ * reason and what one can try. Not there if nothing is asked for or said. For the JavaFX thread.
  */
 public final class GoalPanel extends VBox {
 
   /** Width of the panel [px]. Decided: a goal takes two lines at the most, and the room is seen. */
-  private static final double WIDTH = 280;
+  private static final double WIDTH = 292;
 
   private static final PseudoClass REACHED = PseudoClass.getPseudoClass("reached");
   private static final PseudoClass FAILED = PseudoClass.getPseudoClass("failed");
@@ -59,6 +59,7 @@ public final class GoalPanel extends VBox {
   private final Label teaches = new Label();
   private final Label time = new Label();
   private final Label banner = new Label();
+  private final Label advice = new Label();
   private final Label rules = new Label();
   private final Button again = new Button();
   private final Button fold = new Button();
@@ -121,6 +122,9 @@ public final class GoalPanel extends VBox {
     banner.setMaxWidth(Double.MAX_VALUE);
     banner.setMinHeight(USE_PREF_SIZE);
     banner.getStyleClass().add("banner");
+    advice.setId("goal-advice");
+    advice.setWrapText(true);
+    onlyWithText(advice);
     rules.setId("goal-rules");
     rules.setWrapText(true);
     rules.getStyleClass().add("muted");
@@ -148,7 +152,7 @@ public final class GoalPanel extends VBox {
     attempt.getStyleClass().add("attempt");
     ofGoals = List.of(scroll, attempt);
     details.getChildren().addAll(teaches, scroll, rules);
-    getChildren().addAll(head, attempt, banner, details); // long names need the whole width
+    getChildren().addAll(head, attempt, banner, advice, details); // long names need the whole width
   }
 
   private void setupEventHandlers() {
@@ -275,6 +279,13 @@ public final class GoalPanel extends VBox {
         now.failure()
             .map(reason -> messages.now("failed", language.say(reason)))
             .orElseGet(() -> messages.now("reached", elapsed)));
+    advice.setText(status == Status.FAILED ? messages.now(adviceAfter(now)) : "");
+  }
+
+  /** The key of what one can try after a failure. */
+  private static String adviceAfter(Progress failed) {
+    double limit = failed.challenge().timeLimit().orElse(Double.POSITIVE_INFINITY);
+    return failed.elapsed() >= limit ? "try.faster" : "try.another-way";
   }
 
   private String seconds(double seconds) {

@@ -332,6 +332,7 @@ class ScenarioWindowFxTest {
         () -> window.label("goal-banner").equals("Failed: drone 1 touched the obstacle pole"));
     waitUntil(() -> !detailsShown());
     assertThat(robot.lookup("#goal-banner").query().isVisible()).isTrue();
+    assertThat(window.label("goal-advice")).startsWith("The red mark shows where");
     assertThat(robot.lookup("#scenario-name").query().isVisible()).isTrue();
 
     robot.clickOn("#goal-fold");
@@ -339,7 +340,20 @@ class ScenarioWindowFxTest {
 
     robot.clickOn("#goal-fold").push(KeyCode.CONTROL, KeyCode.N);
     waitUntil(() -> !robot.lookup("#goal-banner").query().isVisible());
+    assertThat(window.label("goal-advice")).isEmpty();
     assertThat(detailsShown()).as("somebody has folded them").isFalse();
+  }
+
+  @Test
+  void whenTimeIsOverItSaysToFlyFaster() throws IOException {
+    Files.writeString(file, SLALOM.replace("time-limit: 60", "time-limit: 1"));
+    change(() -> app.open(file));
+    robot.clickOn("#power");
+
+    fly("command", "takeoff");
+
+    waitUntil(() -> window.label("goal-banner").equals("Failed: time is over"));
+    assertThat(window.label("goal-advice")).startsWith("Fly faster");
   }
 
   @Test
