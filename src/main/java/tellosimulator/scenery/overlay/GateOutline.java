@@ -13,17 +13,11 @@ import tellosimulator.scenery.mesh.Shading;
 import tellosimulator.scenery.mesh.Texture;
 import tellosimulator.world.Shape;
 
-/**
- * What marks the frame of a gate, without its posts: all around it if it is a little larger than
- * the frame, or only a thin line along its outer edge.
- */
+/** What marks the frame of a gate, without its posts: all around it, a little larger. */
 final class GateOutline {
 
   /** How far it stands off the frame [m]. Decided: to be seen around what is one with the frame. */
   private static final double MARGIN = 0.012;
-
-  /** Half the thickness of a thin line [m]. Decided: two or three pixels across a room. */
-  private static final double LINE = 0.008;
 
   /** Turns what stands on the z axis so that it lies along x. */
   static final Attitude ALONG_X = Attitude.tiltedTo(new Vec3(1, 0, 0));
@@ -36,24 +30,12 @@ final class GateOutline {
   static Part of(Shape.Gate gate, Texture texture) {
     if (gate instanceof Shape.Ring ring) {
       double tube = ring.tube() / 2;
-      return torus(ring, ring.radius() + tube, tube + MARGIN, texture);
+      Mesh lying = LatheMesh.torus(ring.radius() + tube, tube + MARGIN, SIDES);
+      Pose upright = new Pose(new Vec3(0, 0, ring.middle()), ALONG_X);
+      Part part = new Part(lying, texture, Shading.TRANSLUCENT);
+      return MeshBatch.of(List.of(new Instance(part, upright))).get(0);
     }
     return new Part(of((Shape.Frame) gate), texture, Shading.TRANSLUCENT);
-  }
-
-  /** A thin line along the outer edge, in the gate's frame. */
-  static Part thin(Shape.Gate gate, Texture texture) {
-    if (gate instanceof Shape.Ring ring) {
-      return torus(ring, ring.radius() + ring.tube() + LINE, LINE, texture);
-    }
-    return new Part(thin((Shape.Frame) gate), texture, Shading.TRANSLUCENT);
-  }
-
-  private static Part torus(Shape.Ring ring, double radius, double tube, Texture texture) {
-    Mesh lying = LatheMesh.torus(radius, tube, SIDES);
-    Pose upright = new Pose(new Vec3(0, 0, ring.middle()), ALONG_X);
-    Part part = new Part(lying, texture, Shading.TRANSLUCENT);
-    return MeshBatch.of(List.of(new Instance(part, upright))).get(0);
   }
 
   private static Mesh of(Shape.Frame frame) {
@@ -64,23 +46,6 @@ final class GateOutline {
       Vec3 middle = beam.base().withZ((bottom + top) / 2);
       Vec3 size = beam.size().withZ(top - bottom);
       mesh.box(middle, size.plus(new Vec3(2 * MARGIN, 2 * MARGIN, 2 * MARGIN)));
-    }
-    return mesh.build();
-  }
-
-  /** Left, right and on top, and below if the frame has a sill over the floor. */
-  private static Mesh thin(Shape.Frame frame) {
-    double side = frame.width() / 2 + frame.beam() + LINE;
-    double bottom = frame.post();
-    double top = frame.height();
-    Vec3 upright = new Vec3(2 * LINE, 2 * LINE, top - bottom + 4 * LINE);
-    Vec3 crossbar = new Vec3(2 * LINE, 2 * (side - LINE), 2 * LINE);
-    MeshBuilder mesh = new MeshBuilder();
-    mesh.box(new Vec3(0, side, (bottom + top) / 2), upright);
-    mesh.box(new Vec3(0, -side, (bottom + top) / 2), upright);
-    mesh.box(new Vec3(0, 0, top + LINE), crossbar);
-    if (bottom > 0) {
-      mesh.box(new Vec3(0, 0, bottom - LINE), crossbar);
     }
     return mesh.build();
   }

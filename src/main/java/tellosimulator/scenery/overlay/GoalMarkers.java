@@ -26,9 +26,9 @@ import tellosimulator.scenery.overlay.Marker.Layer;
 import tellosimulator.world.Shape;
 
 /**
- * The markers of goals in the room: balls to reach, circles to land on, and outlines of the gates
- * that come next, with an arrow where one shall fly. Gates that are done have a thin line along
- * their edge; a tint over their own color would be mud. Gates for later have only their tags. Keeps
+ * The markers of goals in the room: balls to reach, circles to land on, and the gates that come
+ * next in the colour of goals, with an arrow where one shall fly. Gates that are done are green, so
+ * opaque that their own colour is not mixed with it. Gates for later have only their tags. Keeps
  * the parts that it has made. For one thread.
  */
 final class GoalMarkers {
@@ -166,9 +166,7 @@ final class GoalMarkers {
   }
 
   private static Part outline(Shape.Gate gate, Rgb color, boolean active) {
-    return active
-        ? GateOutline.of(gate, GoalTextures.plain(color, 0.62))
-        : GateOutline.thin(gate, GoalTextures.plain(color, 0.9));
+    return GateOutline.of(gate, GoalTextures.plain(color, active ? 0.62 : 0.85));
   }
 
   private Part beacon(Mesh mesh, GoalMark mark, Rgb color) {

@@ -8,6 +8,7 @@ import java.util.Map;
 import java.util.OptionalInt;
 import java.util.stream.IntStream;
 import tellosimulator.goal.GoalMark;
+import tellosimulator.goal.GoalState;
 import tellosimulator.math.Pose;
 import tellosimulator.math.Vec3;
 import tellosimulator.scenery.drone.Livery;
@@ -111,6 +112,7 @@ public final class Overlay {
         instances.addAll(trails.get(i).instances(camera, emphasis(drones.get(i))));
       }
     }
+    addPlumbLines(instances, camera);
     for (int i : order) {
       DroneSnapshot drone = drones.get(i);
       Vec3 place = drone.state().motion().position();
@@ -124,6 +126,20 @@ public final class Overlay {
         .map(Marker::instance)
         .forEach(instances::add);
     return instances;
+  }
+
+  /** From balls that are not done, so that one sees above what they hang. */
+  private void addPlumbLines(List<Instance> instances, Vec3 camera) {
+    for (GoalMark goal : goals) {
+      if (goal.place() instanceof GoalMark.Ball ball && goal.state() != GoalState.DONE) {
+        Vec3 bottom = ball.middle().plusScaled(Vec3.UP, -ball.radius());
+        if (bottom.z() > 0) {
+          boolean active = goal.state() == GoalState.ACTIVE;
+          Emphasis emphasis = active ? Emphasis.NORMAL : Emphasis.FAINT;
+          instances.add(PlumbLine.line(bottom, camera, emphasis));
+        }
+      }
+    }
   }
 
   /** Indices of the drones: first the chosen one, whose path is seen through those of others. */

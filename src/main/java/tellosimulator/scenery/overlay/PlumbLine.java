@@ -20,7 +20,8 @@ import tellosimulator.scenery.texture.Canvas;
 
 /**
  * The dashed line from a drone straight down to the floor, in another colour than its path, and a
- * target of the drone's colour where it meets the floor. Immutable; for any thread.
+ * target of the drone's colour where it meets the floor; or the line alone, from what hangs in the
+ * air. Immutable; for any thread.
  */
 final class PlumbLine {
 
@@ -101,16 +102,23 @@ final class PlumbLine {
     if (drone.z() <= LOWEST) {
       return List.of();
     }
-    Vec3 towards = camera.minus(drone);
-    double heading = StrictMath.atan2(towards.y(), towards.x());
-    Vec3 floor = drone.withZ(0);
-    Pose foot = new Pose(floor, Attitude.ofHeading(heading));
-    double width = WIDTH * towards.norm();
-    double radius = Math.max(LEAST_RADIUS, RADIUS * camera.distanceTo(floor));
+    double radius = Math.max(LEAST_RADIUS, RADIUS * camera.distanceTo(drone.withZ(0)));
     Pose level = new Pose(drone.withZ(OFFSET), Attitude.LEVEL);
-    boolean faint = emphasis == Emphasis.FAINT;
-    return List.of(
-        new Instance(faint ? faintTarget : target, level, radius, 1),
-        new Instance(faint ? FAINT_LINE : LINE, foot, new Vec3(1, width, drone.z()), 1));
+    Part part = emphasis == Emphasis.FAINT ? faintTarget : target;
+    return List.of(new Instance(part, level, radius, 1), line(drone, camera, emphasis));
+  }
+
+  /**
+   * The line alone.
+   *
+   * @param top where it begins, above the floor, room frame [m]
+   * @param camera its position, room frame [m]
+   */
+  static Instance line(Vec3 top, Vec3 camera, Emphasis emphasis) {
+    Vec3 towards = camera.minus(top);
+    double heading = StrictMath.atan2(towards.y(), towards.x());
+    Pose foot = new Pose(top.withZ(0), Attitude.ofHeading(heading));
+    Vec3 size = new Vec3(1, WIDTH * towards.norm(), top.z());
+    return new Instance(emphasis == Emphasis.FAINT ? FAINT_LINE : LINE, foot, size, 1);
   }
 }

@@ -48,17 +48,40 @@ class GoalOverlayTest {
   @Test
   void aBallHasANumberAndALineFromEachDroneThatMayReachIt() {
     show(mark(1, GoalState.ACTIVE, BALL));
-    assertThat(shown()).as("ball, number, two lines").hasSize(others + 4);
+    assertThat(shown()).as("ball, number, line to the floor, two lines").hasSize(others + 5);
 
     overlay.showGoalLine(false);
+    assertThat(shown()).as("ball, number, line to the floor").hasSize(others + 3);
+  }
+
+  @Test
+  void aLineLeadsFromABallInTheAirToTheFloorUntilItIsDone() {
+    overlay.showGoalLine(false);
+    show(mark(1, GoalState.LATER, BALL));
+    Instance faint = plumbLine();
+    assertThat(faint.scale().z()).as("from its lower end").isCloseTo(1 - 0.4, within(1e-9));
+    show(mark(1, GoalState.ACTIVE, BALL));
+    assertThat(strongest(faint)).isLessThan(strongest(plumbLine()));
+
+    show(mark(1, GoalState.DONE, BALL));
     assertThat(shown()).as("ball and number").hasSize(others + 2);
+    show(mark(1, GoalState.ACTIVE, new GoalMark.Ball(new Vec3(1, 0, 0.3), 0.4)));
+    assertThat(shown()).as("ball and number, as it reaches the floor").hasSize(others + 2);
+  }
+
+  /** The only instance on the floor below the ball. */
+  private Instance plumbLine() {
+    return shown().stream()
+        .filter(one -> one.pose().position().equals(new Vec3(1, 0, 0)))
+        .findFirst()
+        .orElseThrow();
   }
 
   @Test
   void noLineLeadsToWhatIsDoneOrComesLater() {
     show(mark(1, GoalState.DONE, BALL), mark(2, GoalState.LATER, moved(1)));
 
-    assertThat(shown()).as("two balls, two numbers").hasSize(others + 4);
+    assertThat(shown()).as("two balls, two numbers, a line to the floor").hasSize(others + 5);
   }
 
   @Test
@@ -128,17 +151,17 @@ class GoalOverlayTest {
   }
 
   @Test
-  void aGateThatIsDoneHasAThinGreenLineAlongItsOuterEdge() {
+  void aGateThatIsDoneIsGreenAllAroundItsFrame() {
     overlay.showGoalLine(false);
     for (Shape.Gate shape : List.of(RING, FRAME)) {
       show(mark(1, GoalState.DONE, gate(shape, Direction.ALONG)));
-      assertThat(shown()).as("line and tick, no arrow").hasSize(others + 2);
+      assertThat(shown()).as("outline and tick, no arrow").hasSize(others + 2);
       assertThat(count(hasColor(MarkColors.of(GoalState.DONE)))).isEqualTo(2);
 
-      Mesh line = gateMesh();
-      // both are 0.5 + 0.05 m from the middle to the outer edge; the line is 0.016 m thick
-      assertThat(extent(line, Vec3::y)).isCloseTo(2 * (0.55 + 0.016), within(1e-6));
-      assertThat(extent(line, Vec3::x)).as("depth").isCloseTo(0.016, within(1e-3));
+      Mesh outline = gateMesh();
+      // both are 0.5 + 0.05 m from the middle to the outer edge, and stand off by 0.012 m
+      assertThat(extent(outline, Vec3::y)).isCloseTo(2 * (0.55 + 0.012), within(1e-6));
+      assertThat(extent(outline, Vec3::x)).as("depth").isCloseTo(0.05 + 0.024, within(1e-3));
     }
   }
 

@@ -72,7 +72,8 @@ class GalleryFxTest {
     change(() -> language("language-de").fire());
     robot.clickOn("#scenarios");
     Node card = robot.lookup("#scenario-wind").query();
-    assertThat(card.getAccessibleText()).startsWith("Wind. Schwierigkeit: mittel. Lerne, dass");
+    assertThat(card.getAccessibleText())
+        .startsWith("Wind. Schwierigkeit: mittel. Lernen Sie, dass");
 
     robot.clickOn("#scenario-over-the-wall");
 

@@ -70,7 +70,7 @@ class ReadmePicturesDisplayTest {
   void theWindowInFlight() throws IOException {
     open(Gallery.find("gate-race").orElseThrow());
     window.fly("command", "speed 100", "takeoff", "up 70", "forward 150", "up 50", "forward 120");
-    window.fly("forward 60", "left 60");
+    window.fly("forward 60", "left 90");
     window.tell(1, "left 600");
     assertThat(window.reply(1)).isEqualTo("out of range");
     take("window.png");
