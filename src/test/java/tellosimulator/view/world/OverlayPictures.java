@@ -33,7 +33,7 @@ final class OverlayPictures {
     Image after = picture.get();
 
     Point2D middle = seen(fixture, place);
-    Point2D outside = seen(fixture, place.minus(new Vec3(0, 0, 0.4)));
+    Point2D outside = seen(fixture, place.minus(new Vec3(0, 0.4, 0))); // not on its plumb line
     assertThat(blueness(after, middle)).isGreaterThan(blueness(before, middle) + 0.1);
     assertThat(blueness(after, outside)).isCloseTo(blueness(before, outside), within(0.02));
     int shown = find(after, OverlayPictures::isBlue).count();
