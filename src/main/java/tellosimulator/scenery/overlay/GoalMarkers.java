@@ -27,9 +27,9 @@ import tellosimulator.world.Shape;
 
 /**
  * The markers of goals in the room: balls to reach, circles to land on, and the gates that come
- * next in the colour of goals, with an arrow where one shall fly. Gates that are done are green, so
- * opaque that their own colour is not mixed with it. Gates for later have only their tags. Keeps
- * the parts that it has made. For one thread.
+ * next in the color of goals, with an arrow where one shall fly. Gates that are done are green, so
+ * opaque that their own color is not mixed with it. Gates for later have only their tags. Keeps the
+ * parts that it has made. For one thread.
  */
 final class GoalMarkers {
 
@@ -44,6 +44,12 @@ final class GoalMarkers {
 
   /** How much one sees of a circle through what is in front of it, 0 to 1. Decided: by eye. */
   private static final double THROUGH_OBSTACLES = 0.4;
+
+  /** How opaque the color of a gate that comes next is, 0 to 1. Decided: its segments are seen. */
+  private static final double GATE_AHEAD = 0.62;
+
+  /** The same of a gate that is done. Decided: green, whatever its own color is. */
+  private static final double GATE_DONE = 0.85;
 
   private static final int SIDES = 40;
 
@@ -166,7 +172,7 @@ final class GoalMarkers {
   }
 
   private static Part outline(Shape.Gate gate, Rgb color, boolean active) {
-    return GateOutline.of(gate, GoalTextures.plain(color, active ? 0.62 : 0.85));
+    return GateOutline.of(gate, GoalTextures.plain(color, active ? GATE_AHEAD : GATE_DONE));
   }
 
   private Part beacon(Mesh mesh, GoalMark mark, Rgb color) {

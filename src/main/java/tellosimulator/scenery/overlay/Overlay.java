@@ -112,7 +112,7 @@ public final class Overlay {
         instances.addAll(trails.get(i).instances(camera, emphasis(drones.get(i))));
       }
     }
-    addPlumbLines(instances, camera);
+    addGoalPlumbLines(instances, camera);
     for (int i : order) {
       DroneSnapshot drone = drones.get(i);
       Vec3 place = drone.state().motion().position();
@@ -128,16 +128,16 @@ public final class Overlay {
     return instances;
   }
 
-  /** From balls that are not done, so that one sees above what they hang. */
-  private void addPlumbLines(List<Instance> instances, Vec3 camera) {
+  /** From balls in the air that are not done, so that one sees above what they hang. */
+  private void addGoalPlumbLines(List<Instance> instances, Vec3 camera) {
     for (GoalMark goal : goals) {
-      if (goal.place() instanceof GoalMark.Ball ball && goal.state() != GoalState.DONE) {
+      if (goal.state() != GoalState.DONE
+          && goal.place() instanceof GoalMark.Ball ball
+          && ball.middle().z() > ball.radius()) {
         Vec3 bottom = ball.middle().plusScaled(Vec3.UP, -ball.radius());
-        if (bottom.z() > 0) {
-          boolean active = goal.state() == GoalState.ACTIVE;
-          Emphasis emphasis = active ? Emphasis.NORMAL : Emphasis.FAINT;
-          instances.add(PlumbLine.line(bottom, camera, emphasis));
-        }
+        boolean active = goal.state() == GoalState.ACTIVE;
+        Emphasis emphasis = active ? Emphasis.NORMAL : Emphasis.FAINT;
+        instances.add(PlumbLine.line(bottom, camera, emphasis));
       }
     }
   }

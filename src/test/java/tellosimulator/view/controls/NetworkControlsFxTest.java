@@ -289,8 +289,7 @@ class NetworkControlsFxTest {
     Node panel = robot.lookup("#network-controls").query();
     robot.interact(() -> panel.setVisible(false));
     String hidden = window.text("#simulated-time");
-    double then = window.simulation().snapshot().time().seconds();
-    window.until(() -> window.simulation().snapshot().time().seconds() > then + 1.5);
+    passLongestPeriod();
     assertThat(window.text("#simulated-time")).isEqualTo(hidden);
 
     robot.interact(
@@ -298,6 +297,30 @@ class NetworkControlsFxTest {
           panel.setVisible(true);
           assertThat(window.text("#simulated-time")).isNotEqualTo(hidden);
         });
+  }
+
+  @Test
+  void soIsTheClockOfACardThatIsFolded(FxRobot robot) {
+    ToggleButton head = robot.lookup("#card-time").queryAs(ToggleButton.class);
+    if (!head.isSelected()) {
+      robot.interact(head::fire);
+    }
+    robot.interact(head::fire);
+    String folded = window.text("#simulated-time");
+    passLongestPeriod();
+    assertThat(window.text("#simulated-time")).isEqualTo(folded);
+
+    robot.interact(
+        () -> {
+          head.fire();
+          assertThat(window.text("#simulated-time")).isNotEqualTo(folded);
+        });
+  }
+
+  /** An idle window shows its clock anew every two seconds. */
+  private void passLongestPeriod() {
+    double then = window.simulation().snapshot().time().seconds();
+    window.until(() -> window.simulation().snapshot().time().seconds() > then + 2.5);
   }
 
   @Test
