@@ -33,7 +33,7 @@ record Host(List<String> wayIn, String address) {
     return start(command);
   }
 
-  /** Starts a script of the folder {@code src/test/resources/endurance} there. */
+  /** Starts a script of the folder {@code src/bench/resources/endurance} there. */
   Program python(String script, Object... arguments) throws IOException {
     List<String> command = new ArrayList<>(List.of("python3", "-u", scriptFile(script).toString()));
     Arrays.stream(arguments).map(String::valueOf).forEach(command::add);

@@ -18,6 +18,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import tellosimulator.goal.GoalMark;
@@ -51,8 +52,9 @@ import tellosimulator.video.picture.Picture;
  * Films the gate race for the README, flown by a list of commands and seen by a camera that turns
  * around the room. With {@code -Dupdate.docs=true} it writes the film and its picture anew:
  *
- * <pre>{@code mvn test -Dtest=ReadmeFilmTest -Dupdate.docs=true}</pre>
+ * <pre>{@code mvn -Pbench test -Dtest=ReadmeFilmTest -Dupdate.docs=true}</pre>
  */
+@Tag("bench")
 class ReadmeFilmTest {
 
   private static final boolean UPDATE = Boolean.getBoolean("update.docs");

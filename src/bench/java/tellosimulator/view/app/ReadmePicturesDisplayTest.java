@@ -16,6 +16,7 @@ import java.util.regex.Pattern;
 import javafx.scene.image.WritableImage;
 import javafx.scene.input.KeyCode;
 import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.testfx.api.FxRobot;
@@ -35,8 +36,9 @@ import tellosimulator.world.Room;
 /**
  * Takes the pictures that the README shows. With {@code -Dupdate.docs=true} it writes them anew:
  *
- * <pre>{@code mvn test -Dtest=ReadmePicturesDisplayTest -Dupdate.docs=true}</pre>
+ * <pre>{@code mvn -Pbench test -Dtest=ReadmePicturesDisplayTest -Dupdate.docs=true}</pre>
  */
+@Tag("bench")
 @NeedsDisplay
 class ReadmePicturesDisplayTest {
 

@@ -16,6 +16,7 @@ import java.util.Arrays;
 import javafx.scene.image.WritableImage;
 import javafx.stage.Stage;
 import javafx.stage.StageStyle;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.extension.RegisterExtension;
 import tellosimulator.scenario.Gallery;
@@ -27,8 +28,9 @@ import tellosimulator.view.testing.NeedsDisplay;
  * Looks at all scenarios of the program as the window opens them, light and dark. With {@code
  * -Dupdate.docs=true} it writes the sheet of all pictures anew:
  *
- * <pre>{@code mvn test -Dtest=ContactSheetDisplayTest -Dupdate.docs=true}</pre>
+ * <pre>{@code mvn -Pbench test -Dtest=ContactSheetDisplayTest -Dupdate.docs=true}</pre>
  */
+@Tag("bench")
 @NeedsDisplay
 class ContactSheetDisplayTest {
 

@@ -13,6 +13,7 @@ import javafx.scene.control.Slider;
 import javafx.scene.image.PixelReader;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.testfx.api.FxRobot;
@@ -24,6 +25,7 @@ import tellosimulator.view.testing.NeedsDisplay;
  * How soon the screen shows a room that is changed by its slider: at most 100 ms on a machine that
  * does nothing else. The test prints it, and fails where the screen does not follow.
  */
+@Tag("bench")
 @NeedsDisplay
 class RoomSliderDisplayTest {
 
