@@ -4,7 +4,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import com.tngtech.archunit.core.domain.JavaClass;
 import com.tngtech.archunit.core.domain.JavaClasses;
-import com.tngtech.archunit.core.importer.ClassFileImporter;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
@@ -16,6 +15,7 @@ import java.util.function.Function;
 import java.util.regex.MatchResult;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -23,6 +23,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 /**
  * docs/architecture.md draws the packages as they are; it and CONTRIBUTING.md name what there is.
  */
+@Tag("slow")
 class ArchitecturePageTest {
 
   private static final Path PAGE = Path.of("docs", "architecture.md");
@@ -35,9 +36,9 @@ class ArchitecturePageTest {
   /** What the page names and others have made. */
   private static final Set<String> FOREIGN = Set.of("AnimationTimer", "StrictMath");
 
-  private static final JavaClasses CLASSES = compiledBeside(Main.class);
+  private static final JavaClasses CLASSES = ProjectClasses.MAIN;
 
-  private static final JavaClasses TESTS = compiledBeside(ArchitecturePageTest.class);
+  private static final JavaClasses TESTS = ProjectClasses.TESTS;
 
   /** Run with {@code -DwritePage=true} to draw the pictures anew. */
   @ParameterizedTest
@@ -108,11 +109,6 @@ class ArchitecturePageTest {
     return type.getAllMembers().stream().anyMatch(each -> each.getName().equals(member))
         || CLASSES.stream()
             .anyMatch(each -> each.getName().endsWith(type.getSimpleName() + "$" + member));
-  }
-
-  private static JavaClasses compiledBeside(Class<?> type) {
-    return new ClassFileImporter()
-        .importUrl(type.getProtectionDomain().getCodeSource().getLocation());
   }
 
   private static String top(JavaClass type) {

@@ -6,6 +6,7 @@ import static com.tngtech.archunit.core.domain.JavaClass.Predicates.resideInAPac
 import static com.tngtech.archunit.core.domain.JavaClass.Predicates.resideInAnyPackage;
 import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.classes;
 import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.fields;
+import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.methods;
 import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.noClasses;
 import static com.tngtech.archunit.library.dependencies.SlicesRuleDefinition.slices;
 import static org.assertj.core.api.Assertions.assertThat;
@@ -17,7 +18,6 @@ import com.tngtech.archunit.core.domain.JavaClass;
 import com.tngtech.archunit.core.domain.JavaClasses;
 import com.tngtech.archunit.core.domain.JavaMember;
 import com.tngtech.archunit.core.domain.JavaModifier;
-import com.tngtech.archunit.core.importer.ClassFileImporter;
 import java.util.Arrays;
 import java.util.LinkedHashSet;
 import java.util.List;
@@ -30,10 +30,16 @@ import java.util.TreeSet;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
+import tellosimulator.junit.SimulatedDrone;
 import tellosimulator.network.OnlineSimulation;
+import tellosimulator.testing.Jvm;
+import tellosimulator.testing.NeedsTool;
+import tellosimulator.testing.Tool;
 
 /** The rules of docs/architecture.md that hold between packages. */
+@Tag("slow")
 class ArchitectureTest {
 
   private static final String ROOT = "tellosimulator";
@@ -130,9 +136,9 @@ class ArchitectureTest {
           "(?i)colour|centre|metre|grey|behaviour|neighbour|licence|analys(e|ing)"
               + "|(initial|normal|organ|quant|raster|real|recogn|serial|synchron)is(e|ing|ation)");
 
-  private static final JavaClasses CLASSES = compiledBeside(Main.class);
+  private static final JavaClasses CLASSES = ProjectClasses.MAIN;
 
-  private static final JavaClasses TEST_CLASSES = compiledBeside(ArchitectureTest.class);
+  private static final JavaClasses TEST_CLASSES = ProjectClasses.TESTS;
 
   @Test
   void everyPackageIsInTheTable() {
@@ -469,6 +475,37 @@ class ArchitectureTest {
         .check(CLASSES);
   }
 
+  /** {@link Tool} and {@link Jvm} check that the running test says which programs it needs. */
+  @Test
+  void testsStartProcessesInOnePlace() {
+    Set<String> programs = Set.of("benchmark", "endurance", "fidelity");
+    noClasses()
+        .that(describe("of a test", type -> !programs.contains(rowOf(type))))
+        .and()
+        .doNotBelongToAnyOf(Tool.class, Jvm.class)
+        .should()
+        .accessTargetWhere(target("a process is built", ProcessBuilder.class, CONSTRUCTOR))
+        .orShould()
+        .accessTargetWhere(target("a process is started", Runtime.class, "exec"))
+        .check(TEST_CLASSES);
+    methods()
+        .that(
+            describe(
+                "run a program beside a test",
+                method ->
+                    method.getMethodCallsFromSelf().stream()
+                        .anyMatch(
+                            call ->
+                                call.getTargetOwner().isEquivalentTo(SimulatedDrone.class)
+                                    && call.getName().equals("program"))))
+        .should()
+        .beAnnotatedWith(NeedsTool.class)
+        .orShould()
+        .beDeclaredInClassesThat()
+        .areAnnotatedWith(Tag.class)
+        .check(TEST_CLASSES);
+  }
+
   @Test
   void theLogGoesThroughSlf4j() {
     noClasses()
@@ -491,12 +528,6 @@ class ArchitectureTest {
     return describe(
         description,
         access -> isA(access.getTargetOwner(), owner) && wanted.contains(access.getName()));
-  }
-
-  /** All classes of the folder that a class was loaded from. */
-  private static JavaClasses compiledBeside(Class<?> type) {
-    return new ClassFileImporter()
-        .importUrl(type.getProtectionDomain().getCodeSource().getLocation());
   }
 
   private static boolean isA(JavaClass type, Class<?> wanted) {

@@ -5,11 +5,13 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.List;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import tellosimulator.control.ControlClient;
 
 /** The program with {@code --control}. */
+@Tag("process")
 class ControlOptionTest {
 
   private static final Pattern LINE =

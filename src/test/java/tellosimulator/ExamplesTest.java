@@ -2,7 +2,6 @@ package tellosimulator;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
-import static org.assertj.core.api.Assumptions.assumeThat;
 
 import java.awt.Color;
 import java.awt.Graphics2D;
@@ -32,6 +31,7 @@ import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import javax.imageio.ImageIO;
 import javax.tools.ToolProvider;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -43,6 +43,9 @@ import tellosimulator.scenario.Scenario;
 import tellosimulator.sim.Formation;
 import tellosimulator.sim.SimConfig;
 import tellosimulator.sim.SimConfig.StreamPorts;
+import tellosimulator.testing.Jvm;
+import tellosimulator.testing.NeedsTool;
+import tellosimulator.testing.Tool;
 import tellosimulator.time.TimeFactor;
 import tellosimulator.video.SoftwareCameras;
 import tellosimulator.video.camera.DroneOptics;
@@ -52,6 +55,7 @@ import tellosimulator.world.Room;
 import tellosimulator.world.Surface;
 
 /** Runs the programs under {@code examples/} as their readers do: {@code java examples/X.java}. */
+@Tag("process")
 class ExamplesTest {
 
   /** Ten times real time, so that a flight takes one or two seconds. */
@@ -275,6 +279,7 @@ class ExamplesTest {
   }
 
   @Test
+  @NeedsTool(Tool.PYTHON)
   void findMarkerLooksAgainWhereOnePictureMissesTheMarker() throws Exception {
     // Stands in for OpenCV and djitellopy: what is found in each picture that is looked at.
     Files.writeString(
@@ -328,8 +333,7 @@ class ExamplesTest {
             def __getattr__(self, name):
                 return lambda *values: print(name, *values)
         """);
-    assumeThat(starts("python3")).isTrue();
-    ProcessBuilder python = new ProcessBuilder("python3", "examples/find_marker.py");
+    ProcessBuilder python = Tool.PYTHON.command("examples/find_marker.py");
     python.environment().put("PYTHONPATH", scratch.toString());
     python.environment().put("PYTHONDONTWRITEBYTECODE", "1");
     Process process = python.redirectErrorStream(true).start();
@@ -348,17 +352,6 @@ class ExamplesTest {
             "streamoff",
             "Landed.");
     assertThat(process.waitFor()).isZero();
-  }
-
-  private static boolean starts(String program) {
-    try {
-      return new ProcessBuilder(program, "--version").start().waitFor() == 0;
-    } catch (IOException e) {
-      return false;
-    } catch (InterruptedException e) {
-      Thread.currentThread().interrupt();
-      return false;
-    }
   }
 
   private Path redPicture() throws IOException {
@@ -399,14 +392,14 @@ class ExamplesTest {
     Path input = Files.writeString(scratch.resolve("input"), typed);
     Path output = scratch.resolve("output");
     List<String> command = new ArrayList<>();
-    command.add(Path.of(System.getProperty("java.home"), "bin", "java").toString());
+    command.add(Jvm.java());
     if (example.equals("WatchVideo")) {
       command.addAll(List.of("-cp", System.getProperty("java.class.path"))); // for JCodec
     }
     command.add(Path.of("examples", example + ".java").toString());
     command.addAll(List.of(arguments));
     Process process =
-        new ProcessBuilder(command)
+        Jvm.process(command)
             .redirectErrorStream(true)
             .redirectInput(input.toFile())
             .redirectOutput(output.toFile())

@@ -12,6 +12,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.condition.EnabledOnOs;
@@ -203,6 +204,7 @@ class MainTest {
   }
 
   @Test
+  @Tag("process")
   @Timeout(2 * ProgramProcess.PATIENCE_SECONDS)
   void quitEndsTheProgram() throws Exception {
     try (ProgramProcess program = ProgramProcess.headless()) {
@@ -215,6 +217,7 @@ class MainTest {
   }
 
   @Test
+  @Tag("process")
   @Timeout(2 * ProgramProcess.PATIENCE_SECONDS)
   void theEndOfInputChangesNothingAndATerminationFreesThePort() throws Exception {
     try (ProgramProcess program = ProgramProcess.headless()) {
@@ -259,6 +262,7 @@ class MainTest {
           takeoff,land            | 0 | goals: 1 of 1 reached after .*
           takeoff,forward 50,land | 3 | goals: 0 of 1 reached after 5\\.0 s: time is over
           """)
+  @Tag("process")
   @Timeout(2 * ProgramProcess.PATIENCE_SECONDS)
   void theResultOfAScenarioIsALineAndAnExitCode(String commands, int code, String result)
       throws Exception {
@@ -275,6 +279,7 @@ class MainTest {
   }
 
   @Test
+  @Tag("process")
   @Timeout(2 * ProgramProcess.PATIENCE_SECONDS)
   void whoLandsWithoutTheGoalsHasMissedThemSoon() throws Exception {
     try (ProgramProcess program =
@@ -294,6 +299,7 @@ class MainTest {
   }
 
   @Test
+  @Tag("process")
   @Timeout(2 * ProgramProcess.PATIENCE_SECONDS)
   void aProgramThatNeverTakesOffIsEndedByTheTimeout() throws Exception {
     try (ProgramProcess program =
@@ -310,6 +316,7 @@ class MainTest {
   }
 
   @Test
+  @Tag("process")
   @Timeout(2 * ProgramProcess.PATIENCE_SECONDS)
   void whoQuitsBeforeTheGoalsAreReachedHasMissedThem() throws Exception {
     try (ProgramProcess program = landingWithinFiveSeconds()) {
@@ -329,6 +336,7 @@ class MainTest {
 
   @Test
   @EnabledOnOs(OS.LINUX)
+  @Tag("process")
   @Timeout(2 * ProgramProcess.PATIENCE_SECONDS)
   void withoutADisplayItSaysSoInOneSentenceAndRunsWithoutAWindow() throws Exception {
     try (ProgramProcess program =
@@ -347,6 +355,7 @@ class MainTest {
 
   @Test
   @EnabledOnOs(OS.LINUX)
+  @Tag("process")
   @Timeout(2 * ProgramProcess.PATIENCE_SECONDS)
   void aReplayWithoutADisplaySaysWhatHelpsInOneSentence(@TempDir Path folder) throws Exception {
     RecordingFixture.in(folder);

@@ -13,6 +13,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
+import tellosimulator.testing.Jvm;
 
 /** The program in a process of its own, with drone 1 at a free port of 127.0.0.1. */
 final class ProgramProcess implements AutoCloseable {
@@ -58,20 +59,16 @@ final class ProgramProcess implements AutoCloseable {
 
   private static ProgramProcess launch(
       Class<?> main, List<String> words, String hidden, String heap) throws IOException {
-    String java = Path.of(System.getProperty("java.home"), "bin", "java").toString();
     Path errors = Files.createTempFile("program", ".err");
-    ProcessBuilder builder =
-        new ProcessBuilder(
-                java,
-                "-XX:+IgnoreUnrecognizedVMOptions",
-                heap,
-                "--enable-native-access=ALL-UNNAMED",
-                "--sun-misc-unsafe-memory-access=allow",
-                "-cp",
-                System.getProperty("java.class.path"),
-                main.getName())
-            .redirectError(errors.toFile());
-    builder.command().addAll(words);
+    List<String> command = Jvm.commandOf(main, words.toArray(String[]::new));
+    List<String> options =
+        List.of(
+            "-XX:+IgnoreUnrecognizedVMOptions",
+            heap,
+            "--enable-native-access=ALL-UNNAMED",
+            "--sun-misc-unsafe-memory-access=allow");
+    command.addAll(1, options);
+    ProcessBuilder builder = Jvm.process(command).redirectError(errors.toFile());
     builder.environment().remove(hidden);
     String nothing = Path.of("target", "no-settings").toAbsolutePath().toString();
     List.of("XDG_CONFIG_HOME", "XDG_DATA_HOME", "APPDATA", "LOCALAPPDATA")

@@ -10,6 +10,7 @@ import java.net.DatagramSocket;
 import java.net.InetAddress;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
@@ -19,6 +20,7 @@ import tellosimulator.recording.RecordedFlight;
 import tellosimulator.recording.RecordingFiles;
 
 /** The subcommand {@code proxy} as people call it. */
+@Tag("process")
 class ProxyCommandTest {
 
   @TempDir private Path folder;

@@ -11,6 +11,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
@@ -23,6 +24,7 @@ import tellosimulator.scenario.ScenarioFile;
 import tellosimulator.words.Phrase;
 
 /** The program with {@code --record}. */
+@Tag("process")
 class RecordOptionTest {
 
   @TempDir private Path folder;

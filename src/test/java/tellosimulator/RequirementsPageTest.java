@@ -65,7 +65,7 @@ class RequirementsPageTest {
   }
 
   private static Map<String, String> sources() throws IOException {
-    try (Stream<Path> files = Files.walk(Path.of("src", "test", "java"))) {
+    try (Stream<Path> files = Files.walk(Path.of("src"))) {
       return files
           .filter(file -> file.toString().matches(".*(Test|IT)\\.java"))
           .collect(

@@ -1,7 +1,6 @@
 package tellosimulator;
 
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
@@ -10,18 +9,17 @@ import java.net.DatagramPacket;
 import java.net.DatagramSocket;
 import java.net.InetSocketAddress;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Stream;
-import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Nested;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
-import org.junit.jupiter.api.condition.EnabledOnOs;
-import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import tellosimulator.testing.Jvm;
+import tellosimulator.testing.NeedsTool;
+import tellosimulator.testing.Tool;
 
 /** The subcommand {@code run} as people call it. */
 class RunCommandTest {
@@ -93,19 +91,9 @@ class RunCommandTest {
   }
 
   @Nested
-  @EnabledOnOs(OS.LINUX)
+  @NeedsTool({Tool.NAMESPACES, Tool.SH})
   @Timeout(ProgramProcess.PATIENCE_SECONDS)
   class InPrivateNetworks {
-
-    @BeforeAll
-    static void needNamespaces() throws IOException, InterruptedException {
-      Process attempt =
-          new ProcessBuilder("unshare", "--user", "--map-root-user", "--net", "ip", "link")
-              .redirectErrorStream(true)
-              .start();
-      attempt.getInputStream().readAllBytes();
-      assumeTrue(attempt.waitFor() == 0, "this system lets nobody make a private network");
-    }
 
     private int fly(List<String> options, List<String> program) {
       List<String> words = new ArrayList<>(options);
@@ -115,14 +103,7 @@ class RunCommandTest {
     }
 
     private static List<String> unchanged(String... args) {
-      return Stream.concat(
-              Stream.of(
-                  Path.of(System.getProperty("java.home"), "bin", "java").toString(),
-                  "-cp",
-                  System.getProperty("java.class.path"),
-                  UnchangedProgram.class.getName()),
-              Stream.of(args))
-          .toList();
+      return Jvm.commandOf(UnchangedProgram.class, args);
     }
 
     @Test

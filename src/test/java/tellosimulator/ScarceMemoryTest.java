@@ -10,16 +10,19 @@ import java.net.InetSocketAddress;
 import java.net.SocketTimeoutException;
 import java.nio.charset.StandardCharsets;
 import java.util.concurrent.TimeUnit;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import tellosimulator.concurrent.FatalExit;
 import tellosimulator.testing.HungryProgram;
 
 /** The program where memory is not enough: it says so, and never goes on in part. */
+@Tag("process")
 @Timeout(
     value = 4 * ProgramProcess.PATIENCE_SECONDS,
     unit = TimeUnit.SECONDS,
     threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
+@Tag("slow")
 class ScarceMemoryTest {
 
   private static final String END = "The simulator ends, because its memory is full.";

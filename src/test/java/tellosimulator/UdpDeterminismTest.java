@@ -17,6 +17,7 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.LockSupport;
 import java.util.regex.MatchResult;
 import java.util.regex.Pattern;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
@@ -28,7 +29,9 @@ import org.junit.jupiter.params.provider.ValueSource;
  * gets the same replies and state lines in each run, to the byte: over real sockets, from a process
  * of its own, however long the program thinks, and however busy the machine is.
  */
+@Tag("process")
 @Timeout(value = 300, unit = TimeUnit.SECONDS, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
+@Tag("slow")
 class UdpDeterminismTest {
 
   private static final int DRONES = 3;

@@ -2,6 +2,7 @@ package tellosimulator;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import tellosimulator.view.testing.ClosableProgram;
@@ -9,6 +10,7 @@ import tellosimulator.view.testing.NeedsDisplay;
 
 /** The program with its window, from start to end. */
 @NeedsDisplay
+@Tag("process")
 class WindowProgramDisplayTest {
 
   @Test

@@ -15,7 +15,6 @@ import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.function.Consumer;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
-import tellosimulator.testing.ProcessFigures;
 
 /** The program in a process of its own, as users run it: the runnable jar, or the app image. */
 final class Simulator implements AutoCloseable {

@@ -5,7 +5,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import tellosimulator.testing.ProcessFigures;
+import tellosimulator.benchmark.ProcessFigures;
 
 /**
  * Where a program runs: this machine, or one of a {@link PrivateNetwork}.

@@ -10,7 +10,7 @@ import java.util.Map;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
-import tellosimulator.testing.ProcessFigures;
+import tellosimulator.benchmark.ProcessFigures;
 
 /** The runnable jar without a window, its console and what it costs. */
 final class SimulatorProcess implements AutoCloseable {

@@ -14,7 +14,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.stream.Stream;
 import tellosimulator.benchmark.Measurement;
-import tellosimulator.testing.ProcessFigures;
+import tellosimulator.benchmark.ProcessFigures;
 
 /**
  * What the window costs while nothing moves, drawn by the software pipeline and in 3D (by Mesa's

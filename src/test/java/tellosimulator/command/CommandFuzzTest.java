@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.fail;
 import java.util.List;
 import java.util.Optional;
 import java.util.Random;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import tellosimulator.profile.Behavior;
@@ -14,6 +15,7 @@ import tellosimulator.time.SimTime;
 import tellosimulator.words.Phrase;
 
 /** A million texts of all kinds: each is ignored, or carried out once, or answered once. */
+@Tag("slow")
 class CommandFuzzTest {
 
   @ParameterizedTest

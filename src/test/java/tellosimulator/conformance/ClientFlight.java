@@ -6,10 +6,10 @@ import static org.junit.jupiter.api.Assumptions.abort;
 
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
+import tellosimulator.testing.Jvm;
+import tellosimulator.testing.Tool;
 
 /** One run of {@code conformance/run.py}, whose lines go to the output of the build. */
 final class ClientFlight {
@@ -30,13 +30,7 @@ final class ClientFlight {
    * @param arguments of {@code run.py}
    */
   static void fly(String... arguments) throws IOException, InterruptedException {
-    Process flight;
-    try {
-      flight = new ProcessBuilder(command(arguments)).redirectErrorStream(true).start();
-    } catch (IOException e) {
-      cannotFly("python3 is missing: " + e.getMessage());
-      return;
-    }
+    Process flight = Tool.PYTHON.command(words(arguments)).redirectErrorStream(true).start();
     String output;
     int exitCode;
     try {
@@ -47,17 +41,17 @@ final class ClientFlight {
     }
     System.out.print(output);
     switch (exitCode) {
-      case MISSING -> cannotFly(output);
+      case MISSING -> cannotFly(output.strip());
       case FORBIDDEN -> abort(output);
       default -> assertEquals(0, exitCode, output);
     }
   }
 
-  private static List<String> command(String... arguments) {
-    List<String> command = new ArrayList<>();
-    command.addAll(List.of("python3", "conformance/run.py", "--java", java(), "--jar", jar()));
-    command.addAll(Arrays.asList(arguments));
-    return command;
+  private static String[] words(String... arguments) {
+    List<String> words =
+        new ArrayList<>(List.of("conformance/run.py", "--java", Jvm.java(), "--jar", jar()));
+    words.addAll(List.of(arguments));
+    return words.toArray(String[]::new);
   }
 
   /** The program that is flown. */
@@ -65,13 +59,8 @@ final class ClientFlight {
     return System.getProperty("simulator.jar", "target/tello-simulator.jar");
   }
 
-  /** The Java that runs it. */
-  static String java() {
-    return Path.of(System.getProperty("java.home"), "bin", "java").toString();
-  }
-
   /** Skips the test; fails it where all must be installed. */
-  static void cannotFly(String reason) {
+  private static void cannotFly(String reason) {
     if (MUST_FLY) {
       fail(reason);
     }

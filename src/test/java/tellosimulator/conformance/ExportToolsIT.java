@@ -12,6 +12,8 @@ import org.junit.jupiter.api.io.TempDir;
 import tellosimulator.export.ExportFormat;
 import tellosimulator.recording.RecordedFlight;
 import tellosimulator.recording.RecordingFixture;
+import tellosimulator.testing.NeedsTool;
+import tellosimulator.testing.Tool;
 
 /** What other people's tools make of exported recordings. */
 @Timeout(120)
@@ -46,13 +48,13 @@ class ExportToolsIT {
   }
 
   @Test
+  @NeedsTool(Tool.TSHARK)
   void wiresharkReadsTheCapture() throws Exception {
     String file = exported(ExportFormat.PCAP).toString();
 
     assertThat(
             output(
-                List.of(
-                    "tshark",
+                Tool.TSHARK.command(
                     "-r",
                     file,
                     "-o",
@@ -76,23 +78,18 @@ class ExportToolsIT {
   }
 
   @Test
+  @NeedsTool(Tool.PYTHON_CLIENTS)
   void theMcapPackageReadsTheMessages() throws Exception {
     String file = exported(ExportFormat.MCAP).toString();
-    boolean windows = System.getProperty("os.name").startsWith("Windows");
-    Path python =
-        Path.of("conformance", ".venv")
-            .resolve(windows ? Path.of("Scripts", "python.exe") : Path.of("bin", "python"));
-
-    assertThat(output(List.of(python.toString(), "-c", COUNT, file)))
+    assertThat(output(Tool.PYTHON_CLIENTS.command("-c", COUNT, file)))
         .containsExactly("[('/drone1/truth', 221), ('/events', 18), ('/wire', 3)]");
   }
 
-  private static List<String> output(List<String> command)
+  private static List<String> output(ProcessBuilder command)
       throws IOException, InterruptedException {
-    Process process =
-        new ProcessBuilder(command).redirectError(ProcessBuilder.Redirect.DISCARD).start();
+    Process process = command.redirectError(ProcessBuilder.Redirect.DISCARD).start();
     String output = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
-    assertThat(process.waitFor()).as(String.join(" ", command)).isZero();
+    assertThat(process.waitFor()).as(String.join(" ", command.command())).isZero();
     return output.lines().toList();
   }
 }

@@ -11,9 +11,11 @@ import java.util.jar.JarEntry;
 import java.util.jar.JarFile;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
 /** What a project inherits that has the simulator as a dependency; src/it/consumer is one. */
+@Tag("slow")
 class LibraryIT {
 
   private static final Path LIST = Path.of("target", "it", "consumer", "dependencies.txt");

@@ -9,12 +9,15 @@ import java.util.concurrent.Future;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
+import tellosimulator.testing.NeedsTool;
+import tellosimulator.testing.Tool;
 
 /**
  * Each fault of the link that concerns a share of the datagrams, at 20 % in all directions:
  * programs that repeat what failed fly ten commands with each client. All clients fly at once, each
  * in a network of its own, because they mostly wait.
  */
+@NeedsTool(Tool.PYTHON)
 class LinkFaultsIT {
 
   private static final List<String> CLIENTS = List.of("djitellopy", "tello-asyncio", "tellojs");

@@ -3,8 +3,11 @@ package tellosimulator.conformance;
 import java.io.IOException;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import tellosimulator.testing.NeedsTool;
+import tellosimulator.testing.Tool;
 
 /** Clients on the simulator's own machine, with the address and port that this takes. */
+@NeedsTool(Tool.PYTHON)
 class LoopbackIT {
 
   @ParameterizedTest(name = "{0}, time factor {1}")

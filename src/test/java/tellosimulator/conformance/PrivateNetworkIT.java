@@ -4,8 +4,11 @@ import java.io.IOException;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import tellosimulator.testing.NeedsTool;
+import tellosimulator.testing.Tool;
 
 /** Clients without any change, in a network where the drone has the address of every drone. */
+@NeedsTool(Tool.PYTHON)
 class PrivateNetworkIT {
 
   @ParameterizedTest

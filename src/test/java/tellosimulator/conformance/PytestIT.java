@@ -2,7 +2,6 @@ package tellosimulator.conformance;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import java.io.File;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
@@ -10,22 +9,21 @@ import java.nio.file.Path;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
+import tellosimulator.testing.Jvm;
+import tellosimulator.testing.NeedsTool;
+import tellosimulator.testing.Tool;
 
 /** The tests in {@code examples/testing/pytest}, with the runnable jar. */
+@NeedsTool(Tool.PYTHON_CLIENTS)
 class PytestIT {
 
   private static final Path TESTS = Path.of("examples", "testing", "pytest");
-
-  /** Longest fixture that a student should have to copy [lines]. Decided. */
-  private static final int LONGEST_FIXTURE = 125;
 
   private record Run(int exitCode, String output) {}
 
   @Test
   @Timeout(180)
   void theExampleIsGreen() throws IOException, InterruptedException {
-    assertInstalled();
-
     Run run = run("-m", "pytest", "-v", "-p", "no:cacheprovider", TESTS.toString());
 
     assertThat(run.exitCode).as(run.output).isZero();
@@ -37,7 +35,6 @@ class PytestIT {
   @Test
   @Timeout(180)
   void aFailureTellsWhatTheDronesDid() throws IOException, InterruptedException {
-    assertInstalled();
     Path folder = Files.createDirectories(Path.of("target", "pytest-red"));
     for (String file : List.of("conftest.py", "test_square.py")) {
       String text = Files.readString(TESTS.resolve(file));
@@ -50,31 +47,10 @@ class PytestIT {
     assertThat(run.output).contains("1 failed", "last command to drone 1:", "`cw 80` → `ok`");
   }
 
-  @Test
-  void theFixtureIsShortEnoughToBeCopied() throws IOException {
-    assertThat(Files.readAllLines(TESTS.resolve("conftest.py"))).hasSizeLessThan(LONGEST_FIXTURE);
-  }
-
-  private static void assertInstalled() throws IOException, InterruptedException {
-    try {
-      Run version = run("-m", "pytest", "--version");
-      if (version.exitCode != 0) {
-        ClientFlight.cannotFly(version.output);
-      }
-    } catch (IOException e) {
-      ClientFlight.cannotFly("python3 is missing: " + e.getMessage());
-    }
-  }
-
   private static Run run(String... arguments) throws IOException, InterruptedException {
-    boolean windows = File.separatorChar == '\\';
-    Path own =
-        Path.of("conformance", ".venv")
-            .resolve(windows ? Path.of("Scripts", "python.exe") : Path.of("bin", "python"));
-    ProcessBuilder builder = new ProcessBuilder(arguments).redirectErrorStream(true);
-    builder.command().add(0, Files.isExecutable(own) ? own.toString() : "python3");
+    ProcessBuilder builder = Tool.PYTHON_CLIENTS.command(arguments).redirectErrorStream(true);
     builder.environment().put("TELLO_SIMULATOR_JAR", ClientFlight.jar());
-    builder.environment().put("TELLO_SIMULATOR_JAVA", ClientFlight.java());
+    builder.environment().put("TELLO_SIMULATOR_JAVA", Jvm.java());
     builder.environment().put("PYTHONDONTWRITEBYTECODE", "1");
     Process process = builder.start();
     try {

@@ -12,12 +12,13 @@ import java.util.List;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
-import org.junit.jupiter.api.condition.EnabledOnOs;
-import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
+import tellosimulator.testing.Jvm;
+import tellosimulator.testing.NeedsTool;
+import tellosimulator.testing.Tool;
 
 /** Programs for real drones, flown by the subcommand {@code run} without one changed character. */
-@EnabledOnOs(OS.LINUX)
+@NeedsTool({Tool.NAMESPACES, Tool.PYTHON_CLIENTS})
 class UnchangedProgramIT {
 
   private static final Path PYTHON = Path.of("conformance", ".venv", "bin", "python");
@@ -37,7 +38,6 @@ class UnchangedProgramIT {
   @Test
   @Timeout(240)
   void theExampleOfDjitellopyItselfFlies() throws IOException, InterruptedException {
-    skipUnlessInstalled();
     Path program = Files.writeString(temporary.resolve("example.py"), exampleOfDjitellopy());
 
     String printed = run(List.of("--", PYTHON.toString(), program.toString()));
@@ -63,28 +63,18 @@ class UnchangedProgramIT {
 
   /** Runs a program by the subcommand, and returns what both have written. */
   private static String run(List<String> words) throws IOException, InterruptedException {
-    skipUnlessInstalled();
-    List<String> command = new ArrayList<>(List.of(ClientFlight.java(), "-jar"));
+    List<String> command = new ArrayList<>(List.of(Jvm.java(), "-jar"));
     command.addAll(List.of(ClientFlight.jar(), "run", "--headless", "--time-factor", "2"));
     command.addAll(words);
-    Process process = new ProcessBuilder(command).redirectErrorStream(true).start();
+    Process process = Jvm.process(command).redirectErrorStream(true).start();
     try {
       String printed = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
       int code = process.waitFor();
-      if (printed.contains("A private network cannot be made")) {
-        ClientFlight.cannotFly(printed);
-      }
       assertThat(code).as(printed).isZero();
       return printed;
     } finally {
       process.descendants().forEach(ProcessHandle::destroy);
       process.destroy();
-    }
-  }
-
-  private static void skipUnlessInstalled() {
-    if (!Files.isExecutable(PYTHON)) {
-      ClientFlight.cannotFly("djitellopy is not installed; see conformance/README.md");
     }
   }
 }

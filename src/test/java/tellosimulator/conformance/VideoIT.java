@@ -3,8 +3,11 @@ package tellosimulator.conformance;
 import java.io.IOException;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import tellosimulator.testing.NeedsTool;
+import tellosimulator.testing.Tool;
 
 /** Clients that look at what the drone films, in real time. */
+@NeedsTool(Tool.PYTHON)
 class VideoIT {
 
   @ParameterizedTest

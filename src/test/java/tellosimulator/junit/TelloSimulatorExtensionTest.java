@@ -19,6 +19,7 @@ import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.MethodOrderer;
 import org.junit.jupiter.api.Nested;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.TestMethodOrder;
 import org.junit.jupiter.api.extension.RegisterExtension;
@@ -301,6 +302,7 @@ class TelloSimulatorExtensionTest {
     assertThat(failures).doesNotContainKey("doesNothing").hasSize(5);
   }
 
+  @Tag("process")
   @TelloTest(onCrash = OnCrash.ALLOW)
   static final class Forgetting {
     @Test

@@ -18,6 +18,8 @@ import java.util.regex.MatchResult;
 import java.util.regex.Pattern;
 import org.junit.jupiter.api.Nested;
 import org.junit.jupiter.api.Test;
+import tellosimulator.testing.NeedsTool;
+import tellosimulator.testing.Tool;
 
 /** The code of docs/testing.md: each block of it stands here, and runs. */
 class TestingPageTest {
@@ -167,6 +169,7 @@ class TestingPageTest {
       }
     }
 
+    @NeedsTool(Tool.PYTHON)
     @TelloTest
     void aPythonProgramFlies(SimulatedDrone drone) {
       drone

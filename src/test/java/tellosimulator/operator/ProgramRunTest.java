@@ -1,7 +1,6 @@
 package tellosimulator.operator;
 
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.junit.jupiter.api.Assumptions.abort;
 
 import java.io.BufferedReader;
 import java.io.IOException;
@@ -12,17 +11,16 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
-import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
-import org.junit.jupiter.api.condition.EnabledOnOs;
-import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 import tellosimulator.operator.ProgramRun.Ends;
 import tellosimulator.operator.ProgramRun.Plan;
+import tellosimulator.testing.NeedsTool;
+import tellosimulator.testing.Tool;
 
 /** Simulator and program are plain scripts here. */
-@EnabledOnOs(OS.LINUX)
+@NeedsTool({Tool.NAMESPACES, Tool.SH, Tool.MKFIFO})
 @Timeout(120)
 class ProgramRunTest {
 
@@ -33,15 +31,6 @@ class ProgramRunTest {
       List.of("sh", "-c", "echo ready; read typed; exit 3", "simulator");
 
   @TempDir private Path folder;
-
-  @BeforeAll
-  static void needNamespaces() throws InterruptedException {
-    try (OperatorNetwork network = OperatorNetwork.create(1)) {
-      assertThat(network.whereDronesAre(List.of())).isNotEmpty();
-    } catch (UnavailableException e) {
-      abort(e.getMessage());
-    }
-  }
 
   @Test
   void aProgramThatIgnoresSignalsIsEnded() throws Exception {
@@ -79,7 +68,7 @@ class ProgramRunTest {
   /** Through which the program says that it runs, however long that takes. */
   private Path pipe() throws IOException, InterruptedException {
     Path pipe = folder.resolve("pid");
-    assertThat(new ProcessBuilder("mkfifo", pipe.toString()).start().waitFor()).isZero();
+    assertThat(Tool.MKFIFO.command(pipe.toString()).start().waitFor()).isZero();
     return pipe;
   }
 

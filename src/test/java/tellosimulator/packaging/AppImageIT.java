@@ -14,16 +14,18 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.stream.Stream;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.condition.EnabledOnOs;
 import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
+import tellosimulator.testing.NeedsTool;
+import tellosimulator.testing.Tool;
 
 /** What profile {@code app-image} has made, where no JDK is to be seen. */
 @EnabledOnOs(OS.LINUX)
+@NeedsTool({Tool.NAMESPACES, Tool.SH, Tool.TAR})
 @Timeout(240)
 class AppImageIT {
 
@@ -88,15 +90,14 @@ class AppImageIT {
   }
 
   @Test
+  @NeedsTool(Tool.DPKG)
   void theDebianPackageIsInstalledAndLeavesNothingBehind()
       throws IOException, InterruptedException {
-    assumeTrue(Files.isExecutable(Path.of("/usr/bin/dpkg")), "dpkg is missing");
     String onlyWithArchive =
         javaOfTheImage() >= AOT_CACHE ? "-XX:AOTMode=on" : "-XX:+IgnoreUnrecognizedVMOptions";
     Process process =
         start("sh", script("install.sh"), made("*.deb").toAbsolutePath() + "", onlyWithArchive);
     String printed = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
-    skipUnlessAllowed(printed);
     assertThat(process.waitFor()).as(printed).isZero();
     assertThat(printed)
         .contains("Tello Simulator ")
@@ -110,7 +111,6 @@ class AppImageIT {
   private static int port(BufferedReader lines) throws IOException {
     String line = lines.readLine();
     while (line != null && !line.startsWith("ready")) {
-      skipUnlessAllowed(line);
       line = lines.readLine();
     }
     assertThat(line).startsWith("ready: drone 1 at 127.0.0.1:");
@@ -123,8 +123,9 @@ class AppImageIT {
   }
 
   private String unpack() throws IOException, InterruptedException {
-    List<String> tar = List.of("tar", "-xzf", made("*.tar.gz").toString(), "-C", "" + temporary);
-    assertThat(new ProcessBuilder(tar).inheritIO().start().waitFor()).isZero();
+    ProcessBuilder tar =
+        Tool.TAR.command("-xzf", made("*.tar.gz").toString(), "-C", temporary.toString());
+    assertThat(tar.inheritIO().start().waitFor()).isZero();
     return temporary.resolve("tello-simulator").toString();
   }
 
@@ -136,21 +137,14 @@ class AppImageIT {
 
   /** Where no JDK is to be seen. */
   private static Process start(String... command) throws IOException {
-    List<String> words = new ArrayList<>();
-    words.addAll(List.of("unshare", "--user", "--map-root-user", "--mount", "sh"));
+    List<String> words = new ArrayList<>(List.of("--user", "--map-root-user", "--mount", "sh"));
     words.addAll(List.of(script("without-jdk.sh"), System.getProperty("java.home")));
     words.addAll(List.of(command));
-    return new ProcessBuilder(words).redirectErrorStream(true).start();
+    return Tool.NAMESPACES.command(words.toArray(String[]::new)).redirectErrorStream(true).start();
   }
 
   private static String script(String name) {
     return SCRIPTS.resolve(name).toAbsolutePath().toString();
-  }
-
-  private static void skipUnlessAllowed(String printed) {
-    assumeTrue(
-        Stream.of("unshare: ", "mount: ").noneMatch(printed::contains),
-        "this system allows no mount namespace: " + printed);
   }
 
   private static String reply(String command, int port) throws IOException {

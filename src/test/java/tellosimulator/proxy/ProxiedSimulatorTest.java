@@ -9,6 +9,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.OptionalInt;
 import java.util.concurrent.TimeUnit;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
@@ -31,6 +32,7 @@ import tellosimulator.sim.SimConfig.Product;
 import tellosimulator.sim.SimConfig.StreamPorts;
 
 /** A simulator in the drone's place, in real time. */
+@Tag("slow")
 class ProxiedSimulatorTest {
 
   private static final InetAddress LOOPBACK = InetAddress.getLoopbackAddress();

@@ -19,6 +19,7 @@ import java.util.TreeMap;
 import java.util.TreeSet;
 import java.util.zip.ZipEntry;
 import java.util.zip.ZipFile;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.condition.EnabledIfEnvironmentVariable;
@@ -27,11 +28,13 @@ import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import tellosimulator.testing.Jvm;
 
 /**
  * The programs for several systems, which the profile {@code all-systems} builds; skipped without
  * it.
  */
+@Tag("process")
 class AllSystemsIT {
 
   private static final int PATIENCE_SECONDS = 240;
@@ -78,12 +81,21 @@ class AllSystemsIT {
 
   /** Starts a program, waits until its drone takes commands, and ends it. */
   private void assertReady(Path program, String option) throws IOException, InterruptedException {
-    String java = Path.of(System.getProperty("java.home"), "bin", "java").toString();
     Path errors = home.resolve("errors");
     ProcessBuilder builder =
-        new ProcessBuilder(java, "-Duser.home=" + home, "-jar", program.toString())
+        Jvm.process(
+                List.of(
+                    Jvm.java(),
+                    "-Duser.home=" + home,
+                    "-jar",
+                    program.toString(),
+                    option,
+                    "--command-port",
+                    "0",
+                    "--log-level",
+                    "warn"))
             .redirectError(errors.toFile());
-    builder.command().addAll(List.of(option, "--command-port", "0", "--log-level", "warn"));
+
     List.of("XDG_CONFIG_HOME", "XDG_DATA_HOME", "APPDATA", "LOCALAPPDATA")
         .forEach(variable -> builder.environment().put(variable, home.toString()));
     Process process = builder.start();

@@ -14,19 +14,20 @@ import org.junit.jupiter.api.io.TempDir;
 import tellosimulator.recording.RecordedFlight;
 import tellosimulator.recording.RecordingFixture;
 import tellosimulator.testing.Chromium;
+import tellosimulator.testing.NeedsTool;
+import tellosimulator.testing.Tool;
 import tellosimulator.words.Translation;
 
 /** What a browser makes of a report that it opens as a file. */
+@NeedsTool(Tool.CHROMIUM)
 class ReportInBrowserTest {
 
   @TempDir private Path folder;
 
-  private Chromium browser;
   private Path page;
 
   @BeforeEach
   void writeReport() throws Exception {
-    browser = Chromium.installed();
     page = folder.resolve("report.html");
     RecordedFlight flight = RecordedFlight.read(RecordingFixture.in(folder.resolve("flight")));
     new FlightReport(flight, new ReportTexts(Translation.ENGLISH)).write(page);
@@ -138,7 +139,7 @@ class ReportInBrowserTest {
   }
 
   private String dom(Path file, String anchor) {
-    return browser.dom(file, anchor, folder);
+    return Chromium.dom(file, anchor, folder);
   }
 
   /** A copy of the page with one more script, which its policy would not let run. */

@@ -10,6 +10,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.SplittableRandom;
 import java.util.regex.Pattern;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import tellosimulator.goal.Challenge;
 import tellosimulator.scenario.ScenarioCodec.Noted;
@@ -18,6 +19,7 @@ import tellosimulator.sim.SimConfig;
 import tellosimulator.world.Obstacle;
 
 /** A thousand random edits of many texts, each of which may change only a few lines. */
+@Tag("slow")
 class RandomEditsTest {
 
   private static final int EDITS = 1000;

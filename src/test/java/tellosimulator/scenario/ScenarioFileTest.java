@@ -22,8 +22,6 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.TestReporter;
 import org.junit.jupiter.api.Timeout;
-import org.junit.jupiter.api.condition.EnabledOnOs;
-import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -43,6 +41,8 @@ import tellosimulator.sim.SimConfig;
 import tellosimulator.sim.SimConfig.Product;
 import tellosimulator.sim.SimConfig.StreamPorts;
 import tellosimulator.testing.ForPeople;
+import tellosimulator.testing.NeedsTool;
+import tellosimulator.testing.Tool;
 import tellosimulator.time.TimeFactor;
 import tellosimulator.world.Arena;
 import tellosimulator.world.Decor;
@@ -610,11 +610,11 @@ class ScenarioFileTest {
   }
 
   @Test
-  @EnabledOnOs({OS.LINUX, OS.MAC})
+  @NeedsTool(Tool.MKFIFO)
   @Timeout(20)
   void aPipeAndADeviceAreASentence() throws Exception {
     Path pipe = folder.resolve("pipe.yaml");
-    assertThat(new ProcessBuilder("mkfifo", pipe.toString()).start().waitFor()).isZero();
+    assertThat(Tool.MKFIFO.command(pipe.toString()).start().waitFor()).isZero();
     for (Path file : List.of(pipe, Path.of("/dev/zero"))) {
       assertThat(catchThrowableOfType(ScenarioException.class, () -> ScenarioFile.read(file)))
           .hasMessage(file + ": expected a file, found a pipe or a device");
@@ -623,11 +623,11 @@ class ScenarioFileTest {
 
   /** Somebody puts it where the file was; writing would wait for a reader, or never end. */
   @Test
-  @EnabledOnOs({OS.LINUX, OS.MAC})
+  @NeedsTool(Tool.MKFIFO)
   @Timeout(20)
   void nothingIsSavedIntoAPipeOrADevice() throws Exception {
     Path pipe = folder.resolve("pipe.yaml");
-    assertThat(new ProcessBuilder("mkfifo", pipe.toString()).start().waitFor()).isZero();
+    assertThat(Tool.MKFIFO.command(pipe.toString()).start().waitFor()).isZero();
     Path device = Files.createSymbolicLink(folder.resolve("link.yaml"), Path.of("/dev/zero"));
     ScenarioDocument document = ScenarioDocument.of(Scenario.of(SimConfig.DEFAULT));
     for (Path file : List.of(pipe, device)) {

@@ -10,11 +10,15 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import tellosimulator.testing.Jvm;
 
 /** The same seed and the same commands give the same flight, to the last bit. */
+@Tag("process")
+@Tag("slow")
 class DeterminismTest {
 
   private static final String SEED = "7";
@@ -50,16 +54,9 @@ class DeterminismTest {
 
   private static String traceOf(Path javaHome, String pace)
       throws IOException, InterruptedException {
-    Process process =
-        new ProcessBuilder(
-                javaHome.resolve("bin").resolve("java").toString(),
-                "-cp",
-                System.getProperty("java.class.path"),
-                TraceProgram.class.getName(),
-                pace,
-                SEED)
-            .redirectError(ProcessBuilder.Redirect.INHERIT)
-            .start();
+    List<String> command = Jvm.commandOf(TraceProgram.class, pace, SEED);
+    command.set(0, Jvm.java(javaHome));
+    Process process = Jvm.process(command).redirectError(ProcessBuilder.Redirect.INHERIT).start();
     String output =
         new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8).strip();
     assertThat(process.waitFor()).as("exit code of %s", javaHome).isZero();

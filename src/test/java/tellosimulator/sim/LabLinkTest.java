@@ -7,6 +7,7 @@ import java.net.InetSocketAddress;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import tellosimulator.profile.Behavior;
 import tellosimulator.profile.Profile;
@@ -17,6 +18,7 @@ import tellosimulator.testing.SteppedDrone.Sent;
  * Behaviour measured has the link of a real drone: TelloPy 0.7.0, docs/sensor_time.md, measured in
  * September 2026 with one drone.
  */
+@Tag("slow")
 class LabLinkTest {
 
   /** Gets state lines however long it is silent. */

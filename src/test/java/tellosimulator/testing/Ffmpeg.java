@@ -1,7 +1,6 @@
 package tellosimulator.testing;
 
 import static org.junit.jupiter.api.Assertions.fail;
-import static org.junit.jupiter.api.Assumptions.abort;
 
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
@@ -11,10 +10,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 
-/**
- * A decoder that is not ours: the program ffmpeg. Where it is missing a test is skipped, but not in
- * CI.
- */
+/** A decoder that is not ours: the program ffmpeg, for tests that need {@link Tool#FFMPEG}. */
 public final class Ffmpeg {
 
   /**
@@ -56,36 +52,23 @@ public final class Ffmpeg {
       throws IOException, InterruptedException {
     Path output = folder.resolve("pictures.raw");
     Path errors = folder.resolve("errors.txt");
-    List<String> command =
-        new ArrayList<>(List.of("ffmpeg", "-nostdin", "-hide_banner", "-v", "warning"));
+    List<String> command = new ArrayList<>(List.of("-nostdin", "-hide_banner", "-v", "warning"));
     command.addAll(options);
     command.addAll(List.of("-i", input.toString()));
     command.addAll(List.of("-fps_mode", "passthrough", "-f", "rawvideo", "-pix_fmt", "gray"));
     command.addAll(List.of("-y", output.toString()));
-    int status;
-    try {
-      status =
-          new ProcessBuilder(command)
-              .redirectError(errors.toFile())
-              .redirectOutput(ProcessBuilder.Redirect.DISCARD)
-              .start()
-              .waitFor();
-    } catch (IOException e) {
-      missing(e);
-      return new Decoded(List.of(), "");
-    }
+    int status =
+        Tool.FFMPEG
+            .command(command.toArray(String[]::new))
+            .redirectError(errors.toFile())
+            .redirectOutput(ProcessBuilder.Redirect.DISCARD)
+            .start()
+            .waitFor();
     String complaints = Files.readString(errors, StandardCharsets.UTF_8);
     if (status != 0) {
       fail("ffmpeg ended with " + status + ": " + complaints);
     }
     return new Decoded(cut(Files.readAllBytes(output), pixels), complaints);
-  }
-
-  private static void missing(IOException e) {
-    if ("true".equals(System.getenv("CI"))) {
-      fail("ffmpeg is missing", e);
-    }
-    abort("ffmpeg is missing: " + e.getMessage());
   }
 
   private static List<byte[]> cut(byte[] all, int pixels) {

@@ -21,11 +21,14 @@ import tellosimulator.sim.SimSnapshot.DroneSnapshot;
 import tellosimulator.sim.Simulation;
 import tellosimulator.testing.Ffmpeg;
 import tellosimulator.testing.Ffmpeg.Decoded;
+import tellosimulator.testing.NeedsTool;
+import tellosimulator.testing.Tool;
 import tellosimulator.video.camera.DroneOptics;
 import tellosimulator.video.codec.AccessUnit;
 import tellosimulator.video.codec.H264Encoder;
 
 /** A flight as an independent decoder shows it: two seconds, in which the drone turns and leans. */
+@NeedsTool(Tool.FFMPEG)
 class DecodedFlightTest {
 
   private static final int WIDTH = DroneOptics.WIDTH;

@@ -22,6 +22,8 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import tellosimulator.testing.Ffmpeg;
+import tellosimulator.testing.NeedsTool;
+import tellosimulator.testing.Tool;
 import tellosimulator.video.codec.AccessUnit;
 import tellosimulator.video.codec.H264Encoder;
 import tellosimulator.video.picture.Picture;
@@ -65,6 +67,7 @@ class RecordingTest {
   }
 
   @Test
+  @NeedsTool(Tool.FFMPEG)
   void whatIsWrittenPlaysToTheLastSecondThoughNobodyClosesIt() throws Exception {
     for (int i = 0; i < 90; i++) { // 3.6 s
       film(64, 48, 100 + i, i % 25 == 0);
@@ -81,6 +84,7 @@ class RecordingTest {
   }
 
   @Test
+  @NeedsTool(Tool.FFMPEG)
   void aFilmThatCannotBeEndedStillPlays() throws Exception {
     for (int i = 0; i < 30; i++) {
       film(64, 48, 100 + i, i == 0);

@@ -14,6 +14,7 @@ import org.assertj.core.data.Offset;
 import org.jcodec.common.model.Picture;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import tellosimulator.profile.Profile;
@@ -21,6 +22,7 @@ import tellosimulator.testing.CapturedLog;
 
 /** Video over real sockets, decoded by JCodec. */
 @Timeout(value = 60, unit = TimeUnit.SECONDS, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
+@Tag("slow")
 class VideoStreamsTest {
 
   /** What encoding may change of a brightness. */

@@ -13,8 +13,10 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
+import java.util.List;
 import java.util.zip.CRC32;
 import javax.imageio.ImageIO;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
@@ -22,6 +24,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import tellosimulator.scenery.mesh.Texture;
+import tellosimulator.testing.Jvm;
 
 class ImageFileTest {
 
@@ -187,18 +190,12 @@ class ImageFileTest {
   }
 
   @Test
+  @Tag("process")
   void tooLittleMemoryIsOneSentence() throws Exception {
     String file = saved(new BufferedImage(4095, 4095, BufferedImage.TYPE_3BYTE_BGR), "png");
-    Process reader =
-        new ProcessBuilder(
-                Path.of(System.getProperty("java.home"), "bin", "java").toString(),
-                "-Xmx32m", // 4095 * 4095 pixels of 3 bytes are 50 MB
-                "-cp",
-                System.getProperty("java.class.path"),
-                Reader.class.getName(),
-                file)
-            .redirectErrorStream(true)
-            .start();
+    List<String> command = Jvm.commandOf(Reader.class, file);
+    command.add(1, "-Xmx32m"); // 4095 * 4095 pixels of 3 bytes are 50 MB
+    Process reader = Jvm.process(command).redirectErrorStream(true).start();
 
     assertThat(reader.inputReader().readLine())
         .isEqualTo("there is not enough memory for the image " + file);

@@ -9,6 +9,7 @@ import static tellosimulator.video.camera.TestScenes.plain;
 
 import java.util.Arrays;
 import java.util.SplittableRandom;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import tellosimulator.math.Attitude;
 import tellosimulator.math.Pose;
@@ -21,6 +22,7 @@ import tellosimulator.scenery.mesh.Texture;
 import tellosimulator.video.camera.TestScenes.Quad;
 
 /** Rasterisation and texture mapping, pixel by pixel. */
+@Tag("slow")
 class RasterizationTest {
 
   private static final Vec3 MIDDLE = Vec3.ZERO;

@@ -1,4 +1,4 @@
-package tellosimulator.testing;
+package tellosimulator.benchmark;
 
 import java.io.BufferedReader;
 import java.io.IOException;
