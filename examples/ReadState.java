@@ -21,7 +21,7 @@ import java.util.Map;
  */
 public final class ReadState {
 
-  private static final int PATIENCE_MS = 3_000;
+  private static final int PATIENCE_MS = 10_000;
   private static final int LINES_A_SECOND = 10;
 
   private ReadState() {}

@@ -30,7 +30,7 @@ SEARCH_STEP = 30  # degrees; the camera sees 55 from left to right
 MOST_TURNS = 20
 LATE_PICTURES = 10  # so many are on their way when a turn ends
 LOOKS = 5  # pictures to look at; in one that is damaged the marker may be missed
-PATIENCE = 5  # seconds until the next picture
+PATIENCE = 10  # seconds until the next picture
 
 
 def next_picture(video, last):

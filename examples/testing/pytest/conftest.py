@@ -1,7 +1,7 @@
 """Simulated Tello drones for pytest. Copy this file beside your tests; it needs nothing but pytest
 and Java, and the simulator's jar where TELLO_SIMULATOR_JAR says.
 
-A test with the parameter `simulator` gets a simulator that has just begun anew:
+A test with the parameter `simulator` gets a simulator that has just been reset:
 
     def test_it_lands(simulator):
         fly(simulator.host, simulator.command_port)   # your program
@@ -65,11 +65,11 @@ class Simulator:
         return self.ask("drones")
 
     def truth(self, drone=1):
-        """What is really so about a drone, and what it did; nothing of it is on the wire."""
+        """The true state of a drone, and what it did, independent of the wire."""
         return self.ask("truth", drone=drone)
 
     def journal(self, drone=1):
-        """All that came to a drone, and what became of it."""
+        """All texts that came to a drone, with their replies."""
         return self.ask("journal", drone=drone)
 
     def commands(self, drone=1):
@@ -80,11 +80,15 @@ class Simulator:
         self.ask("inject", fault=fault)
 
     def advance(self, seconds):
-        """Lets simulated time pass while nobody waits for a reply."""
+        """Lets simulated time pass while your program waits for no reply."""
         self.ask("advance", seconds=seconds)
 
+    def await_still(self):
+        """Waits until all commands are carried out and nothing moves but what hovers."""
+        self.ask("await-still")
+
     def reset(self):
-        """Begins anew: same places, full batteries, no faults, empty journals."""
+        """Starts again: same places, full batteries, no faults, empty journals."""
         self.ask("reset")
 
     def close(self):
@@ -108,7 +112,7 @@ def simulator(running_simulator):
 
 @pytest.hookimpl(wrapper=True)
 def pytest_runtest_makereport(item, call):
-    """A failure tells what the drones did."""
+    """Adds to a failure what the drones did."""
     report = yield
     if report.when == "call" and report.failed and "simulator" in item.funcargs:
         report.sections.append(("drones", item.funcargs["simulator"].ask("explanation")))

@@ -58,10 +58,13 @@ import tellosimulator.world.Surface;
 @Tag("process")
 class ExamplesTest {
 
-  /** Ten times real time, so that a flight takes one or two seconds. */
-  private static final TimeFactor FAST = new TimeFactor(10);
+  /**
+   * For the steering by hand, which holds sticks by the wall clock. Twice real time, so that a drone
+   * lands by itself only after a silence of 7.5 s, however busy the machine is.
+   */
+  private static final TimeFactor FAST = new TimeFactor(2);
 
-  /** So large that nobody reaches a wall. */
+  /** So large that no drone reaches a wall. */
   private static final Room HALL = new Room(100, 100, 10);
 
   private static final Pattern ADDRESS = Pattern.compile("127\\.0\\.0\\.1:[0-9]+");
@@ -71,14 +74,13 @@ class ExamplesTest {
 
   @Test
   void firstFlightEndsAMeterAheadTurnedToTheRight() throws Exception {
-    try (Flight flight = new Flight(1)) {
+    try (Flight flight = new Flight(1, TimeFactor.MAX)) {
       Ended ended = java("FirstFlight", "", flight.host(), flight.port());
 
-      // At ten times real time the battery loses something while the example is compiled.
-      assertThat(ended.output().stream().map(line -> line.replaceFirst("[0-9]+ %", "N %")))
+      assertThat(ended.output())
           .containsExactly(
               "command -> ok",
-              "Battery: N %",
+              "Battery: 100 %",
               "takeoff -> ok",
               "forward 100 -> ok",
               "cw 90 -> ok",
@@ -124,7 +126,7 @@ class ExamplesTest {
   @ParameterizedTest
   @ValueSource(strings = {"ww\n?\nq\n", "ww"})
   void keyboardSteersUntilQuitOrTheEndOfInputAndLands(String typed) throws Exception {
-    try (Flight flight = new Flight(1)) {
+    try (Flight flight = new Flight(1, FAST)) {
       Ended ended = java("SteerWithKeyboard", typed, flight.host(), flight.port());
 
       assertThat(ended.output())
@@ -133,15 +135,15 @@ class ExamplesTest {
       assertThat(ended.exitCode()).isZero();
       Place place = flight.places().get(0);
       assertThat(place.phase()).isEqualTo("on the ground");
-      // Two letters are a second, at factor 10 ten of the drone's, at 40 cm/s: about 4 m.
-      assertThat(place.x()).isGreaterThan(100);
+      // Two letters are a second or more, at factor 2 two of the drone's, at up to 40 cm/s.
+      assertThat(place.x()).isGreaterThan(30);
       assertThat(place.y()).isCloseTo(0, within(2.0));
     }
   }
 
   @Test
   void threeDronesFlyTogether() throws Exception {
-    try (Flight flight = new Flight(3)) {
+    try (Flight flight = new Flight(3, TimeFactor.MAX)) {
       Ended ended = java("SwarmOfThree", "", flight.addresses().toArray(String[]::new));
 
       assertThat(ended.output()).hasSize(19).endsWith("All have landed.");
@@ -444,11 +446,11 @@ class ExamplesTest {
     private final int statePort = freePort();
     private final int videoPort = freePort();
 
-    Flight(int drones) throws IOException, InterruptedException {
+    Flight(int drones, TimeFactor timeFactor) throws IOException, InterruptedException {
       this(
           SimConfig.DEFAULT
               .withRoom(HALL, Formation.row(drones, Vec3.ZERO, HALL))
-              .withTimeFactor(FAST));
+              .withTimeFactor(timeFactor));
     }
 
     Flight(SimConfig config) throws IOException, InterruptedException {

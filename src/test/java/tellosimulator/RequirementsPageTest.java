@@ -29,7 +29,7 @@ class RequirementsPageTest {
 
     assertThat(named).isNotEmpty();
     for (MatchResult test : named) {
-      assertThat(sources).containsKey(test.group(1));
+      assertThat(sources.keySet()).contains(test.group(1));
       if (test.group(2) != null) {
         assertThat(sources.get(test.group(1)))
             .containsPattern("  [\\w<>]+ " + test.group(2) + "\\(");

@@ -21,7 +21,7 @@ import org.junit.jupiter.api.Test;
 import tellosimulator.testing.NeedsTool;
 import tellosimulator.testing.Tool;
 
-/** The code of docs/testing.md: each block of it stands here, and runs. */
+/** The code of docs/testing.md: each block of the page is here, and runs. */
 class TestingPageTest {
 
   private static final Pattern BLOCK = Pattern.compile("(?s)```java\\R(.*?)```");
@@ -96,7 +96,7 @@ class TestingPageTest {
 
     @Test
     void fliesOneMeterForward(SimulatedDrone drone) throws IOException {
-      try (Tello tello = new Tello(drone.address(), Duration.ofSeconds(2))) {
+      try (Tello tello = new Tello(drone.address(), Duration.ofSeconds(10))) {
         tello.send("command");
         tello.send("takeoff");
         tello.send("forward 100");
@@ -114,9 +114,9 @@ class TestingPageTest {
     @Test
     void aLostReplyDoesNotTakeOffTwice(SimulatedDrone drone, TelloSimulation simulation)
         throws IOException {
-      simulation.faults().inject("loss replies 100% after \"takeoff\" for 3.1s");
+      simulation.faults().inject("loss replies 100% after \"takeoff\" for 3.05s");
 
-      try (Tello tello = new Tello(drone.address(), Duration.ofMillis(100))) {
+      try (Tello tello = new Tello(drone.address(), Duration.ofSeconds(5))) {
         new CarefulPilot(tello).takeOff(); // looks at the height before it tries again
       }
 
@@ -126,7 +126,7 @@ class TestingPageTest {
 
     @TelloTest(scenario = "gate-race")
     void fliesTheRace(SimulatedDrone drone, TelloSimulation simulation) throws IOException {
-      try (Tello tello = new Tello(drone.address(), Duration.ofSeconds(2))) {
+      try (Tello tello = new Tello(drone.address(), Duration.ofSeconds(10))) {
         for (String command : List.of("command", "takeoff", "up 70", "forward 200", "up 50")) {
           tello.send(command);
         }
@@ -143,7 +143,7 @@ class TestingPageTest {
     @TelloTest(scenario = "wall-pad", timeFactor = "1")
     void theFilmBegins(SimulatedDrone drone) throws IOException {
       try (DatagramSocket film = new DatagramSocket(drone.videoPort());
-          Tello tello = new Tello(drone.address(), Duration.ofSeconds(2))) {
+          Tello tello = new Tello(drone.address(), Duration.ofSeconds(10))) {
         film.setSoTimeout(10_000);
         tello.send("command");
         tello.send("streamon");
@@ -158,7 +158,7 @@ class TestingPageTest {
     @TelloTest(drones = 3)
     void allTakeOff(TelloSimulator simulator) throws IOException {
       for (SimulatedDrone drone : simulator.drones()) {
-        try (Tello tello = new Tello(drone.address(), Duration.ofSeconds(2))) {
+        try (Tello tello = new Tello(drone.address(), Duration.ofSeconds(10))) {
           tello.send("command");
           tello.send("takeoff");
         }
@@ -185,7 +185,7 @@ class TestingPageTest {
     void withoutJUnit() throws IOException {
       try (TelloSimulator simulator = TelloSimulator.start("slalom")) {
         SimulatedDrone drone = simulator.drone();
-        try (Tello tello = new Tello(drone.address(), Duration.ofSeconds(2))) {
+        try (Tello tello = new Tello(drone.address(), Duration.ofSeconds(10))) {
           tello.send("command");
           tello.send("takeoff");
         }

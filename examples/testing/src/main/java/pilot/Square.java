@@ -13,17 +13,20 @@ public final class Square {
     this.tello = tello;
   }
 
-  /** Flies, unless the battery is too low. */
+  /** Flies, unless the battery is too low; lands also when something goes wrong on the way. */
   public void fly(int edge) throws IOException {
-    tello.ask("command");
+    tello.command("command");
     if (Integer.parseInt(tello.ask("battery?")) < LEAST_BATTERY) {
       return;
     }
-    tello.send("takeoff");
-    for (int corner = 0; corner < 4; corner++) {
-      tello.send("forward " + edge);
-      tello.send("cw 90");
+    tello.command("takeoff");
+    try {
+      for (int corner = 0; corner < 4; corner++) {
+        tello.command("forward " + edge);
+        tello.command("cw 90");
+      }
+    } finally {
+      tello.command("land");
     }
-    tello.send("land");
   }
 }

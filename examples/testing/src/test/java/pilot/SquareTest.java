@@ -1,6 +1,7 @@
 package pilot;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
 import static tellosimulator.junit.TelloAssertions.assertThat;
 import static tellosimulator.junit.Times.times;
 
@@ -20,7 +21,7 @@ class SquareTest {
 
   @BeforeEach
   void connect(SimulatedDrone drone) throws IOException {
-    tello = new Tello(drone.address(), Duration.ofMillis(300));
+    tello = new Tello(drone.address(), Duration.ofSeconds(10));
   }
 
   @AfterEach
@@ -48,13 +49,13 @@ class SquareTest {
   }
 
   @Test
-  void aQuestionWhoseAnswerIsLostIsAskedAgain(SimulatedDrone drone, TelloSimulation simulation)
+  void itLandsWhenTheDroneRefusesToMove(SimulatedDrone drone, TelloSimulation simulation)
       throws IOException {
-    tello.ask("command");
-    simulation.faults().inject("loss replies 100% after \"battery?\" for 50ms");
+    simulation.faults().inject("no-valid-imu after \"cw 90\"");
 
-    assertEquals("100", tello.ask("battery?"));
+    assertThrows(IOException.class, () -> new Square(tello).fly(100));
 
-    drone.journal().verify(times(2), "battery?");
+    assertThat(drone).hasLanded();
+    drone.journal().verify(times(1), "forward");
   }
 }
