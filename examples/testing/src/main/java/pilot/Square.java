@@ -16,7 +16,7 @@ public final class Square {
   /** Flies, unless the battery is too low; lands also when something goes wrong on the way. */
   public void fly(int edge) throws IOException {
     tello.command("command");
-    if (Integer.parseInt(tello.ask("battery?")) < LEAST_BATTERY) {
+    if (Integer.parseInt(tello.send("battery?")) < LEAST_BATTERY) {
       return;
     }
     tello.command("takeoff");

@@ -19,21 +19,21 @@ public final class Tello implements AutoCloseable {
     socket.setSoTimeout((int) timeout.toMillis());
   }
 
-  /** Sends a command; throws an exception unless the reply is {@code ok}. */
-  public void command(String command) throws IOException {
-    String reply = ask(command);
-    if (!reply.equals("ok")) {
-      throw new IOException("the drone answered `" + reply + "` to `" + command + "`");
-    }
-  }
-
-  /** Sends a question and returns the reply; throws an exception if none comes in time. */
-  public String ask(String question) throws IOException {
-    byte[] bytes = question.getBytes(StandardCharsets.US_ASCII);
+  /** Sends a text and returns the reply; throws an exception if none comes in time. */
+  public String send(String text) throws IOException {
+    byte[] bytes = text.getBytes(StandardCharsets.US_ASCII);
     socket.send(new DatagramPacket(bytes, bytes.length, drone));
     DatagramPacket reply = new DatagramPacket(new byte[1024], 1024);
     socket.receive(reply);
     return new String(reply.getData(), 0, reply.getLength(), StandardCharsets.US_ASCII).strip();
+  }
+
+  /** Sends a command; throws an exception unless the reply is {@code ok}. */
+  public void command(String command) throws IOException {
+    String reply = send(command);
+    if (!reply.equals("ok")) {
+      throw new IOException("the drone answered `" + reply + "` to `" + command + "`");
+    }
   }
 
   @Override
