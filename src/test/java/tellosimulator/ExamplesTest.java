@@ -59,8 +59,8 @@ import tellosimulator.world.Surface;
 class ExamplesTest {
 
   /**
-   * For the steering by hand, which holds sticks by the wall clock. Twice real time, so that a drone
-   * lands by itself only after a silence of 7.5 s, however busy the machine is.
+   * For the steering by hand, which holds sticks by the wall clock. Twice real time, so that a
+   * drone lands by itself only after a silence of 7.5 s, however busy the machine is.
    */
   private static final TimeFactor FAST = new TimeFactor(2);
 

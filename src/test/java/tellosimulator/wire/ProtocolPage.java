@@ -1,6 +1,5 @@
 package tellosimulator.wire;
 
-import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
 import java.util.function.Predicate;
@@ -9,15 +8,14 @@ import java.util.stream.Stream;
 import tellosimulator.command.CommandSyntax;
 import tellosimulator.profile.Profile;
 import tellosimulator.profile.Sdk;
+import tellosimulator.testing.GeneratedPage;
 import tellosimulator.wire.FactIndex.Fact;
 
 /** The page on the text interface, made of a template, the table of commands and the facts. */
 final class ProtocolPage {
 
   /** The page. */
-  static final Path FILE = Path.of("docs/protocol.md");
-
-  private static final Path TEMPLATE = Path.of("src/test/resources/docs/protocol.template.md");
+  static final GeneratedPage PAGE = new GeneratedPage("protocol");
 
   private static final String BOARD = "EXT ";
 
@@ -25,16 +23,15 @@ final class ProtocolPage {
 
   /** What the page must say. */
   static String text() {
-    return String.join("\n", WireTable.lines(TEMPLATE))
-            .replace("{{commands}}", commands())
-            .replace("{{missing}}", reasons(Fact::missing))
-            .replace(
-                "{{elsewhere}}",
-                FactIndex.facts().stream()
-                    .filter(Fact::elsewhere)
-                    .map(fact -> "- " + fact.summary() + ": " + fact.reason())
-                    .collect(Collectors.joining("\n")))
-        + "\n";
+    return PAGE.template()
+        .replace("{{commands}}", commands())
+        .replace("{{missing}}", reasons(Fact::missing))
+        .replace(
+            "{{elsewhere}}",
+            FactIndex.facts().stream()
+                .filter(Fact::elsewhere)
+                .map(fact -> "- " + fact.summary() + ": " + fact.reason())
+                .collect(Collectors.joining("\n")));
   }
 
   private static String reasons(Predicate<Fact> chosen) {

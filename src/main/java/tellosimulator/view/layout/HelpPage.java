@@ -30,10 +30,10 @@ final class HelpPage extends Page {
 
   private static final List<String> STEPS = List.of("step-1", "step-2", "step-3", "step-4");
 
-  private static final List<String> MOUSE =
+  static final List<String> MOUSE =
       List.of("mouse-turn", "mouse-shift", "mouse-zoom", "mouse-fine", "mouse-strong");
 
-  private static final List<String> PLAN =
+  static final List<String> PLAN =
       List.of("plan-drag", "plan-turn", "plan-nudge", "plan-delete", "plan-undo");
 
   private final ViewContext context;
