@@ -100,8 +100,8 @@ public final class Simulation {
       drone.apply(new Control.Power(drone.number(), false), collisionWorld.arena().room());
     }
     events.clear();
+    events.add(new SimEvent.Restarted(SimTime.ZERO)); // before the faults that begin with the run
     begin(newConfig);
-    events.add(new SimEvent.Restarted(now));
   }
 
   /**
@@ -316,6 +316,7 @@ public final class Simulation {
       check(act.control());
     }
     drain();
+    show(); // as a call does: what happened until now happened before it
     EventDispatcher.guarded(COMMAND_FAILED, () -> take(input));
     show();
     tellStill();

@@ -23,6 +23,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import tellosimulator.fault.Fault;
 import tellosimulator.fault.LinkPreset;
 import tellosimulator.goal.Challenge;
 import tellosimulator.goal.Goal;
@@ -306,6 +307,21 @@ class ReplayTest {
         .singleElement()
         .asString()
         .startsWith("this version cannot read what it begins from");
+  }
+
+  /** What acts from the start begins before the drone is on, and again with each new run. */
+  @ParameterizedTest
+  @ValueSource(strings = {"yaw-drift 2", "delay replies 20ms", "state-stopped for 2s"})
+  void faultsThatActFromTheStartBeginAtTheSameMoment(String fault) throws Exception {
+    Scenario plain = scenario(1, TimeFactor.MAX, Behavior.REPORT);
+    Scenario faulty = plain.withConfig(plain.config().withFaults(List.of(Fault.of(fault))));
+
+    List<Path> flights = RecordedProgram.run(faulty, ANEW, parent.resolve("flown"));
+
+    assertThat(flights).hasSize(2);
+    for (Path flight : flights) {
+      assertThat(repeated(flight).differences()).isEmpty();
+    }
   }
 
   private List<Path> flown(String program) throws IOException {
