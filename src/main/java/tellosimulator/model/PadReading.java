@@ -11,11 +11,14 @@ import tellosimulator.math.Vec3;
  */
 public record PadReading(int id, Vec3 positionCm, Vec3 attitudeDeg) {
 
-  private static final Vec3 NO_ATTITUDE = new Vec3(-1, -1, -1);
-
   /** Detection is off. Report: sample of a state line. */
-  public static final PadReading OFF = new PadReading(-2, new Vec3(-200, -200, -200), NO_ATTITUDE);
+  public static final PadReading OFF = new PadReading(-2, new Vec3(-200, -200, -200), Vec3.ZERO);
 
   /** Detection is on, but no pad is seen. Measured: tello-edu-rs, linjunpop/tello. */
-  public static final PadReading NONE = new PadReading(-1, new Vec3(-100, -100, -100), NO_ATTITUDE);
+  public static final PadReading NONE = new PadReading(-1, new Vec3(-100, -100, -100), Vec3.ZERO);
+
+  /** Whether there is a pad; if not, its attitude means nothing. */
+  public boolean seen() {
+    return id > 0;
+  }
 }

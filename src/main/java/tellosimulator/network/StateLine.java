@@ -2,6 +2,7 @@ package tellosimulator.network;
 
 import tellosimulator.math.Vec3;
 import tellosimulator.model.PadReading;
+import tellosimulator.profile.Profile;
 import tellosimulator.sensor.SensorReadings;
 import tellosimulator.sim.StatePort.StateReport;
 
@@ -18,15 +19,15 @@ final class StateLine {
   static String format(StateReport report) {
     StateLine line = new StateLine();
     if (report.profile().hasPads()) {
-      line.pad(report.pad());
+      line.pad(report.pad(), report.profile());
     }
     line.sensors(report.sensors());
     return line.out.append("\r\n").toString();
   }
 
-  private void pad(PadReading pad) {
+  private void pad(PadReading pad, Profile profile) {
     Vec3 position = pad.positionCm();
-    Vec3 attitude = pad.attitudeDeg();
+    Vec3 attitude = pad.seen() ? pad.attitudeDeg() : profile.attitudeWithoutPad();
     field("mid", pad.id());
     field("x", Math.round(position.x()));
     field("y", Math.round(position.y()));

@@ -1,6 +1,7 @@
 package tellosimulator.profile;
 
 import java.util.Locale;
+import tellosimulator.math.Vec3;
 
 /** Which product is simulated; a client sees the difference in what is known and reported. */
 public enum Profile {
@@ -39,6 +40,14 @@ public enum Profile {
    */
   public boolean hasPads() {
     return this != TELLO;
+  }
+
+  /**
+   * What {@code mpry} says without a pad: pitch, yaw and roll [degrees]. Measured: -1 with an EDU
+   * (FHNW report 2020, tello-edu-rs); documented: 0 (SDK 3.0 User Guide).
+   */
+  public Vec3 attitudeWithoutPad() {
+    return sdk == Sdk.SDK_3_0 ? Vec3.ZERO : new Vec3(-1, -1, -1);
   }
 
   /**

@@ -43,10 +43,8 @@ class StateLineTest {
 
   @Test
   void onTheGround() {
-    // Test data of a public Node client, 166 bytes; that firmware had zeros in mpry.
-    PadReading pad = new PadReading(-2, new Vec3(-200, -200, -200), Vec3.ZERO);
-
-    String line = StateLine.format(report(Profile.EDU, pad, LEVEL));
+    // Test data of a public Node client, 166 bytes; zeros in mpry as with SDK 3.0.
+    String line = StateLine.format(report(Profile.TT, PadReading.OFF, LEVEL));
 
     assertThat(line)
         .isEqualTo(
@@ -84,7 +82,8 @@ class StateLineTest {
 
   @Test
   void theTtHasThePadsToo() {
-    assertThat(StateLine.format(report(Profile.TT, PadReading.NONE, LEVEL))).startsWith("mid:-1;");
+    assertThat(StateLine.format(report(Profile.TT, PadReading.NONE, LEVEL)))
+        .startsWith("mid:-1;x:-100;y:-100;z:-100;mpry:0,0,0;");
   }
 
   @Test
