@@ -49,6 +49,7 @@ final class FlightMonitor implements SimListener {
   private final Condition changed = lock.newCondition();
 
   private volatile Supplier<SimSnapshot> snapshots = () -> null;
+  private long run;
   private long steps;
   private int waiting;
 
@@ -97,6 +98,7 @@ final class FlightMonitor implements SimListener {
 
   private void take(SimEvent event) {
     if (event instanceof SimEvent.Restarted) {
+      run++;
       flights.replaceAll(flight -> new Flight());
       steps = 0;
       gates.event(event);
@@ -223,6 +225,16 @@ final class FlightMonitor implements SimListener {
     steps++;
     if (!passages.isEmpty()) {
       gates.stepped(snapshot);
+    }
+  }
+
+  /** How often the simulation began anew. */
+  long run() {
+    lock.lock();
+    try {
+      return run;
+    } finally {
+      lock.unlock();
     }
   }
 

@@ -84,9 +84,11 @@ public final class SimulatedDrone {
    * The same, looking elsewhere.
    *
    * @param heading where its nose points [degrees], clockwise seen from above, 0 along the room's x
-   * @throws IllegalArgumentException if the place is not in the room
+   * @throws IllegalArgumentException if the place is not in the room, or the heading not from -360
+   *     to 360 degrees
    */
   public void placeAt(double x, double y, double heading) {
+    Limits.checkAngle("heading", heading);
     Vec3 place = new Vec3(Frames.meters(x), Frames.meters(y), 0);
     if (!simulator.snapshot().room().contains(place, DroneSpec.COLLIDER)) {
       throw new IllegalArgumentException(

@@ -41,11 +41,13 @@ public final class TelloSimulation {
    * Lets simulated time pass, and returns when it has.
    *
    * @throws IllegalArgumentException if it is negative
+   * @throws IllegalStateException if the simulation begins anew before
    */
   public void advance(Duration duration) {
     if (duration.isNegative()) {
       throw new IllegalArgumentException("duration is " + duration + ", but must not be negative");
     }
+    long run = simulator.monitor().run();
     double end = simulator.snapshot().time().seconds() + duration.toNanos() * 1e-9;
     simulator.letPass(duration.toNanos() * 1e-9);
     Duration limit = PATIENCE.plus(duration.multipliedBy(2));
@@ -55,9 +57,17 @@ public final class TelloSimulation {
             .await(
                 limit,
                 () ->
-                    simulator.snapshot().time().seconds() > end - 1e-6
-                        ? Optional.of(true)
-                        : Optional.empty());
+                    simulator.monitor().run() != run
+                        ? Optional.of(false)
+                        : Optional.of(true)
+                            .filter(yes -> simulator.snapshot().time().seconds() > end - 1e-6));
+    if (passed.isPresent() && !passed.get()) {
+      throw new IllegalStateException(
+          String.format(
+              Locale.ROOT,
+              "the simulation began anew before %.1f s had passed",
+              duration.toNanos() * 1e-9));
+    }
     if (passed.isEmpty()) {
       throw simulator.failure(
           String.format(
@@ -148,9 +158,12 @@ public final class TelloSimulation {
    *
    * @param speed [cm/s]
    * @param towards where it blows to [degrees], clockwise seen from above, 0 along the room's x
-   * @throws IllegalArgumentException if it is faster than 2000 cm/s
+   * @throws IllegalArgumentException if the speed is not from 0 to 2000 cm/s, or the angle not from
+   *     -360 to 360 degrees
    */
   public void wind(double speed, double towards) {
+    Limits.checkWindSpeed(speed);
+    Limits.checkAngle("towards", towards);
     Vec3 forward = new Vec3(Frames.meters(speed), 0, 0);
     Vec3 mean = Attitude.ofHeading(Frames.headingOfYaw(towards)).toRoom(forward);
     simulator.carryOut(new Control.SetWind(new Wind(mean, 0)));

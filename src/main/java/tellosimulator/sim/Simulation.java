@@ -385,6 +385,9 @@ public final class Simulation {
       faults.disturb(drone(change.drone()));
     } else if (control instanceof Control.ForDrone forDrone) {
       drone(forDrone.drone()).apply(forDrone, collisionWorld.arena().room());
+      if (control instanceof Control.SetBattery) {
+        passStep();
+      }
     } else if (control instanceof Control.SetRoom change) {
       Room room = change.room();
       furnish(collisionWorld.arena().withRoom(room));
@@ -400,6 +403,7 @@ public final class Simulation {
       furnish(collisionWorld.arena().withDecor(change.decor()));
     } else if (control instanceof Control.InjectFault injected) {
       faults.inject(injected.fault());
+      passStep();
     } else if (control instanceof Control.ClearFaults) {
       faults.clear();
     } else if (control instanceof Control.SetLink change) {
@@ -417,6 +421,11 @@ public final class Simulation {
       clock = clock.withFactor(factor);
       tell(Phrase.of("the time factor is %s now", factor));
     }
+  }
+
+  /** Time passes for what acts at the end of the next step, such as a landing without battery. */
+  private void passStep() {
+    demand.passUntil(now.next());
   }
 
   private void furnish(Arena arena) {

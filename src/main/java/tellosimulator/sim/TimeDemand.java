@@ -35,7 +35,7 @@ final class TimeDemand {
 
   /** Time must pass until then, whatever else happens. */
   void passUntil(SimTime moment) {
-    passUntil = moment;
+    passUntil = passUntil.isBefore(moment) ? moment : passUntil;
   }
 
   /** Why time must pass now. */

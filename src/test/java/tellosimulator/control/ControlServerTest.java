@@ -177,6 +177,58 @@ class ControlServerTest {
     assertThat(fly(simulator.drone(), "command")).containsExactly("ok");
   }
 
+  @ParameterizedTest
+  @ValueSource(
+      strings = {
+        "inject|\"fault\": \"motor-stop\"",
+        "inject|\"fault\": \"low-battery\"",
+        "inject|\"fault\": \"overheat\"",
+        "inject|\"fault\": \"silent-land\"",
+        "inject|\"fault\": \"reboot\"",
+        "battery|\"percent\": 4",
+        "battery|\"percent\": 0"
+      })
+  void whatBringsADroneDownMovesUntilItLies(String act) throws IOException {
+    fly(simulator.drone(), "command", "takeoff", "up 60");
+
+    client.ask(act.substring(0, act.indexOf('|')), act.substring(act.indexOf('|') + 1));
+    client.ask("await-still");
+
+    Map<String, Object> truth = client.object("truth");
+    assertThat(truth).containsEntry("flying", false);
+    assertThat((Double) truth.get("height")).isBetween(-0.1, 0.1);
+  }
+
+  /** The second one asks for less, and is over first. */
+  @Test
+  void timePassesForAllWhoWaitForIt() throws Exception {
+    try (ControlClient other = new ControlClient(server.port(), server.token())) {
+      other.send(other.request("advance", "\"seconds\": 600"));
+      client.ask("advance", "\"seconds\": 1");
+
+      Map<String, Object> answer = ControlClient.parsed(other.read());
+      assertThat(answer).containsEntry("ok", true);
+    }
+  }
+
+  @Test
+  void timeThatWillNotPassIsToldAfterAReset() throws Exception {
+    try (ControlClient other = new ControlClient(server.port(), server.token())) {
+      client.ask("advance", "\"seconds\": 2");
+      other.send(other.request("advance", "\"seconds\": 3600"));
+      while (simulator.simulation().time().toSeconds() < 3) {
+        Thread.onSpinWait(); // until it has begun
+      }
+      client.ask("reset");
+
+      Map<String, Object> answer = ControlClient.parsed(other.read());
+      assertThat(answer)
+          .containsEntry("ok", false)
+          .containsEntry("error", "the simulation began anew before 3600.0 s had passed");
+      assertThat(client.object("advance", "\"seconds\": 2")).containsEntry("seconds", 2.0);
+    }
+  }
+
   private static void flyImpatiently(SimulatedDrone drone) throws IOException {
     try (DatagramSocket socket = new DatagramSocket()) {
       socket.setSoTimeout(200);
@@ -301,6 +353,10 @@ class ControlServerTest {
           battery  | "percent": "full"           | percent of battery must be a number, but is `full`
           battery  | "percent": 101              | battery is 101.0 %, but must be from 0 to 100
           place    | "x": 9000, "y": 0           | x 9000, y 0 cm is not in the room, where drone 1 should stand
+          place    | "x": 0, "y": 0, "heading": 361 | heading is 361.0 degrees, but must be from -360 to 360
+          wind     | "speed": -50                | speed is -50.0 cm/s, but must be from 0 to 2000
+          wind     | "speed": 2001               | speed is 2001.0 cm/s, but must be from 0 to 2000
+          wind     | "speed": 5, "towards": -400 | towards is -400.0 degrees, but must be from -360 to 360
           power    | "on": 1                     | on of power must be true or false, but is 1
           await    |                             | await needs command, a text
           await    | "command": 1                | command of await must be a text, but is 1
