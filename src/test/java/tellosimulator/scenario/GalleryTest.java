@@ -66,13 +66,13 @@ class GalleryTest {
   }
 
   @Test
-  void theReadmeListsThemWithWhatTheyTeach() throws IOException {
-    String readme = Files.readString(Path.of("README.md")).replace("`go`", "go");
+  void thePageListsThemWithWhatTheyTeach() throws IOException {
+    String page = Files.readString(Path.of("docs", "scenarios.md")).replace("`go`", "go");
     for (String name : Gallery.NAMES) {
       Description description = Gallery.find(name).orElseThrow().description();
       String title = description.name().english();
       String teaches = description.teaches().english();
-      assertThat(readme).contains("| `" + name + "` | " + title + " | " + teaches + " |");
+      assertThat(page).contains("| `" + name + "` | " + title + " | " + teaches + " |");
     }
   }
 
