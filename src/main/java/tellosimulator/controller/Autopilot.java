@@ -34,6 +34,9 @@ final class Autopilot {
   /** How far the target lies inside what it leans against at the least [m]: not yet arrived. */
   private static final double LEANING_LAG = 0.006;
 
+  /** By how much a maneuver may miss its end at the most [standard deviations]. Assumed. */
+  private static final double MOST_SIGMAS = 3;
+
   /** How long it leans against something before it gives up [s]. Decided. */
   private static final double LEANING = 1;
 
@@ -117,15 +120,19 @@ final class Autopilot {
   }
 
   /**
-   * Looks at what the step has made of the target.
+   * Looks at what the step has made of the target. Where sticks, drift or a miss have moved it into
+   * what the drone touches, it moves back, so that only the maneuver itself leans against that.
    *
    * @param contactNormal of what it touches; zero if it touches nothing
    * @param pushed whether wind pushes it
    */
   void observe(Motion motion, Vec3 contactNormal, boolean pushed) {
     touched = !contactNormal.equals(Vec3.ZERO);
-    boolean leans = lag(motion).dot(contactNormal) < -LEANING_LAG;
-    leaning = leans ? leaning + SimTime.STEP : 0;
+    double inside = Math.max(0, -lag(motion).dot(contactNormal));
+    double ownMiss = MOST_SIGMAS * behavior.positionSigma();
+    double inVain = Math.min(inside, Math.max(0, ownMiss - shift.dot(contactNormal)));
+    shift = shift.plusScaled(contactNormal, inVain);
+    leaning = inside - inVain > LEANING_LAG ? leaning + SimTime.STEP : 0;
     if (maneuver.planned()) {
       settling.observe(setpoint, motion, !rc.atRest() || drifts(), pushed);
     }

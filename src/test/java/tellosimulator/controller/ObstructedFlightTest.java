@@ -6,7 +6,9 @@ import static org.assertj.core.api.Assertions.within;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import tellosimulator.fault.Fault;
 import tellosimulator.fault.LinkPreset;
 import tellosimulator.math.Vec3;
 import tellosimulator.model.DroneSpec;
@@ -219,6 +221,74 @@ class ObstructedFlightTest {
     assertThat(position.x()).isCloseTo(wall, within(0.01));
     assertThat(position.y()).as("to the right").isLessThan(-1);
     assertThat(drone.state().phase()).isEqualTo(FlightPhase.FLYING);
+  }
+
+  /** What the sticks ask for dies away over seconds, and holds no move against the wall. */
+  @ParameterizedTest
+  @CsvSource({
+    "rc 0 100 0 0, up 30, 0",
+    "rc 0 100 0 0, up 30, 0.5",
+    "rc 0 100 0 0, up 30, 1",
+    "rc 0 100 0 0, up 100, 1",
+    "rc 0 100 0 0, left 30, 1",
+    "rc 0 100 0 0, cw 90, 1",
+    "rc 0 100 0 0, back 50, 1",
+    "rc 0 100 0 0, go 0 40 40 100, 1",
+    "rc 0 100 0 0, land, 1",
+    "rc 100 0 0 0, up 30, 1",
+    "rc 100 100 0 0, up 30, 1",
+    "rc 100 100 0 0, up 100, 1"
+  })
+  void aMoveAlongAWallAfterSticksIntoItIsFlown(String sticks, String move, double pause) {
+    SteppedDrone drone = flying(Behavior.REPORT, Room.DEFAULT);
+    drone.ask("up 60");
+    drone.send(sticks);
+    drone.advance(6);
+    drone.send("rc 0 0 0 0");
+    drone.advance(pause);
+
+    assertThat(drone.ask(move)).isEqualTo("ok");
+    if (move.startsWith("up")) {
+      double height = 0.9 + Double.parseDouble(move.substring(3)) / 100;
+      assertThat(drone.state().motion().position().z()).isCloseTo(height, within(0.01));
+    }
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"up 100", "right 100", "cw 180", "land"})
+  void sticksIntoAWallDuringAMoveAlongItLeaveItsAnswer(String move) {
+    SteppedDrone drone = flying(Behavior.MEASURED, Room.DEFAULT);
+    drone.ask("up 60");
+    drone.send("rc 0 40 0 0");
+    drone.advance(6);
+
+    assertThat(drone.ask(move)).isEqualTo("ok");
+  }
+
+  /** In behaviour {@code measured} a move ends up to 7.5 cm aside of where it was sent. */
+  @ParameterizedTest
+  @ValueSource(longs = {1, 2, 3, 4, 5, 6, 7, 8})
+  void aMoveAlongAWallThatMissesIntoItIsFlown(long seed) {
+    SteppedDrone drone =
+        flying(
+            SimConfig.DEFAULT
+                .withProduct(Profile.EDU, Behavior.MEASURED)
+                .withLink(LinkPreset.IDEAL)
+                .withSeed(seed));
+    assertThat(drone.ask("forward 300")).isEqualTo("error");
+
+    for (String move : List.of("up 60", "right 60", "left 60", "cw 90", "down 40")) {
+      assertThat(drone.ask(move)).as(move).isEqualTo("ok");
+    }
+  }
+
+  @Test
+  void aDriftIntoAWallLeavesTheAnswerOfALanding() {
+    SteppedDrone drone = flying(Behavior.REPORT, new Room(1, 1, 3));
+    drone.control(new Control.InjectFault(Fault.of("no-valid-imu 50cm/s")));
+    drone.advance(5);
+
+    assertThat(drone.ask("land")).isEqualTo("ok");
   }
 
   @Test
