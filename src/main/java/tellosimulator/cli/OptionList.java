@@ -126,7 +126,7 @@ final class OptionList {
   /** The file that a subcommand writes. */
   OptionValue<Optional<Path>> output(String description) {
     return new Valued(valued(description, "FILE", "-o", "--output"))
-        .readIfGiven(OptionTypes::fileOrFolder);
+        .readIfGiven(OptionTypes::outputFile);
   }
 
   /** An option without a value. */

@@ -23,6 +23,7 @@ import tellosimulator.math.Vec3;
 import tellosimulator.network.AddressPlan;
 import tellosimulator.profile.Behavior;
 import tellosimulator.profile.Profile;
+import tellosimulator.recording.RecordingFile;
 import tellosimulator.time.TimeFactor;
 import tellosimulator.video.camera.DroneOptics;
 import tellosimulator.world.Poster;
@@ -83,6 +84,16 @@ final class OptionTypes {
       // told below
     }
     throw diagnostic("the name of a file or a folder", word);
+  }
+
+  /** A file to be written, which must not be part of a recording. */
+  static Path outputFile(String word) {
+    Path file = fileOrFolder(word);
+    if (RecordingFile.belongsToRecording(file)) {
+      throw new TypeConversionException(
+          file + " is a file of a recording, which would be lost; name another file");
+    }
+    return file;
   }
 
   static ExportFormat exportFormat(String word) {

@@ -234,13 +234,21 @@ public final class Options {
               : CONTROL + " needs --headless");
     }
     ScenarioOptions.checkPictures(scenario.config().arena());
-    recordingOptions.check(headless());
+    recordingOptions.check(headless(), inputs(scenario));
     OpenedScenario opened =
         scenarioOptions
             .opened()
             .map(read -> read.with(scenario))
             .orElseGet(() -> OpenedScenario.once(scenario));
     return new Launch(opened, addresses);
+  }
+
+  /** The files that are read. */
+  private List<Path> inputs(Scenario scenario) {
+    List<Path> inputs = new ArrayList<>();
+    scenarioOptions.opened().flatMap(OpenedScenario::file).ifPresent(inputs::add);
+    ScenarioOptions.pictures(scenario.config().arena()).map(Path::of).forEach(inputs::add);
+    return inputs;
   }
 
   /**

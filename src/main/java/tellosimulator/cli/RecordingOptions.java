@@ -3,6 +3,7 @@ package tellosimulator.cli;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Collection;
 import java.util.Optional;
 import tellosimulator.files.IoReason;
 
@@ -32,7 +33,7 @@ final class RecordingOptions {
                 "FILE",
                 "With --headless: at the end, make an HTML file of the flight; of a second one"
                     + " FILE-2, and so on. It opens in any browser, without a network.")
-            .readIfGiven(OptionTypes::fileOrFolder);
+            .readIfGiven(OptionTypes::outputFile);
   }
 
   /** The folder in which flights are recorded; empty if nobody said one. */
@@ -47,25 +48,38 @@ final class RecordingOptions {
 
   /**
    * Looks whether flights can be recorded there, and makes the folder; and whether the report can
-   * be written.
+   * be written, which must not be over a file that the flight begins from.
    *
+   * @param inputs the scenario and its pictures
    * @throws IllegalArgumentException with a sentence, if they cannot
    */
-  void check(boolean headless) {
+  void check(boolean headless, Collection<Path> inputs) {
     folder().ifPresent(RecordingOptions::check);
     if (report().isPresent() && !headless) {
       throw new IllegalArgumentException(REPORT + " needs --headless");
     }
-    report().ifPresent(RecordingOptions::checkFile);
+    report().ifPresent(file -> checkFile(file, inputs));
   }
 
-  private static void checkFile(Path file) {
+  private static void checkFile(Path file, Collection<Path> inputs) {
+    if (inputs.stream().anyMatch(input -> isSame(input, file))) {
+      throw new IllegalArgumentException(
+          REPORT + " " + file + ": the simulator reads this file, which would be lost");
+    }
     Path within = file.toAbsolutePath().getParent();
     if (Files.isDirectory(file) || within == null || !Files.isDirectory(within)) {
       throw new IllegalArgumentException(
           Files.isDirectory(file)
               ? REPORT + " " + file + ": expected a file, found a folder"
               : REPORT + " " + file + ": there is no folder " + within);
+    }
+  }
+
+  private static boolean isSame(Path one, Path other) {
+    try {
+      return Files.isSameFile(one, other);
+    } catch (IOException e) {
+      return false; // one is not there
     }
   }
 

@@ -106,10 +106,15 @@ public final class ScenarioOptions {
    * @throws IllegalArgumentException with a sentence, if one cannot
    */
   static void checkPictures(Arena arena) {
+    pictures(arena).forEach(ScenarioOptions::checkPicture);
+  }
+
+  /** The image files of a room. */
+  static Stream<String> pictures(Arena arena) {
     Stream<String> onWalls = arena.decor().posters().stream().map(Poster::picture);
     Stream<String> onObstacles =
         arena.obstacles().stream().flatMap(each -> each.appearance().pictures().values().stream());
-    Stream.concat(onWalls, onObstacles).distinct().forEach(ScenarioOptions::checkPicture);
+    return Stream.concat(onWalls, onObstacles).distinct();
   }
 
   private static void checkPicture(String file) {

@@ -1,12 +1,10 @@
 package tellosimulator.export;
 
-import java.io.BufferedOutputStream;
 import java.io.IOException;
 import java.io.OutputStream;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Locale;
-import tellosimulator.files.IrregularFileException;
+import tellosimulator.files.AtomicFile;
 import tellosimulator.recording.RecordedFlight;
 
 /** The formats of other tools in which a recording can be written. */
@@ -41,9 +39,6 @@ public enum ExportFormat {
    * @throws IOException if the recording cannot be read, or the file cannot be written
    */
   public void export(Path folder, RecordedFlight flight, Path file) throws IOException {
-    IrregularFileException.check(file);
-    try (OutputStream out = new BufferedOutputStream(Files.newOutputStream(file))) {
-      write(folder, flight, out);
-    }
+    AtomicFile.write(file, out -> write(folder, flight, out));
   }
 }

@@ -1,7 +1,7 @@
 package tellosimulator.report;
 
 import java.io.IOException;
-import java.nio.file.Files;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -16,7 +16,7 @@ import tellosimulator.comparison.FlightComparison.Flight;
 import tellosimulator.comparison.FlownCommand;
 import tellosimulator.comparison.Tolerance;
 import tellosimulator.comparison.Tolerance.Aspect;
-import tellosimulator.files.IrregularFileException;
+import tellosimulator.files.AtomicFile;
 
 /**
  * A comparison of two flights as one HTML file: charts of both, and a table of their commands. It
@@ -57,8 +57,8 @@ public final class ComparisonReport {
    * @throws IOException if it cannot be written
    */
   public void write(Path file) throws IOException {
-    IrregularFileException.check(file);
-    Files.writeString(file, html());
+    byte[] page = html().getBytes(StandardCharsets.UTF_8);
+    AtomicFile.write(file, out -> out.write(page));
   }
 
   /** The whole page. */

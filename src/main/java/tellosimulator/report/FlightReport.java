@@ -1,11 +1,11 @@
 package tellosimulator.report;
 
 import java.io.IOException;
-import java.nio.file.Files;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.stream.Collectors;
-import tellosimulator.files.IrregularFileException;
+import tellosimulator.files.AtomicFile;
 import tellosimulator.json.Json;
 import tellosimulator.recording.RecordedFlight;
 
@@ -38,8 +38,8 @@ public final class FlightReport {
    * @throws IOException if it cannot be written
    */
   public void write(Path file) throws IOException {
-    IrregularFileException.check(file);
-    Files.writeString(file, html());
+    byte[] page = html().getBytes(StandardCharsets.UTF_8);
+    AtomicFile.write(file, out -> out.write(page));
   }
 
   /** The whole page. */

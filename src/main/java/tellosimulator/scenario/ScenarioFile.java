@@ -1,30 +1,19 @@
 package tellosimulator.scenario;
 
-import static java.nio.file.StandardCopyOption.ATOMIC_MOVE;
-import static java.nio.file.StandardCopyOption.REPLACE_EXISTING;
-import static java.nio.file.StandardOpenOption.CREATE;
-import static java.nio.file.StandardOpenOption.TRUNCATE_EXISTING;
-import static java.nio.file.StandardOpenOption.WRITE;
-
 import java.io.IOException;
 import java.io.InputStream;
-import java.nio.ByteBuffer;
-import java.nio.channels.FileChannel;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.AccessDeniedException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.Optional;
 import org.snakeyaml.engine.v2.nodes.Node;
+import tellosimulator.files.AtomicFile;
 import tellosimulator.files.IrregularFileException;
 import tellosimulator.scenario.ScenarioCodec.Noted;
 
 /** A scenario as a YAML file. For any thread. */
 public final class ScenarioFile {
-
-  /** Tells files that are being written by several programs apart. */
-  private static final long PROCESS = ProcessHandle.current().pid();
 
   private ScenarioFile() {}
 
@@ -120,30 +109,6 @@ public final class ScenarioFile {
    * @throws IOException if it cannot be written
    */
   public static void write(ScenarioDocument document, Path file) throws IOException {
-    IrregularFileException.check(file);
-    Path target = Files.exists(file) ? file.toRealPath() : file.toAbsolutePath();
-    if (Files.exists(target) && !Files.isWritable(target)) {
-      throw new AccessDeniedException(file.toString());
-    }
-    Path beside = target.resolveSibling("." + target.getFileName() + "." + PROCESS);
-    try {
-      try (FileChannel channel = FileChannel.open(beside, CREATE, TRUNCATE_EXISTING, WRITE)) {
-        ByteBuffer bytes = ByteBuffer.wrap(document.bytes().orElseThrow());
-        while (bytes.hasRemaining()) {
-          channel.write(bytes);
-        }
-        channel.force(true); // or a power cut could leave an empty file under the name
-      }
-      keepPermissions(target, beside);
-      Files.move(beside, target, ATOMIC_MOVE, REPLACE_EXISTING);
-    } finally {
-      Files.deleteIfExists(beside);
-    }
-  }
-
-  private static void keepPermissions(Path from, Path to) throws IOException {
-    if (Files.exists(from) && Files.getFileStore(from).supportsFileAttributeView("posix")) {
-      Files.setPosixFilePermissions(to, Files.getPosixFilePermissions(from));
-    }
+    AtomicFile.write(file, out -> out.write(document.bytes().orElseThrow()));
   }
 }

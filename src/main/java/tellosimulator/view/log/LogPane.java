@@ -2,12 +2,10 @@ package tellosimulator.view.log;
 
 import java.io.File;
 import java.io.IOException;
-import java.nio.file.Files;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
-import java.util.stream.Collectors;
-import java.util.stream.Stream;
 import javafx.beans.binding.Bindings;
 import javafx.beans.property.BooleanProperty;
 import javafx.beans.property.SimpleBooleanProperty;
@@ -27,6 +25,7 @@ import javafx.scene.layout.HBox;
 import javafx.scene.layout.Priority;
 import javafx.scene.layout.VBox;
 import javafx.stage.FileChooser;
+import tellosimulator.files.AtomicFile;
 import tellosimulator.view.model.ViewContext;
 import tellosimulator.view.text.Language;
 import tellosimulator.view.text.Messages;
@@ -261,8 +260,8 @@ public final class LogPane extends VBox {
     List<LogRow> selected = List.copyOf(list.getSelectionModel().getSelectedItems());
     ClipboardContent content = new ClipboardContent();
     content.putString(
-        written(selected.isEmpty() ? model.shown() : selected)
-            .collect(Collectors.joining(System.lineSeparator())));
+        String.join(
+            System.lineSeparator(), written(selected.isEmpty() ? model.shown() : selected)));
     Clipboard.getSystemClipboard().setContent(content);
   }
 
@@ -279,7 +278,14 @@ public final class LogPane extends VBox {
   /** Writes the lines that are shown to a file, and a line of the log about it. */
   void save(Path file) {
     try {
-      Files.write(file, written(model.shown()).toList());
+      List<String> lines = written(model.shown());
+      AtomicFile.write(
+          file,
+          out -> {
+            for (String line : lines) {
+              out.write((line + System.lineSeparator()).getBytes(StandardCharsets.UTF_8));
+            }
+          });
       logQueue.note(LogLevel.INFO, "saved", file);
     } catch (IOException e) {
       logQueue.say(
@@ -288,7 +294,7 @@ public final class LogPane extends VBox {
     }
   }
 
-  private Stream<String> written(List<LogRow> rows) {
-    return LogRow.lines(rows).stream().map(text::whole);
+  private List<String> written(List<LogRow> rows) {
+    return LogRow.lines(rows).stream().map(text::whole).toList();
   }
 }
