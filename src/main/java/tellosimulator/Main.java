@@ -11,6 +11,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import picocli.CommandLine.IVersionProvider;
+import tellosimulator.cli.EscapingPrintStream;
 import tellosimulator.cli.ExitCode;
 import tellosimulator.cli.Invocation;
 import tellosimulator.cli.Invocation.Action;
@@ -56,10 +57,10 @@ public final class Main {
   private final ProgramOutput output;
 
   private Main(PrintStream out, PrintStream err) {
-    this.out = out;
-    this.err = err;
+    this.out = new EscapingPrintStream(out);
+    this.err = new EscapingPrintStream(err);
     ProgramInput input = new ProgramInput(System.in, Main::atEnd);
-    output = new ProgramOutput(out, err, () -> language().translation(), input);
+    output = new ProgramOutput(this.out, this.err, out, () -> language().translation(), input);
   }
 
   /** Ends the process with an {@link ExitCode}, or that of {@link FatalExit}. */

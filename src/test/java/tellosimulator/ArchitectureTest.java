@@ -85,7 +85,7 @@ class ArchitectureTest {
               "cli",
               List.of("export", "operator", "proxy", "replay", "report", "scenario", "video")),
           Map.entry("memory", List.of("concurrent", "time")),
-          Map.entry("log", List.of("concurrent")),
+          Map.entry("log", List.of("concurrent", "words")),
           Map.entry("view.fx", List.of("scenery")),
           Map.entry("view.settings", List.of("files")),
           Map.entry("view.text", List.of("files", "translation", "words", "view.settings")),

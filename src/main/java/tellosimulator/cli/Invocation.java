@@ -57,11 +57,11 @@ public final class Invocation {
     try {
       ParseResult parsed = commandLine.parseArgs(args);
       if (parsed.isUsageHelpRequested()) {
-        commandLine.usage(output.out());
+        commandLine.usage(output.help());
         return ExitCode.DONE;
       }
       if (parsed.isVersionHelpRequested()) {
-        commandLine.printVersionHelp(output.out());
+        commandLine.printVersionHelp(output.help());
         return ExitCode.DONE;
       }
       action = reading.get();

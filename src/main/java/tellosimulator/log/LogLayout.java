@@ -6,6 +6,7 @@ import ch.qos.logback.classic.spi.StackTraceElementProxy;
 import ch.qos.logback.core.LayoutBase;
 import java.time.ZoneId;
 import java.time.format.DateTimeFormatter;
+import tellosimulator.words.Printable;
 
 /**
  * Formats a line of the log: local time, level, message, and of an exception its class, its message
@@ -28,7 +29,7 @@ final class LogLayout extends LayoutBase<ILoggingEvent> {
     line.append(' ')
         .append(level)
         .append(" ".repeat(Math.max(1, LEVEL_WIDTH + 1 - level.length())));
-    line.append(event.getFormattedMessage()).append(System.lineSeparator());
+    line.append(printable(event.getFormattedMessage())).append(System.lineSeparator());
     IThrowableProxy thrown = event.getThrowableProxy();
     if (thrown != null) {
       append(line, thrown);
@@ -36,8 +37,15 @@ final class LogLayout extends LayoutBase<ILoggingEvent> {
     return line.toString();
   }
 
+  /** Lines after the first one are indented, so that no text from outside looks like a message. */
+  private static String printable(String text) {
+    return Printable.of(text).replace("\n", System.lineSeparator() + "\t");
+  }
+
   private static void append(StringBuilder line, IThrowableProxy thrown) {
-    line.append(thrown.getClassName()).append(": ").append(thrown.getMessage());
+    line.append(thrown.getClassName())
+        .append(": ")
+        .append(printable(String.valueOf(thrown.getMessage())));
     line.append(System.lineSeparator());
     StackTraceElementProxy[] trace = thrown.getStackTraceElementProxyArray();
     if (trace.length > 0) {

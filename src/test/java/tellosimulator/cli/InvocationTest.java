@@ -27,6 +27,7 @@ class InvocationTest {
         new ProgramOutput(
             out,
             new PrintStream(err, true, StandardCharsets.UTF_8),
+            out,
             () -> Translation.ENGLISH,
             new ProgramInput(InputStream.nullInputStream(), task -> {}));
     OptionList choices = OptionList.ofSimulator();

@@ -40,6 +40,15 @@ class LogLayoutTest {
   }
 
   @Test
+  void textFromOutsideNeitherCommandsTheTerminalNorLooksLikeAMessage() {
+    assertThat(line(Level.INFO, "`{}`", null, "\u001b[2J\u202e\n14:03:07.095 INFO  fine"))
+        .isEqualToNormalizingNewlines(
+            "14:03:07.095 INFO  `\\x1b[2J\\u202e\n\t14:03:07.095 INFO  fine`\n");
+    assertThat(line(Level.WARN, "failed", new IllegalStateException("\u001b[2J")))
+        .contains("IllegalStateException: \\x1b[2J");
+  }
+
+  @Test
   void anExceptionIsNamedWithWhereItWasThrown() {
     String line = line(Level.WARN, "failed", new IllegalStateException("because"));
 
