@@ -14,7 +14,7 @@ public final class ErrorPolicy {
   private static final Logger LOG = LoggerFactory.getLogger(ErrorPolicy.class);
 
   private static final String FULL =
-      "memory is full; give the program more, such as java -Xmx256m -jar tello-simulator.jar";
+      "memory is full; give the program more, such as " + MemoryAdvice.COMMAND;
 
   /** Made, and with it its class loaded, while there is memory. */
   private static final StandardError STANDARD_ERROR = new StandardError();

@@ -20,8 +20,9 @@ public final class FatalExit implements Thread.UncaughtExceptionHandler {
 
   private static final byte[] OUT_OF_MEMORY =
       line(
-          "The simulator ends, because its memory is full. Give it more, such as"
-              + " java -Xmx256m -jar tello-simulator.jar.");
+          "The simulator ends, because its memory is full. Give it more, such as "
+              + MemoryAdvice.COMMAND
+              + ".");
   private static final byte[] BROKEN =
       line("The simulator ends after an error that it cannot go on from; please report this.");
 
@@ -111,7 +112,7 @@ public final class FatalExit implements Thread.UncaughtExceptionHandler {
           "The simulator ends after an error that it cannot go on from; please report this: "
               + thread.getName()
               + ", "
-              + failure);
+              + failure.toString().replaceAll("\\p{C}", "?"));
     } catch (Throwable another) {
       return BROKEN;
     }

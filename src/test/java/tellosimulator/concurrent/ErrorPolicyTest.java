@@ -30,7 +30,9 @@ class ErrorPolicyTest {
     assertThat(log.next())
         .isEqualTo(
             "A picture failed: memory is full; give the program more, such as"
-                + " java -Xmx256m -jar tello-simulator.jar");
+                + " java -Xmx"
+                + 2 * (Runtime.getRuntime().maxMemory() >> 20)
+                + "m -jar tello-simulator.jar");
   }
 
   @Test
