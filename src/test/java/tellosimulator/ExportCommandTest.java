@@ -23,7 +23,12 @@ class ExportCommandTest {
 
   @BeforeEach
   void record() {
-    recording = RecordingFixture.in(folder.resolve("flight")).toString();
+    Path made = RecordingFixture.in(folder.resolve("flight"));
+    new RecordingFixture(made)
+        .with(
+            "wire.jsonl",
+            "{\"t\":4,\"kind\":\"reply\",\"from\":\"127.0.0.1:1\",\"to\":\"127.0.0.1:2\",\"text\":\"ok\"}\n");
+    recording = made.toString();
   }
 
   private int run(String... args) {

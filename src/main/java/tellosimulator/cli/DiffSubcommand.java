@@ -54,10 +54,7 @@ final class DiffSubcommand implements Subcommand {
       throws UnreadableRecordingException {
     try {
       Flight flight = Flight.read(folder);
-      flight
-          .recording()
-          .remarks()
-          .forEach(remark -> to.out().println("remark: " + folder + ": " + remark.english()));
+      to.printRemarks(folder, flight.recording());
       return Optional.of(flight);
     } catch (IOException e) {
       to.err().println(folder + " cannot be read: " + IoReason.ofReading(e) + ".");

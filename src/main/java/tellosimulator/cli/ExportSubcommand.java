@@ -52,6 +52,7 @@ final class ExportSubcommand implements Subcommand {
     Path from = folder.get();
     Path file = output.value().orElseGet(() -> from.resolve("flight." + format.get().word()));
     RecordedFlight flight = RecordedFlight.read(from);
+    to.printRemarks(from, flight);
     try {
       format.get().export(from, flight, file);
     } catch (IOException e) {

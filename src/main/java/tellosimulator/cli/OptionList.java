@@ -93,9 +93,9 @@ final class OptionList {
     PositionalParamSpec folder =
         PositionalParamSpec.builder()
             .paramLabel(label)
-            .description("The folder of a recording.")
+            .description("The folder of a recording, or its run.json.")
             .type(Path.class)
-            .converters((ITypeConverter<Path>) OptionTypes::fileOrFolder)
+            .converters((ITypeConverter<Path>) OptionTypes::recording)
             .index(Integer.toString(spec.positionalParameters().size()))
             .arity("1")
             .required(true)

@@ -86,6 +86,11 @@ final class OptionTypes {
     throw diagnostic("the name of a file or a folder", word);
   }
 
+  /** The folder of a recording, which may be named by a file in it. */
+  static Path recording(String word) {
+    return RecordingFile.folderOf(fileOrFolder(word));
+  }
+
   /** A file to be written, which must not be part of a recording. */
   static Path outputFile(String word) {
     Path file = fileOrFolder(word);

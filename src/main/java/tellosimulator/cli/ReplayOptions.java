@@ -27,7 +27,7 @@ final class ReplayOptions {
                 REPLAY,
                 "FOLDER",
                 "Open the window on a recorded flight, to play, pause and scrub; nothing is flown.")
-            .readIfGiven(OptionTypes::fileOrFolder);
+            .readIfGiven(OptionTypes::recording);
     ghost =
         optionList
             .option(
@@ -35,7 +35,7 @@ final class ReplayOptions {
                 "FOLDER",
                 "With --replay: show a second recorded flight as translucent drones beside the"
                     + " first, from the takeoff on.")
-            .readIfGiven(OptionTypes::fileOrFolder);
+            .readIfGiven(OptionTypes::recording);
   }
 
   /** The recording to be looked at; empty if nobody said one. */

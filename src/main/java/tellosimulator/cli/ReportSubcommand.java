@@ -41,6 +41,7 @@ final class ReportSubcommand implements Subcommand {
   private int run(ProgramOutput to) throws UnreadableRecordingException {
     Path file = output.value().orElseGet(() -> folder.get().resolve(FlightReport.FILE_NAME));
     RecordedFlight flight = RecordedFlight.read(folder.get());
+    to.printRemarks(folder.get(), flight);
     try {
       new FlightReport(flight, new ReportTexts(to.translation().get())).write(file);
     } catch (IOException e) {

@@ -5,17 +5,21 @@ import tellosimulator.time.WallTime;
 
 /**
  * The times that other tools see: those of the simulation, counted from the wall clock at the
- * takeoff, so that a flight as fast as possible looks like one in real time. Immutable; for any
- * thread.
+ * takeoff, so that a flight as fast as possible looks like one in real time. If that wall clock is
+ * unknown or cannot be, they count from 1970. Immutable; for any thread.
  */
 final class ExportClock {
 
   private static final double MICROS = 1e6;
 
-  private final long origin;
+  /** The last moment that a capture file can hold [µs]: its seconds have 32 bits. */
+  private static final double LAST = 0xffff_ffffL * MICROS;
+
+  private final double origin;
 
   ExportClock(RecordedRun run) {
-    origin = WallTime.micros(run.begun()).orElse(0) - Math.round(run.started() * MICROS);
+    double begun = WallTime.micros(run.begun()).orElse(0);
+    origin = (begun >= 0 && begun <= LAST ? begun : 0) - run.started() * MICROS;
   }
 
   /**
@@ -25,6 +29,6 @@ final class ExportClock {
    * @return microseconds since 1970
    */
   long micros(double time) {
-    return origin + Math.round(time * MICROS);
+    return Math.round(Math.max(0, Math.min(LAST, origin + time * MICROS)));
   }
 }

@@ -75,6 +75,9 @@ final class McapExport {
     } catch (UncheckedIOException e) {
       throw e.getCause();
     }
+    if (export.channels.isEmpty()) {
+      throw new IOException("nothing of it is known");
+    }
     file.end();
   }
 

@@ -44,12 +44,15 @@ final class PcapExport {
     } catch (UncheckedIOException e) {
       throw e.getCause();
     }
+    if (export.file.datagrams() == 0) {
+      throw new IOException("no datagram of it is known");
+    }
   }
 
   private void add(RecordedDatagram datagram) {
     Optional<InetSocketAddress> from = place(datagram.from());
     Optional<InetSocketAddress> to = place(datagram.to());
-    if (from.isEmpty() || to.isEmpty()) {
+    if (from.isEmpty() || to.isEmpty() || !datagram.isPossible()) {
       return;
     }
     try {

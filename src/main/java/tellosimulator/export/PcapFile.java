@@ -30,6 +30,7 @@ final class PcapFile {
   private static final int UDP = 17;
 
   private final OutputStream out;
+  private long datagrams;
 
   /** Begins a file. */
   PcapFile(OutputStream out) throws IOException {
@@ -72,6 +73,12 @@ final class PcapFile {
         .putShort((short) 0); // no checksum
     record.put(payload);
     out.write(record.array());
+    datagrams++;
+  }
+
+  /** How many datagrams were added. */
+  long datagrams() {
+    return datagrams;
   }
 
   private static void putIpHeader(

@@ -1,6 +1,7 @@
 package tellosimulator.files;
 
 import java.io.IOException;
+import java.nio.charset.CharacterCodingException;
 import java.nio.file.AccessDeniedException;
 import java.nio.file.FileAlreadyExistsException;
 import java.nio.file.FileSystemException;
@@ -20,6 +21,9 @@ public final class IoReason {
     }
     if (e instanceof NoSuchFileException) {
       return "there is no such file";
+    }
+    if (e instanceof IrregularFileException) {
+      return "it is a folder, a pipe or a device, not a file";
     }
     return of(e).toString();
   }
@@ -50,6 +54,9 @@ public final class IoReason {
     }
     if (e instanceof IrregularFileException irregular) {
       return Phrase.of("%s is a folder, a pipe or a device, not a file", irregular.getFile());
+    }
+    if (e instanceof CharacterCodingException) {
+      return Phrase.of("it is no text in UTF-8");
     }
     if (e instanceof NoSuchFileException missing) {
       return Phrase.of("there is no folder for %s", missing.getFile());

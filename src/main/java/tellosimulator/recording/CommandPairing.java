@@ -84,7 +84,7 @@ final class CommandPairing {
   /** Takes the next line of {@code wire.jsonl}, where there are no events. */
   void take(Fields line) {
     int drone = line.whole("drone").orElse(1);
-    double time = line.numberOr("t", 0);
+    double time = line.moment("t").orElse(0);
     String text = line.text("text");
     WirePairing pairing = wire.computeIfAbsent(drone, number -> new WirePairing());
     switch (line.text("kind")) {

@@ -27,7 +27,7 @@ final class EstimatedTrack {
     }
     int drone = line.whole("drone").orElse(1);
     String text = line.text("text");
-    Optional<ReportedState> state = ReportedState.of(line.numberOr("t", 0), drone, text);
+    Optional<ReportedState> state = ReportedState.of(line.moment("t").orElse(0), drone, text);
     if (state.isPresent() && RecordedRun.isNumber(drone)) {
       List<Sample> before = samples.computeIfAbsent(drone, number -> new ArrayList<>());
       before.add(sample(before, state.get(), StateNumbers.of(text)));

@@ -15,6 +15,9 @@ import tellosimulator.math.Vec3;
  */
 record Fields(Map<?, ?> members) {
 
+  /** The last moment of any simulation [s]. Decided: three years. */
+  private static final double LATEST = 1e8;
+
   /**
    * The object that a text says.
    *
@@ -37,6 +40,23 @@ record Fields(Map<?, ?> members) {
     return members.get(name) instanceof Number number
         ? OptionalDouble.of(number.doubleValue())
         : OptionalDouble.empty();
+  }
+
+  /**
+   * A moment of a simulation [s].
+   *
+   * @throws IllegalArgumentException if it is before its beginning, or later than any can be
+   */
+  OptionalDouble moment(String name) {
+    OptionalDouble moment = number(name);
+    if (moment.isPresent() && !isMoment(moment.getAsDouble())) {
+      throw new IllegalArgumentException("there is no moment " + moment.getAsDouble());
+    }
+    return moment;
+  }
+
+  static boolean isMoment(double seconds) {
+    return seconds >= 0 && seconds <= LATEST;
   }
 
   double numberOr(String name, double other) {

@@ -15,6 +15,9 @@ import tellosimulator.math.Vec3;
  */
 final class FlightCsvReader {
 
+  /** The largest number that is no damage; times are the largest of all. Decided. */
+  private static final double LARGEST = 1e9;
+
   private final Map<String, Integer> columns = new HashMap<>();
   private final Map<Integer, List<Sample>> samples = new TreeMap<>();
   private final List<String> cells = new ArrayList<>();
@@ -40,9 +43,13 @@ final class FlightCsvReader {
     if (!RecordedRun.isNumber(drone)) {
       throw new IllegalArgumentException("there is no drone " + drone);
     }
+    double time = required("t_s");
+    if (!Fields.isMoment(time)) {
+      throw new IllegalArgumentException("there is no moment " + time);
+    }
     Sample sample =
         new Sample(
-            required("t_s"),
+            time,
             new Vec3(
                 Frames.meters(required("x_cm")),
                 Frames.meters(required("y_cm")),
@@ -68,16 +75,16 @@ final class FlightCsvReader {
   private double required(String column) {
     return cell(column)
         .map(Double::parseDouble)
-        .filter(Double::isFinite)
+        .filter(value -> Math.abs(value) <= LARGEST)
         .orElseThrow(() -> new IllegalArgumentException("there is no " + column));
   }
 
-  /** That of a column; 0 if it is empty, not finite or not there. */
+  /** That of a column; 0 if it is empty, too large or not there. */
   private double number(String column) {
     return cell(column)
         .filter(cell -> !cell.isEmpty())
         .map(Double::parseDouble)
-        .filter(Double::isFinite)
+        .filter(value -> Math.abs(value) <= LARGEST)
         .orElse(0.0);
   }
 

@@ -7,12 +7,16 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Optional;
+import tellosimulator.files.IrregularFileException;
 
 /**
  * Reads a text file that may be longer than memory, line by line. What comes after the last end of
  * a line was cut off and is left out. For one thread.
  */
 public final class LineReader implements AutoCloseable {
+
+  /** Longest line [bytes]. Decided: a scenario of the largest size, as the first input tells it. */
+  private static final int LONGEST = 16 << 20;
 
   private final InputStream in;
   private final byte[] buffer = new byte[1 << 16];
@@ -23,13 +27,18 @@ public final class LineReader implements AutoCloseable {
   /**
    * Opens a file; one that is missing has no lines.
    *
-   * @throws IOException if it cannot be read
+   * @throws IOException if it cannot be read, such as a folder or a pipe
    */
   public LineReader(Path file) throws IOException {
-    in = Files.isRegularFile(file) ? Files.newInputStream(file) : InputStream.nullInputStream();
+    IrregularFileException.check(file);
+    in = Files.exists(file) ? Files.newInputStream(file) : InputStream.nullInputStream();
   }
 
-  /** The next line, without its end; empty after the last. */
+  /**
+   * The next line, without its end; empty after the last.
+   *
+   * @throws IOException if it cannot be read, or is longer than any that the program writes
+   */
   public Optional<String> next() throws IOException {
     line.reset();
     while (to >= 0) {
@@ -41,6 +50,9 @@ public final class LineReader implements AutoCloseable {
         }
       }
       line.write(buffer, from, to - from);
+      if (line.size() > LONGEST) {
+        throw new IOException("a line of it is longer than " + (LONGEST >> 20) + " MB");
+      }
       from = 0;
       to = in.read(buffer);
     }

@@ -27,9 +27,12 @@ public record RecordedDatagram(
     String text,
     OptionalInt videoSize) {
 
+  /** The longest payload [bytes]. Documented: RFC 768 within RFC 791. */
+  private static final int LONGEST = 65_507;
+
   static RecordedDatagram of(Fields fields) {
     return new RecordedDatagram(
-        fields.numberOr("t", 0),
+        fields.moment("t").orElse(0),
         fields.whole("drone").orElse(1),
         fields.text("kind"),
         fields.text("from"),
@@ -60,6 +63,11 @@ public record RecordedDatagram(
   /** What was in it, as far as it is kept. */
   public byte[] payload() {
     return text.getBytes(StandardCharsets.ISO_8859_1);
+  }
+
+  /** Whether UDP can carry it. */
+  public boolean isPossible() {
+    return length() >= 0 && length() <= LONGEST && text.length() <= LONGEST;
   }
 
   /** How long it was [bytes]. */

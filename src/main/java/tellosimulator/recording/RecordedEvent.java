@@ -34,7 +34,7 @@ public record RecordedEvent(
 
   static RecordedEvent of(Fields fields) {
     return new RecordedEvent(
-        fields.numberOr("t", 0),
+        fields.moment("t").orElse(0),
         fields.whole("drone"),
         fields.text("kind"),
         fields.text("severity"),

@@ -1,7 +1,6 @@
 package tellosimulator.recording;
 
 import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Optional;
 
@@ -50,7 +49,7 @@ public final class RecordedInputs implements AutoCloseable {
 
   /** Whether a recording has them, even if they cannot be read. */
   public static boolean areKept(Path folder) {
-    return Files.isRegularFile(RecordingFile.INPUTS.in(folder));
+    return RecordingFile.INPUTS.exists(folder);
   }
 
   /** What the simulation began from. */

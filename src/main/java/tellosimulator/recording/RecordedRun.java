@@ -82,7 +82,7 @@ public record RecordedRun(
         fields.large("seed"),
         fields.text("timeFactor"),
         fields.text("begun"),
-        fields.numberOr("started", 0),
+        fields.moment("started").orElse(0),
         fields.number("ended"),
         Optional.of(fields.text("realDrone")).filter(address -> !address.isEmpty()),
         fields.text("result"),

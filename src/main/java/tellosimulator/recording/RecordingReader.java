@@ -54,7 +54,7 @@ final class RecordingReader {
               ? folder + " is no folder; name the folder of a recording."
               : "There is no folder " + folder + "; name the folder of a recording.");
     }
-    if (!Files.isRegularFile(file)) {
+    if (!RecordingFile.RUN.exists(folder)) {
       throw new UnreadableRecordingException(
           folder
               + " is no recording, because there is no "
@@ -64,7 +64,7 @@ final class RecordingReader {
               + ".");
     }
     try {
-      Fields fields = Fields.of(Files.readString(file));
+      Fields fields = Fields.of(RecordingFile.RUN.read(folder));
       RecordedRun run = RecordedRun.of(fields);
       remarkOn(run, fields.whole("format").orElse(RecordedRun.FORMAT));
       return run;
@@ -151,12 +151,11 @@ final class RecordingReader {
   }
 
   private List<RecordedGoal> goals() {
-    Path file = RecordingFile.GOALS.in(folder);
-    if (!Files.isRegularFile(file)) {
+    if (!RecordingFile.GOALS.exists(folder)) {
       return List.of();
     }
     try {
-      return Json.value(Files.readString(file)) instanceof List<?> items
+      return Json.value(RecordingFile.GOALS.read(folder)) instanceof List<?> items
           ? Fields.objects(items).stream()
               .map(goal -> new RecordedGoal(goal.text("text"), goal.number("reached")))
               .toList()
@@ -168,12 +167,11 @@ final class RecordingReader {
   }
 
   private Optional<Scenario> scenario() {
-    Path file = RecordingFile.SCENARIO.in(folder);
-    if (!Files.isRegularFile(file)) {
+    if (!RecordingFile.SCENARIO.exists(folder)) {
       return Optional.empty();
     }
     try {
-      return Optional.of(ScenarioFile.read(file));
+      return Optional.of(ScenarioFile.read(RecordingFile.SCENARIO.in(folder)));
     } catch (ScenarioException e) {
       remarkUnreadable(RecordingFile.SCENARIO);
       return Optional.empty();

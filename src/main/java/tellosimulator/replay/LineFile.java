@@ -9,6 +9,7 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import tellosimulator.files.IrregularFileException;
 import tellosimulator.recording.LineReader;
 
 /**
@@ -59,7 +60,8 @@ final class LineFile implements AutoCloseable {
 
   /** The last moment that a file tells of, near its end [s]; 0 if it tells of none. */
   static double lastTime(Path file) throws IOException {
-    if (!Files.isRegularFile(file)) {
+    IrregularFileException.check(file);
+    if (!Files.exists(file)) {
       return 0;
     }
     String tail;

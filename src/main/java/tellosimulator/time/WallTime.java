@@ -57,7 +57,8 @@ public final class WallTime {
    */
   public static OptionalLong micros(String iso) {
     try {
-      return OptionalLong.of(ChronoUnit.MICROS.between(Instant.EPOCH, OffsetDateTime.parse(iso)));
+      Instant moment = OffsetDateTime.parse(iso).toInstant();
+      return OptionalLong.of(moment.getEpochSecond() * 1_000_000 + moment.getNano() / 1000);
     } catch (DateTimeException e) {
       return OptionalLong.empty();
     }

@@ -1,11 +1,11 @@
 package tellosimulator.view.replay;
 
 import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import tellosimulator.files.TemporaryFolder;
 import tellosimulator.recording.FlightSnapshots;
 import tellosimulator.recording.RecordedFlight;
+import tellosimulator.recording.RecordingFile;
 import tellosimulator.recording.RecordingFolder;
 import tellosimulator.recording.UnreadableRecordingException;
 import tellosimulator.replay.Replay;
@@ -29,7 +29,7 @@ public record ReplayFlight(
    */
   public static ReplayFlight read(Path place) throws UnreadableRecordingException {
     Path absolute = place.toAbsolutePath().normalize();
-    Path folder = Files.isRegularFile(absolute) ? absolute.getParent() : absolute;
+    Path folder = RecordingFile.folderOf(absolute);
     RecordedFlight flight = RecordedFlight.read(folder);
     Path name = folder.getFileName();
     return new ReplayFlight(
