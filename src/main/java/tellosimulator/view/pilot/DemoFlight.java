@@ -11,16 +11,17 @@ import javafx.beans.property.ReadOnlyObjectProperty;
 import javafx.beans.property.ReadOnlyObjectWrapper;
 import javafx.beans.property.ReadOnlyStringProperty;
 import javafx.beans.property.ReadOnlyStringWrapper;
+import tellosimulator.goal.Challenge;
 import tellosimulator.model.FlightPhase;
-import tellosimulator.sim.SimSnapshot.DroneSnapshot;
+import tellosimulator.sim.SimSnapshot;
 import tellosimulator.view.model.FxDroneModel;
 import tellosimulator.view.model.ViewContext;
 import tellosimulator.view.text.Message;
-import tellosimulator.world.Room;
 
 /**
- * A flight that needs no operator program: a {@link DemoTour}, command by command through the
- * drone's real port. For the JavaFX thread; it moves on with the pulse.
+ * A flight that needs no operator program: a {@link GoalRoute} where there is one, or else a {@link
+ * DemoTour}, command by command through the drone's real port. For the JavaFX thread; it moves on
+ * with the pulse.
  */
 public final class DemoFlight implements AutoCloseable {
 
@@ -30,6 +31,16 @@ public final class DemoFlight implements AutoCloseable {
     FLYING,
     /** It was stopped or failed in the air, and brings the drone down. */
     LANDING
+  }
+
+  /** What it flies for. */
+  public enum Aim {
+    /** The scenario asks for nothing. */
+    TOUR,
+    /** The goals of the scenario. */
+    GOALS,
+    /** The scenario has goals, but the drone cannot reach them on its own, or on no simple way. */
+    TOUR_WITHOUT_GOALS
   }
 
   /** How long after the motors stopped the reply to {@code land} may come [ns]. Assumed. */
@@ -42,6 +53,7 @@ public final class DemoFlight implements AutoCloseable {
   private final ReadOnlyIntegerWrapper step = new ReadOnlyIntegerWrapper();
   private final ReadOnlyIntegerWrapper steps = new ReadOnlyIntegerWrapper();
   private final ReadOnlyObjectWrapper<Message> problem = new ReadOnlyObjectWrapper<>(Message.NONE);
+  private final ReadOnlyObjectWrapper<Aim> aim = new ReadOnlyObjectWrapper<>(Aim.TOUR);
   private List<String> tour = List.of();
   private Optional<Flown> flown = Optional.empty();
 
@@ -152,6 +164,11 @@ public final class DemoFlight implements AutoCloseable {
     return steps.getReadOnlyProperty();
   }
 
+  /** What the flight is for, or the last one was. */
+  ReadOnlyObjectProperty<Aim> aimProperty() {
+    return aim.getReadOnlyProperty();
+  }
+
   /** Why it did not come to its end; {@link Message#NONE} if there is nothing to say. */
   ReadOnlyObjectProperty<Message> problemProperty() {
     return problem.getReadOnlyProperty();
@@ -170,12 +187,18 @@ public final class DemoFlight implements AutoCloseable {
       problem.set(Message.of("no-socket", e.getMessage()));
       return;
     }
-    DroneSnapshot now = drone.snapshotProperty().get();
-    Room room = context.simulation().roomProperty().get();
-    tour = new DemoTour(room, now.product().behavior(), now.state()).commands();
+    plan(context.simulation().snapshot(), drone.number());
     steps.set(tour.size());
     stage.set(Stage.FLYING);
     command(1);
+  }
+
+  private void plan(SimSnapshot snapshot, int drone) {
+    Challenge challenge = context.scenario().challenge();
+    Optional<List<String>> route = GoalRoute.commands(challenge, snapshot, drone);
+    Aim otherwise = challenge.goals().isEmpty() ? Aim.TOUR : Aim.TOUR_WITHOUT_GOALS;
+    aim.set(route.isPresent() ? Aim.GOALS : otherwise);
+    tour = route.orElseGet(() -> new DemoTour(snapshot, drone).commands());
   }
 
   private void command(int number) {
@@ -202,6 +225,9 @@ public final class DemoFlight implements AutoCloseable {
     }
     boolean flies = flight.phase().flying();
     flight.tookOff |= flies;
+    if (flies) {
+      flight.downSince = Optional.empty();
+    }
     if (flight.tookOff && !flies && isDown(flight, nanos)) {
       if (!lands()) {
         problem.set(Message.of("flies-no-more", command.get()));
@@ -230,7 +256,7 @@ public final class DemoFlight implements AutoCloseable {
   }
 
   private boolean lands() {
-    return step.get() == tour.size();
+    return command.get().equals("land");
   }
 
   /** Whether its motors are off for so long that no reply is on its way. */

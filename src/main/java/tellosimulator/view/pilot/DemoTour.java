@@ -4,16 +4,18 @@ import java.util.List;
 import tellosimulator.math.Pose;
 import tellosimulator.math.Vec3;
 import tellosimulator.model.DroneSpec;
-import tellosimulator.model.DroneState;
 import tellosimulator.profile.Behavior;
+import tellosimulator.sim.SimSnapshot;
+import tellosimulator.sim.SimSnapshot.DroneSnapshot;
 import tellosimulator.world.Room;
 
 /**
  * Which commands show a drone's abilities in a room without touching its walls: a half circle, a
- * flip, turns and moves where there is space, a few short moves where there is little.
+ * flip, turns and moves where there is space, a few short moves where there is little, and only
+ * turns where obstacles or other drones are in the way of these.
  *
  * <p>All of it happens within a circle around a point near the start, so it fits whichever way the
- * nose points. Other drones and what may stand in the room are not looked at.
+ * nose points.
  */
 final class DemoTour {
 
@@ -57,31 +59,46 @@ final class DemoTour {
   private static final int ENOUGH_FOR_FLIP = 58;
 
   private final Room room;
+  private final FreeSpace space;
   private final Behavior behavior;
   private final Pose pose;
   private final int batteryPercent;
 
   /**
-   * @param drone which stands on the floor
+   * @param number of a drone that stands, from 1
    */
-  DemoTour(Room room, Behavior behavior, DroneState drone) {
-    this.room = room;
-    this.behavior = behavior;
-    this.pose = drone.motion().pose();
-    this.batteryPercent = drone.energy().battery().percent();
+  DemoTour(SimSnapshot snapshot, int number) {
+    DroneSnapshot drone = snapshot.drones().get(number - 1);
+    this.room = snapshot.room();
+    this.space = new FreeSpace(snapshot, number);
+    this.behavior = drone.product().behavior();
+    this.pose = drone.state().motion().pose();
+    this.batteryPercent = drone.state().energy().battery().percent();
   }
 
   /** From {@code command} to {@code land}. */
   List<String> commands() {
-    FlightPlan route = new FlightPlan(pose.position(), pose.attitude().heading());
-    route.say("command").takeoff(behavior.takeoffHeight() + behavior.takeoffCreep());
     double radius = Math.min(LARGEST_RADIUS, freeRadius(LONG_MARGIN));
+    FlightPlan route = begun();
     if (radius >= SMALLEST_LONG_RADIUS) {
       flyLong(route, radius);
     } else {
       flyShort(route);
     }
+    if (!space.holds(route.path())) {
+      route = begun();
+      flyShort(route);
+    }
+    if (!space.holds(route.path())) {
+      route = begun().clockwise(180).clockwise(180);
+    }
     return route.say("land").commands();
+  }
+
+  private FlightPlan begun() {
+    return FlightPlan.from(pose)
+        .say("command")
+        .takeoff(behavior.takeoffHeight() + behavior.takeoffCreep());
   }
 
   private void flyLong(FlightPlan route, double radius) {

@@ -241,8 +241,13 @@ public final class PilotControls extends VBox implements AutoCloseable {
     command
         .textProperty()
         .bind(
-            messages.text(
-                "tour-step", demo.stepProperty(), demo.stepsProperty(), demo.commandProperty()));
+            Bindings.createStringBinding(
+                this::step,
+                demo.aimProperty(),
+                demo.stepProperty(),
+                demo.stepsProperty(),
+                demo.commandProperty(),
+                context.language().localeProperty()));
     progress
         .progressProperty()
         .bind(
@@ -250,6 +255,14 @@ public final class PilotControls extends VBox implements AutoCloseable {
                 () -> demo.stepProperty().get() / (double) Math.max(1, demo.stepsProperty().get()),
                 demo.stepProperty(),
                 demo.stepsProperty()));
+  }
+
+  private String step() {
+    return messages.now(
+        "tour-step-" + demo.aimProperty().get().name(),
+        demo.stepProperty().get(),
+        demo.stepsProperty().get(),
+        demo.commandProperty().get());
   }
 
   private void bindCommands() {

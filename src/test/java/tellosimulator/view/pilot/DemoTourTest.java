@@ -18,7 +18,11 @@ import tellosimulator.profile.Profile;
 import tellosimulator.sim.Control;
 import tellosimulator.sim.SimConfig;
 import tellosimulator.sim.SimEvent;
+import tellosimulator.sim.SimSnapshot;
 import tellosimulator.testing.SteppedDrone;
+import tellosimulator.time.SimTime;
+import tellosimulator.time.TimeFactor;
+import tellosimulator.world.Arena;
 import tellosimulator.world.Collider;
 import tellosimulator.world.Room;
 
@@ -146,8 +150,15 @@ class DemoTourTest {
   }
 
   private List<String> tour() {
-    return new DemoTour(room, config.drones().get(0).product().behavior(), drone.state())
-        .commands();
+    return new DemoTour(snapshot(), 1).commands();
+  }
+
+  private SimSnapshot snapshot() {
+    return new SimSnapshot(
+        SimTime.ZERO,
+        new SimSnapshot.Clock(TimeFactor.REAL_TIME, false),
+        Arena.DEFAULT.withRoom(room),
+        List.of(drone.snapshot()));
   }
 
   private void flyAndWatch(List<String> tour) {
