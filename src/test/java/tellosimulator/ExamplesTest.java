@@ -88,7 +88,7 @@ class ExamplesTest {
               "Landed.");
       assertThat(ended.exitCode()).isZero();
       Place place = flight.places().get(0);
-      assertThat(place.phase()).isEqualTo("on the ground");
+      assertThat(place.phase()).isEqualTo("standing");
       // forward 100: 100 cm along x, the heading at takeoff; a move ends within 1 cm.
       assertThat(place.x()).isCloseTo(100, within(2.0));
       assertThat(place.y()).isCloseTo(0, within(2.0));
@@ -134,7 +134,7 @@ class ExamplesTest {
           .endsWith("Type letters, then Enter; q lands and ends.", "land -> ok");
       assertThat(ended.exitCode()).isZero();
       Place place = flight.places().get(0);
-      assertThat(place.phase()).isEqualTo("on the ground");
+      assertThat(place.phase()).isEqualTo("standing");
       // Two letters are a second or more, at factor 2 two of the drone's, at up to 40 cm/s.
       assertThat(place.x()).isGreaterThan(30);
       assertThat(place.y()).isCloseTo(0, within(2.0));
@@ -150,7 +150,7 @@ class ExamplesTest {
       assertThat(ended.output().subList(0, 18)).allMatch(line -> line.endsWith(" -> ok"));
       assertThat(ended.exitCode()).isZero();
       List<Place> places = flight.places();
-      assertThat(places).extracting(Place::phase).containsOnly("on the ground");
+      assertThat(places).extracting(Place::phase).containsOnly("standing");
       // They start at y 60, 0 and -60; y is to the left, so that 90 degrees clockwise is along -y.
       assertThat(places.get(0).y()).isCloseTo(60 - 50, within(2.0));
       assertThat(places.get(1).x()).isCloseTo(-50, within(2.0));

@@ -12,6 +12,7 @@ import tellosimulator.math.Vec3;
 import tellosimulator.time.SimTime;
 import tellosimulator.world.Collidable;
 import tellosimulator.world.Collision;
+import tellosimulator.world.Surface;
 
 /**
  * What a drone touches in a step, and what people are told of it: one event for the beginning of a
@@ -100,6 +101,15 @@ final class Contacts {
   /** Whether the drone stands on something. */
   boolean onGround() {
     return present.stream().anyMatch(Collision::onGround);
+  }
+
+  /** What the drone stands on; the floor if it stands on nothing else. */
+  Collidable ground() {
+    return present.stream()
+        .filter(Collision::onGround)
+        .map(Collision::touched)
+        .findFirst()
+        .orElse(Surface.FLOOR);
   }
 
   /** What is in its way; what it stands on is not. */

@@ -324,7 +324,7 @@ final class Flight {
       motorsOff(FlightPhase.GROUNDED);
       comeToRest();
       contacts.partFromAll();
-      observer.happened(new Landed());
+      observer.happened(new Landed(contacts.ground()));
     } else {
       hover();
     }

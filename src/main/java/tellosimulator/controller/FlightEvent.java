@@ -3,6 +3,7 @@ package tellosimulator.controller;
 import tellosimulator.math.Vec3;
 import tellosimulator.words.Phrase;
 import tellosimulator.world.Collidable;
+import tellosimulator.world.Obstacle;
 
 /** Something that happened to a drone, other than a command or a reply. */
 public sealed interface FlightEvent {
@@ -18,11 +19,17 @@ public sealed interface FlightEvent {
     }
   }
 
-  /** It stands on the ground with its motors off. */
-  record Landed() implements FlightEvent {
+  /**
+   * It stands on something with its motors off.
+   *
+   * @param on what it stands on
+   */
+  record Landed(Collidable on) implements FlightEvent {
     @Override
     public Phrase phrase() {
-      return Phrase.of("landed");
+      return on instanceof Obstacle obstacle
+          ? Phrase.of("landed on \"%s\"", obstacle.name())
+          : Phrase.of("landed");
     }
   }
 

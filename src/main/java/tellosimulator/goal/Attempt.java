@@ -27,6 +27,18 @@ final class Attempt {
    */
   record Won(int index, int drone) {}
 
+  /**
+   * A drone came near a goal.
+   *
+   * @param phrase a clause about the drone
+   */
+  record Missed(int drone, Phrase phrase) {}
+
+  /** What came of a step. */
+  record Outcome(List<Won> won, List<Missed> missed) {
+    static final Outcome NOTHING = new Outcome(List.of(), List.of());
+  }
+
   private final Challenge challenge;
   private final List<Map<Integer, SimTime>> held = new ArrayList<>();
   private final BitSet flown = new BitSet();
@@ -47,34 +59,61 @@ final class Attempt {
 
   /** The goals cannot be reached any more. */
   void fail(Phrase reason) {
-    progress = new Progress(challenge, progress.reached(), progress.elapsed(), Optional.of(reason));
+    progress =
+        new Progress(
+            challenge,
+            progress.reached(),
+            progress.elapsed(),
+            Optional.of(reason),
+            progress.miss());
   }
 
   /**
    * Judges a step.
    *
-   * @return the goals that were reached in it
+   * @return the goals that were reached in it, or nearly
    */
-  List<Won> advance(SimSnapshot snapshot) {
+  Outcome advance(SimSnapshot snapshot) {
     List<Observation> observations = look(snapshot);
     if (takeoff.isEmpty()
         && observations.stream().anyMatch(observation -> observation.now().phase().flying())) {
       takeoff = Optional.of(snapshot.time());
     }
     if (takeoff.isEmpty()) {
-      return List.of();
+      return Outcome.NOTHING;
     }
     SimTime now = snapshot.time();
     double elapsed = now.since(takeoff.get());
     List<Won> won = judge(observations, now);
     List<OptionalDouble> reached = new ArrayList<>(progress.reached());
     won.forEach(win -> reached.set(win.index(), OptionalDouble.of(elapsed)));
-    progress = new Progress(challenge, reached, elapsed, Optional.empty());
+    Optional<Phrase> before = won.isEmpty() ? progress.miss() : Optional.empty();
+    progress = new Progress(challenge, reached, elapsed, Optional.empty(), before);
+    List<Missed> missed = won.isEmpty() ? misses(observations) : List.of();
     if (progress.status() == Status.RUNNING
         && elapsed >= challenge.timeLimit().orElse(Double.POSITIVE_INFINITY)) {
       fail(Phrase.of("time is over"));
     }
-    return won;
+    return new Outcome(won, missed);
+  }
+
+  private List<Missed> misses(List<Observation> observations) {
+    List<Missed> missed = new ArrayList<>();
+    for (Observation observation : observations) {
+      NearMiss.of(observation, progress)
+          .ifPresent(what -> missed.add(new Missed(observation.drone(), what)));
+    }
+    for (Missed miss : missed) {
+      Phrase whole = Phrase.of("drone %d %s", miss.drone(), miss.phrase());
+      progress =
+          new Progress(
+              challenge,
+              progress.reached(),
+              progress.elapsed(),
+              Optional.empty(),
+              Optional.of(whole));
+    }
+    return missed;
   }
 
   private List<Observation> look(SimSnapshot snapshot) {

@@ -22,6 +22,19 @@ public sealed interface GoalEvent extends SimEvent {
   }
 
   /**
+   * A drone came near a goal, in a way that does not count.
+   *
+   * @param phrase a clause about the drone: {@code flew through gate A in the wrong direction}
+   */
+  record Missed(SimTime time, int drone, Phrase phrase) implements GoalEvent, SimEvent.ForDrone {
+
+    @Override
+    public boolean lacksSubject() {
+      return true;
+    }
+  }
+
+  /**
    * All goals are reached, or they cannot be reached any more.
    *
    * @param failed whether they cannot

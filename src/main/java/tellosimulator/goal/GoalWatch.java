@@ -3,6 +3,8 @@ package tellosimulator.goal;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.Consumer;
 import tellosimulator.controller.FlightEvent;
+import tellosimulator.goal.Attempt.Missed;
+import tellosimulator.goal.Attempt.Outcome;
 import tellosimulator.goal.Attempt.Won;
 import tellosimulator.goal.Progress.Status;
 import tellosimulator.sim.SimEvent;
@@ -24,8 +26,8 @@ public final class GoalWatch implements SimListener {
   private SimTime now = SimTime.ZERO;
 
   /**
-   * @param news takes an event for each goal that is reached, and for the end; on the simulation
-   *     thread, after all other events of the step
+   * @param news takes an event for each goal that is reached or nearly so, and for the end; on the
+   *     simulation thread, after all other events of the step
    */
   public GoalWatch(Challenge challenge, Consumer<GoalEvent> news) {
     this.news = news;
@@ -73,8 +75,10 @@ public final class GoalWatch implements SimListener {
     if (!running()) {
       return;
     }
-    for (Won won : attempt.advance(snapshot)) {
-      tell(won);
+    Outcome outcome = attempt.advance(snapshot);
+    outcome.won().forEach(this::tell);
+    for (Missed miss : outcome.missed()) {
+      news.accept(new GoalEvent.Missed(now, miss.drone(), miss.phrase()));
     }
     publish();
   }

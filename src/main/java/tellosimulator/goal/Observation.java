@@ -47,8 +47,7 @@ record Observation(Course course, DroneState before, DroneState now, boolean flo
       return flies() && hover.region().holds(feet());
     }
     if (goal instanceof Goal.Pass pass) {
-      return flies()
-          && course.gate(pass.gate()).filter(gate -> passes(gate, pass.direction())).isPresent();
+      return course.gate(pass.gate()).filter(gate -> passes(gate, pass.direction())).isPresent();
     }
     if (goal instanceof Goal.Land land) {
       return landed() && land.region().holdsLevel(feet());
@@ -68,22 +67,48 @@ record Observation(Course course, DroneState before, DroneState now, boolean flo
     return flown && now.phase() == FlightPhase.GROUNDED;
   }
 
+  /** Whether it came down in this step, after a flight. */
+  boolean justLanded() {
+    return landed() && before.phase() != FlightPhase.GROUNDED;
+  }
+
   private boolean passes(Gate gate, Goal.Direction direction) {
+    return crossing(gate)
+        .filter(crossing -> crossing.through() && crossing.goes(direction))
+        .isPresent();
+  }
+
+  /** How its centre crossed the plane of a gate's opening in this step. */
+  Optional<Crossing> crossing(Gate gate) {
     Vec3 from = inFrame(gate, before);
     Vec3 to = inFrame(gate, now);
     boolean along = from.x() < 0 && to.x() >= 0;
     boolean against = from.x() > 0 && to.x() <= 0;
-    boolean crosses =
-        switch (direction) {
-          case EITHER -> along || against;
-          case ALONG -> along;
-          case AGAINST -> against;
-        };
-    if (!crosses) {
-      return false;
+    if (!flies() || !(along || against)) {
+      return Optional.empty();
     }
-    Vec3 crossing = from.plusScaled(to.minus(from), from.x() / (from.x() - to.x()));
-    return gate.opening().opens(crossing.y(), crossing.z() - gate.opening().middle());
+    Vec3 place = from.plusScaled(to.minus(from), from.x() / (from.x() - to.x()));
+    double up = place.z() - gate.opening().middle();
+    return Optional.of(new Crossing(along, place.y(), up, gate.opening().opens(place.y(), up)));
+  }
+
+  /**
+   * A way across the plane of a gate's opening.
+   *
+   * @param along whether along the gate's x axis, not against it
+   * @param across from the middle of the opening, along the gate's y axis [m]
+   * @param up from the middle of the opening [m]
+   * @param through whether through the opening, not past it
+   */
+  record Crossing(boolean along, double across, double up, boolean through) {
+
+    boolean goes(Goal.Direction direction) {
+      return switch (direction) {
+        case EITHER -> true;
+        case ALONG -> along;
+        case AGAINST -> !along;
+      };
+    }
   }
 
   private static Vec3 inFrame(Gate gate, DroneState drone) {

@@ -12,9 +12,21 @@ import tellosimulator.words.Phrase;
  * @param reached for each goal how long after the first takeoff it was reached [s]
  * @param elapsed since the first takeoff, and no further once it is over [s]
  * @param failure why the goals cannot be reached any more; empty unless they cannot
+ * @param miss what a drone did since the last goal that almost reached one, and why it does not
+ *     count; empty if there is no such thing
  */
 public record Progress(
-    Challenge challenge, List<OptionalDouble> reached, double elapsed, Optional<Phrase> failure) {
+    Challenge challenge,
+    List<OptionalDouble> reached,
+    double elapsed,
+    Optional<Phrase> failure,
+    Optional<Phrase> miss) {
+
+  /** Without a near miss. */
+  public Progress(
+      Challenge challenge, List<OptionalDouble> reached, double elapsed, Optional<Phrase> failure) {
+    this(challenge, reached, elapsed, failure, Optional.empty());
+  }
 
   /** How it stands. */
   public enum Status {

@@ -4,10 +4,10 @@ package tellosimulator.model;
 public enum FlightPhase {
   /** Without power. */
   OFF("off", false, false),
-  /** On the ground, motors off. */
-  GROUNDED("on the ground", false, false),
-  /** On the ground, propellers turning slowly ({@code motoron}). */
-  IDLING("on the ground, motors idling", true, false),
+  /** On the floor or on an obstacle, motors off. */
+  GROUNDED("standing", false, false),
+  /** On the floor or on an obstacle, propellers turning slowly ({@code motoron}). */
+  IDLING("standing, motors idling", true, false),
   TAKING_OFF("taking off", true, true),
   FLYING("flying", true, true),
   LANDING("landing", true, true),

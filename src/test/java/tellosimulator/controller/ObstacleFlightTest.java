@@ -125,6 +125,7 @@ class ObstacleFlightTest {
 
     assertThat(drone.ask("land")).isEqualTo("ok");
     assertThat(drone.state().motion().position().z()).isCloseTo(0.5, within(1e-6));
+    assertThat(words(drone)).contains("landed on \"table\"");
     assertThat(drone.state().phase()).isEqualTo(FlightPhase.GROUNDED);
     assertThat(drone.ask("takeoff")).isEqualTo("ok");
     assertThat(drone.state().motion().position().z()).isCloseTo(0.8, within(0.01));

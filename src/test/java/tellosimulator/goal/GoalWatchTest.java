@@ -242,6 +242,87 @@ class GoalWatchTest {
   }
 
   @Test
+  void aLandingBesideItsPlaceSaysHowFarItWas() {
+    Fixture fixture = fixture(Arena.DEFAULT, any(List.of(FRONT, HOME)));
+    fixture.drones.fly("command", "takeoff", "forward 26", "land");
+
+    assertThat(missed(fixture))
+        .isEqualTo(
+            "drone 1 landed at x 26, y 0, 26 cm from the middle of goal 2; up to 10 cm count");
+    assertThat(news)
+        .singleElement()
+        .satisfies(
+            event -> assertThat(event.line()).contains("drone 1: landed at x 26, y 0, 26 cm from"));
+
+    fixture.drones.fly("takeoff", "left 30");
+    assertThat(missed(fixture)).as("it stays until a goal is reached").contains("landed at x 26");
+    fixture.drones.fly("right 30", "forward 74");
+    assertThat(fixture.watch.progress().count()).isEqualTo(1);
+    assertThat(fixture.watch.progress().miss()).isEmpty();
+  }
+
+  @Test
+  void aLandingIsJudgedByTheNearestPlaceUnlessThereIsAnOrder() {
+    Goal far = new Goal.Land(ANY, new GoalRegion(new Vec3(1, 0, 0), 0.2));
+    List<Goal> goals = List.of(far, HOME);
+    Fixture free = fixture(Arena.DEFAULT, any(goals));
+    free.drones.fly("command", "takeoff", "left 30", "land");
+    assertThat(missed(free)).contains("30 cm from the middle of goal 2;");
+
+    Fixture ordered = fixture(Arena.DEFAULT, any(goals).withInOrder(true));
+    ordered.drones.fly("command", "takeoff", "forward 50", "land");
+    assertThat(missed(ordered)).contains("50 cm from the middle of goal 1;");
+  }
+
+  @Test
+  void aLandingBesideAPadSaysHowFarItWas() {
+    Arena arena = Arena.DEFAULT.withPads(List.of(MissionPad.onFloor(3, new Vec3(1, 0, 0), 0)));
+    Fixture fixture = fixture(arena, any(List.of(new Goal.LandOn(ANY, 3))));
+    fixture.drones.fly("command", "takeoff", "forward 80", "land");
+
+    assertThat(missed(fixture)).contains("20 cm from the middle of goal 1; up to 10 cm count");
+  }
+
+  @Test
+  void aLandingOrAPassBeforeItsTurnSaysWhatComesFirst() {
+    Challenge landing = any(List.of(FRONT, HOME)).withInOrder(true);
+    Fixture landed = fixture(Arena.DEFAULT, landing);
+    landed.drones.fly("command", "takeoff", "land");
+    assertThat(missed(landed)).isEqualTo("drone 1 landed at goal 2, but goal 1 comes first");
+
+    Goal up = new Goal.Reach(ANY, new GoalRegion(new Vec3(0, 0, 2), 0.1));
+    Challenge passing = any(List.of(up, pass(Direction.EITHER))).withInOrder(true);
+    Fixture passed = fixture(gates(), passing);
+    passed.drones.fly("command", "takeoff", "up 70", "forward 100");
+    assertThat(missed(passed)).isEqualTo("drone 1 flew through gate first, but goal 1 comes first");
+  }
+
+  @Test
+  void aFlightPastAGateSaysWhereItsOpeningIs() {
+    Fixture over = fixture(gates(), any(List.of(pass(Direction.EITHER))));
+    over.drones.fly("command", "takeoff", "up 150", "forward 100");
+    assertThat(missed(over))
+        .as("feet at 180 cm, its centre 2 cm above them")
+        .isEqualTo("drone 1 flew past gate first: at z 182 instead of 100, 0 cm beside its middle");
+
+    Fixture far = fixture(gates(), any(List.of(pass(Direction.EITHER))));
+    far.drones.fly("command", "takeoff", "left 200", "forward 100");
+    assertThat(far.watch.progress().miss()).as("2 m beside it is another way").isEmpty();
+  }
+
+  @Test
+  void aFlightThroughAGateInTheWrongDirectionSaysSo() {
+    Fixture fixture = fixture(gates(), any(List.of(pass(Direction.AGAINST))));
+    fixture.drones.fly("command", "takeoff", "up 70", "forward 100");
+
+    assertThat(missed(fixture)).isEqualTo("drone 1 flew through gate first in the wrong direction");
+  }
+
+  private static String missed(Fixture fixture) {
+    return fixture.watch.progress().miss().orElseThrow().english();
+  }
+
+  @Test
   void padsOnWallsAreNotLandedOn() {
     MissionPad pad = new MissionPad(3, Surface.FRONT_WALL, 0, 0.5, 0);
     Arena arena = Arena.DEFAULT.withPads(List.of(pad));

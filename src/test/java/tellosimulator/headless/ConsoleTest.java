@@ -84,7 +84,7 @@ class ConsoleTest {
     assertThat(printed())
         .isEqualTo(
             """
-            drone 1: on the ground, x 0.0 y 30.0 z 0.0 cm, yaw 0.0 degrees, battery 100 %, waits for `command`, 0.000 s
+            drone 1: standing, x 0.0 y 30.0 z 0.0 cm, yaw 0.0 degrees, battery 100 %, waits for `command`, 0.000 s
             drone 2: off, x 0.0 y -30.0 z 0.0 cm, yaw 0.0 degrees, battery 100 %, waits for `command`, 0.000 s
             """);
   }
@@ -114,7 +114,7 @@ class ConsoleTest {
     type("state");
     assertThat(printed().lines().skip(2))
         .satisfiesExactly(
-            first -> assertThat(first).startsWith("drone 1: on the ground"),
+            first -> assertThat(first).startsWith("drone 1: standing"),
             second -> assertThat(second).startsWith("drone 2: off"));
   }
 

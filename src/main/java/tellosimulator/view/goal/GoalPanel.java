@@ -279,7 +279,15 @@ public final class GoalPanel extends VBox {
         now.failure()
             .map(reason -> messages.now("failed", language.say(reason)))
             .orElseGet(() -> messages.now("reached", elapsed)));
-    advice.setText(status == Status.FAILED ? messages.now(adviceAfter(now)) : "");
+    advice.setText(advice(now));
+  }
+
+  /** After a failure what one can try, and what was nearly reached. */
+  private String advice(Progress now) {
+    String miss = now.miss().map(what -> messages.now("missed", language.say(what))).orElse("");
+    return now.status() == Status.FAILED
+        ? (messages.now(adviceAfter(now)) + " " + miss).strip()
+        : miss;
   }
 
   /** The key of what one can try after a failure. */

@@ -43,13 +43,12 @@ class DroneListFxTest {
     window.carryOut(new Control.SetBattery(2, 42));
     int port = window.simulation().addresses(2).get(0).getPort();
 
-    window.until(
-        () -> row(robot, 2).equals(List.of("2", "on the ground", "42 %", "127.0.0.1:" + port)));
+    window.until(() -> row(robot, 2).equals(List.of("2", "standing", "42 %", "127.0.0.1:" + port)));
     assertThat(row(robot, 1)).startsWith("1", "off", "100 %");
     assertThat(window.text("#drones-heading")).isEqualTo("1 of 40 on");
 
     window.speak(Locale.GERMAN);
-    assertThat(row(robot, 2)).startsWith("2", "am Boden");
+    assertThat(row(robot, 2)).startsWith("2", "steht");
   }
 
   @Test

@@ -203,7 +203,7 @@ class LogPaneFxTest {
     assertThat(list().getParent().isVisible()).isFalse();
     assertThat(box.prefHeight(-1)).isLessThan(before).isLessThan(40);
     assertThat(folded()).isEqualTo("forward 1");
-    happens(new SimEvent.DroneFlight(SimTime.ZERO, 1, new FlightEvent.Landed()));
+    happens(new SimEvent.DroneFlight(SimTime.ZERO, 1, new FlightEvent.Landed(Surface.FLOOR)));
     assertThat(folded()).contains("landed");
     robot.interact(box::clear);
     assertThat(robot.lookup(".log-folded").query().lookup(".log-words").getParent().isVisible())
