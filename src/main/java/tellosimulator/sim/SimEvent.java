@@ -271,18 +271,15 @@ public interface SimEvent {
   }
 
   /**
-   * Simulated time was left out, because the machine was too slow.
+   * Simulated time was left out, because the machine was too slow; no fault of the flight.
    *
    * @param seconds how much, since it was told the last time [simulated s]
    * @param clock with all that was lost since the start
    */
-  record TimeLost(SimTime time, double seconds, SimSnapshot.Clock clock) implements Warning {
+  record TimeLost(SimTime time, double seconds, SimSnapshot.Clock clock) implements SimEvent {
     @Override
     public Phrase phrase() {
-      return Phrase.of(
-          "this machine is too busy for time factor %s: %.1f s of simulated time were left out,"
-              + " %.1f s since the start; a smaller --time-factor or fewer programs beside it help",
-          clock.factor(), seconds, clock.lostSeconds());
+      return Phrase.of("%.1f s of simulated time left out: this machine is busy", seconds);
     }
   }
 

@@ -56,6 +56,7 @@ public final class Simulation {
   private volatile SimTime now;
   private volatile SimConfig config;
   private volatile boolean untouched = true;
+  private boolean commanded;
 
   private volatile SimSnapshot snapshot;
 
@@ -243,6 +244,11 @@ public final class Simulation {
     return clock;
   }
 
+  /** Whether a command has come since the start. For the owning thread. */
+  boolean commanded() {
+    return commanded;
+  }
+
   /** The next snapshot shows how much time was lost since the start [simulated s]. */
   void noteLost(double seconds) {
     clock = clock.withLost(seconds);
@@ -364,6 +370,7 @@ public final class Simulation {
     events.taken(now, input);
     if (input instanceof SimInput.Datagram datagram) {
       demand.taken(now);
+      commanded = true;
       drone(datagram.drone()).receive(datagram);
     } else if (input instanceof SimInput.Act act) {
       apply(act.control());

@@ -69,7 +69,12 @@ public final class SimulationLoop implements AutoCloseable {
     return simulation.pending();
   }
 
+  /** Time that was lost before the first command, while the program starts, is no loss. */
   private void tellLost() {
+    if (!simulation.commanded()) {
+      pacer.forgiveLoss();
+      return;
+    }
     if (pacer.lostSeconds() != simulation.clock().lostSeconds()) {
       simulation.noteLost(pacer.lostSeconds());
     }

@@ -110,6 +110,12 @@ public final class Pacer {
     return lostSeconds;
   }
 
+  /** Counts what was given up until now as not lost: nothing of it mattered. */
+  public void forgiveLoss() {
+    lostSeconds = 0;
+    toldSeconds = 0;
+  }
+
   /**
    * What of it is to be told to people now: nothing if it is less than a second, or if they were
    * told less than a minute ago.

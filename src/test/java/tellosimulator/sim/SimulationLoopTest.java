@@ -5,8 +5,10 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static tellosimulator.testing.SteppedDrone.address;
 
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
 import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicReference;
@@ -44,6 +46,39 @@ class SimulationLoopTest {
       assertThat(ask(simulation, "land")).isEqualTo("ok");
     }
     assertThat(simulation.snapshot().time().seconds()).isGreaterThan(6);
+  }
+
+  /** At a factor that no machine can follow. */
+  @Test
+  void timeThatIsLostBeforeTheFirstCommandIsNoLoss() throws InterruptedException {
+    CountDownLatch begun = new CountDownLatch(20_000);
+    CountDownLatch lost = new CountDownLatch(1);
+    List<Double> losses = Collections.synchronizedList(new ArrayList<>());
+    SimListener listener =
+        new SimListener() {
+          @Override
+          public void stepped(SimSnapshot snapshot) {
+            losses.add(snapshot.clock().lostSeconds());
+            begun.countDown();
+            if (snapshot.clock().lostSeconds() > 0) {
+              lost.countDown();
+            }
+          }
+        };
+    Simulation simulation =
+        new Simulation(
+            SimConfig.DEFAULT.withTimeFactor(new TimeFactor(TimeFactor.LARGEST)),
+            drone -> (peer, text) -> replies.add(text),
+            report -> {},
+            List.of(listener));
+    simulation.control(new Control.Power(1, true));
+    try (SimulationLoop loop = new SimulationLoop(simulation)) {
+      assertThat(begun.await(20, TimeUnit.SECONDS)).isTrue();
+      assertThat(List.copyOf(losses)).containsOnly(0.0);
+
+      assertThat(ask(simulation, "command")).isEqualTo("ok");
+      assertThat(lost.await(20, TimeUnit.SECONDS)).isTrue();
+    }
   }
 
   @Test

@@ -127,6 +127,18 @@ class PacerTest {
     assertThat(pacer.lossToTell()).isEmpty();
   }
 
+  @Test
+  void aLossThatIsForgivenIsNotTold() {
+    Pacer pacer = new Pacer(TimeFactor.REAL_TIME, this::nanos);
+    lose(pacer, 5);
+    pacer.forgiveLoss();
+    assertThat(pacer.lostSeconds()).isZero();
+    assertThat(pacer.lossToTell()).isEmpty();
+
+    lose(pacer, 2);
+    assertThat(pacer.lossToTell()).hasValueCloseTo(2.0, within(1e-6));
+  }
+
   /** Comes so late that all but the two steps are lost that are made then. */
   private void lose(Pacer pacer, double seconds) {
     nanos += Math.round((seconds + SimTime.STEP) * 1e9);

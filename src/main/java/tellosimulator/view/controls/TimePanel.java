@@ -57,7 +57,7 @@ final class TimePanel extends Card {
     clock.setId("simulated-time");
     clock.getStyleClass().add("number");
     lost.setId("lost-time");
-    lost.getStyleClass().addAll("sentence", "warning");
+    lost.getStyleClass().addAll("sentence", "muted");
     ObservableList<TimeFactor> offered = FXCollections.observableArrayList();
     DoubleStream.of(FACTORS).mapToObj(TimeFactor::new).forEach(offered::add);
     factor.setId("time-factor");
