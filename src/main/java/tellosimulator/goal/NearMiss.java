@@ -121,7 +121,7 @@ final class NearMiss {
     Crossing crossing = crossed.get();
     if (!crossing.through()) {
       boolean past =
-          Math.hypot(crossing.across(), crossing.up()) < gate.opening().reach() + PAST
+          StrictMath.hypot(crossing.across(), crossing.up()) < gate.opening().reach() + PAST
               && early(index).isEmpty();
       return past
           ? Optional.of(

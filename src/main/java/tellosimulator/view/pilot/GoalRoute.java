@@ -8,6 +8,7 @@ import tellosimulator.goal.GoalMark;
 import tellosimulator.math.Vec3;
 import tellosimulator.model.DroneSpec;
 import tellosimulator.profile.Behavior;
+import tellosimulator.sim.FreeSpace;
 import tellosimulator.sim.SimSnapshot;
 import tellosimulator.sim.SimSnapshot.DroneSnapshot;
 

@@ -1,18 +1,17 @@
-package tellosimulator.view.pilot;
+package tellosimulator.sim;
 
 import java.util.List;
 import tellosimulator.math.Vec3;
 import tellosimulator.model.DroneSpec;
-import tellosimulator.sim.SimSnapshot;
 import tellosimulator.world.Collider;
 import tellosimulator.world.Obstacles;
 import tellosimulator.world.Room;
 
 /**
  * Where a drone can fly without touching a wall, an obstacle or another drone, as things stand at
- * one moment. Immutable.
+ * one moment. Immutable; for any thread.
  */
-final class FreeSpace {
+public final class FreeSpace {
 
   /** Air at obstacles and drones [m]. Measured: 2.5 cm of error a move, over several moves. */
   private static final double AIR = 0.1;
@@ -30,7 +29,7 @@ final class FreeSpace {
   /**
    * @param drone number of the drone that shall fly, from 1
    */
-  FreeSpace(SimSnapshot snapshot, int drone) {
+  public FreeSpace(SimSnapshot snapshot, int drone) {
     room = snapshot.room();
     obstacles = Obstacles.of(snapshot.arena());
     others =
@@ -41,7 +40,7 @@ final class FreeSpace {
   }
 
   /** Whether a drone can fly along a path [room frame, m]. */
-  boolean holds(List<Vec3> path) {
+  public boolean holds(List<Vec3> path) {
     for (int i = 1; i < path.size(); i++) {
       Vec3 way = path.get(i).minus(path.get(i - 1));
       int strides = Math.max(1, (int) Math.ceil(way.norm() / STRIDE));
