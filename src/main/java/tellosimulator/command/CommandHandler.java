@@ -137,8 +137,7 @@ public final class CommandHandler {
       return complaint;
     }
     return syntax.needsFlight() && !target.flying()
-        ? Optional.of(
-            new Refusal(Reply.MOTOR_STOP, Phrase.of("the drone does not fly, its motors are off")))
+        ? Optional.of(new Refusal(Reply.MOTOR_STOP, target.notFlying()))
         : Optional.empty();
   }
 

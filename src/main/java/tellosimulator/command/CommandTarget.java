@@ -15,6 +15,9 @@ public interface CommandTarget {
   /** Whether the motors carry the drone, so that it can move. */
   boolean flying();
 
+  /** Why it does not fly, and what to do; only while it does not. */
+  Phrase notFlying();
+
   /** Something arrived, whatever it was: the link is alive. */
   void linkAlive();
 

@@ -149,6 +149,11 @@ public final class DroneController implements CommandTarget {
   }
 
   @Override
+  public Phrase notFlying() {
+    return Preflight.check(model).map(Preflight.Objection::reason).orElseGet(flight::notFlying);
+  }
+
+  @Override
   public void linkAlive() {
     flight.contact();
   }

@@ -53,6 +53,10 @@ final class Flight {
   private final Contacts contacts;
   private boolean landingForSilence;
   private boolean landingForBattery;
+
+  /** Why it came down by itself, until it flies again. */
+  private Optional<Phrase> loneLanding = Optional.empty();
+
   private boolean stands;
   private final double crashSpeed;
   private final boolean landsWhenSilent;
@@ -90,6 +94,18 @@ final class Flight {
 
   boolean landsForBattery() {
     return landingForBattery;
+  }
+
+  /** Why it stands, and what to do. */
+  Phrase notFlying() {
+    Vec3 place = model.motion().position();
+    return loneLanding
+        .map(
+            reason ->
+                Phrase.of(
+                    "the drone landed by itself at x %.0f, y %.0f (%s), send `takeoff` first",
+                    place.x() * 100, place.y() * 100, reason))
+        .orElse(Phrase.of("the drone does not fly, send `takeoff` first"));
   }
 
   /** What runs and how far it is; empty if nobody waits for anything. */
@@ -150,6 +166,7 @@ final class Flight {
   void fly(Maneuver maneuver, CompletionHandler newHandler) {
     landingForSilence = false;
     landingForBattery = false;
+    loneLanding = Optional.empty();
     handler = newHandler;
     model.setPhase(FlightPhase.FLYING);
     autopilot.fly(maneuver);
@@ -217,6 +234,7 @@ final class Flight {
     motorsOff(powered ? FlightPhase.GROUNDED : FlightPhase.OFF);
     rc.center();
     contacts.forget();
+    loneLanding = Optional.empty();
     lastContact = now;
   }
 
@@ -299,11 +317,14 @@ final class Flight {
       interrupt(Reply.AUTO_LAND, reason);
       land(CompletionHandler.NOBODY);
       landingForBattery = true;
+      loneLanding = Optional.of(reason);
       observer.happened(new LandsByItself(reason, false));
     } else if (landsWhenSilent && now.since(lastContact) >= SILENCE && !landing()) {
+      Phrase reason = Phrase.of("no command came for %.0f s", SILENCE);
       land(CompletionHandler.NOBODY);
       landingForSilence = true;
-      observer.happened(new LandsByItself(Phrase.of("no command came for %.0f s", SILENCE), true));
+      loneLanding = Optional.of(reason);
+      observer.happened(new LandsByItself(reason, true));
     }
   }
 

@@ -90,6 +90,10 @@ final class Attempt {
     Optional<Phrase> before = won.isEmpty() ? progress.miss() : Optional.empty();
     progress = new Progress(challenge, reached, elapsed, Optional.empty(), before);
     List<Missed> missed = won.isEmpty() ? misses(observations) : List.of();
+    observations.stream()
+        .filter(Observation::lostPower)
+        .findFirst()
+        .ifPresent(off -> fail(Phrase.of("drone %d was switched off in flight", off.drone())));
     if (progress.status() == Status.RUNNING
         && elapsed >= challenge.timeLimit().orElse(Double.POSITIVE_INFINITY)) {
       fail(Phrase.of("time is over"));

@@ -72,6 +72,11 @@ record Observation(Course course, DroneState before, DroneState now, boolean flo
     return landed() && before.phase() != FlightPhase.GROUNDED;
   }
 
+  /** Whether it was switched off in the air. */
+  boolean lostPower() {
+    return before.phase().flying() && now.phase() == FlightPhase.OFF;
+  }
+
   private boolean passes(Gate gate, Goal.Direction direction) {
     return crossing(gate)
         .filter(crossing -> crossing.through() && crossing.goes(direction))

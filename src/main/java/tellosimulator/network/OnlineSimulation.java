@@ -8,6 +8,7 @@ import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.function.Consumer;
 import java.util.stream.Collectors;
+import tellosimulator.command.Peer;
 import tellosimulator.concurrent.Agent;
 import tellosimulator.concurrent.ErrorPolicy;
 import tellosimulator.concurrent.Worker;
@@ -39,6 +40,7 @@ public final class OnlineSimulation implements AutoCloseable {
   private final Ticker clock = new Ticker();
   private final Worker watch;
   private volatile Optional<SilenceWatch> silence = Optional.empty();
+  private volatile Optional<VideoWatch> video = Optional.empty();
   private boolean closed;
 
   /**
@@ -68,6 +70,7 @@ public final class OnlineSimulation implements AutoCloseable {
         network.reportDropped();
         network.refresh();
         silence.ifPresent(SilenceWatch::look);
+        video.ifPresent(VideoWatch::look);
       }
       return Outcome.WORKED;
     }
@@ -172,7 +175,8 @@ public final class OnlineSimulation implements AutoCloseable {
   }
 
   /**
-   * Tells somebody once if drones are on and nothing comes to them for a while.
+   * Sets a listener that is notified once if drones are on and nothing comes to them for a while,
+   * and once if a program listens for video that was not asked for.
    *
    * @param listener is called on a thread of the network
    */
@@ -180,6 +184,27 @@ public final class OnlineSimulation implements AutoCloseable {
     InetSocketAddress operators =
         new InetSocketAddress(AddressPlan.loopback(1), AddressPlan.REAL_COMMAND_PORT);
     silence = Optional.of(new SilenceWatch(operators, network::silent, listener));
+    video =
+        Optional.of(
+            new VideoWatch(this::unaskedVideo, () -> listener.accept(Silence.VIDEO_NOT_ASKED)));
+  }
+
+  /** Where the video of the first drone would go that a program on loopback operates without it. */
+  private Optional<InetSocketAddress> unaskedVideo() {
+    return snapshot().drones().stream()
+        .filter(drone -> drone.state().video().starts() == 0)
+        .flatMap(
+            drone ->
+                drone
+                    .link()
+                    .operator()
+                    .filter(Peer::local)
+                    .map(
+                        peer ->
+                            new InetSocketAddress(
+                                peer.address().getAddress(), drone.link().videoPort()))
+                    .stream())
+        .findFirst();
   }
 
   /** Shows somebody what comes to the drones and what leaves them, from now on. */

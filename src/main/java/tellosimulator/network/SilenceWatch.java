@@ -1,6 +1,5 @@
 package tellosimulator.network;
 
-import java.io.IOException;
 import java.net.InetSocketAddress;
 import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
@@ -44,19 +43,10 @@ final class SilenceWatch {
     }
     boolean now = silent.getAsBoolean();
     looks = now ? looks + 1 : 0;
-    withProgram = now && taken() ? withProgram + 1 : 0;
+    withProgram = now && UdpPort.isTaken(operators) ? withProgram + 1 : 0;
     if (withProgram >= LOOKS_WITH_PROGRAM || looks >= LOOKS) {
       told = true;
       listener.accept(withProgram > 0 ? Silence.PROGRAM_ELSEWHERE : Silence.NOTHING_CAME);
-    }
-  }
-
-  /** Who has it on all addresses has it on this one, too. */
-  private boolean taken() {
-    try (UdpPort probe = UdpPort.open(operators)) {
-      return probe.address() == null;
-    } catch (IOException e) {
-      return true;
     }
   }
 }

@@ -80,6 +80,15 @@ public final class UdpPort implements DatagramPort {
     }
   }
 
+  /** Whether a program has an address, or all addresses with its port. Tries it for a moment. */
+  static boolean isTaken(InetSocketAddress address) {
+    try (UdpPort probe = open(address)) {
+      return probe.address() == null;
+    } catch (IOException e) {
+      return true;
+    }
+  }
+
   /**
    * Opens a socket where a person wants one.
    *

@@ -16,6 +16,11 @@ final class CountingTarget implements CommandTarget {
   }
 
   @Override
+  public Phrase notFlying() {
+    return Phrase.of("the drone does not fly, send `takeoff` first");
+  }
+
+  @Override
   public boolean flying() {
     return flying;
   }

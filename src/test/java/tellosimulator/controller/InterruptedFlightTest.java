@@ -18,6 +18,28 @@ import tellosimulator.world.Room;
 /** Stops, restarts and power switches at awkward moments. */
 class InterruptedFlightTest {
 
+  @Test
+  void whoHasLandedByItselfSaysSoAndWhere() {
+    SteppedDrone drone = SteppedDrone.of(Profile.EDU, Behavior.REPORT);
+    assertThat(drone.ask("command")).isEqualTo("ok");
+    assertThat(drone.ask("forward 50")).isEqualTo("error Motor stop");
+    assertThat(last(drone)).contains("refused: the drone does not fly, send `takeoff` first");
+
+    drone.ask("takeoff");
+    drone.ask("forward 50");
+    drone.advance(20);
+
+    assertThat(drone.ask("forward 50")).isEqualTo("error Motor stop");
+    assertThat(last(drone))
+        .contains(
+            "refused: the drone landed by itself at x 50, y 0 (no command came for 15 s), send"
+                + " `takeoff` first");
+  }
+
+  private static String last(SteppedDrone drone) {
+    return drone.events().get(drone.events().size() - 1).words();
+  }
+
   private final SteppedDrone drone = SteppedDrone.of(Profile.EDU, Behavior.REPORT);
 
   @Test

@@ -208,11 +208,35 @@ class GoalWatchTest {
   void aCrashFailsAlways() {
     Fixture fixture = fixture(Arena.DEFAULT, any(List.of(HOME)));
     fixture.drones.fly("command", "takeoff", "up 150");
-    fixture.drones.control(new Control.Power(1, false));
+    fixture.drones.send(1, "emergency");
     fixture.drones.advance(3);
 
     assertThat(fixture.watch.progress().failure().orElseThrow().english())
         .isEqualTo("drone 1 crashed into the floor");
+  }
+
+  @Test
+  void whoIsSwitchedOffInFlightHasFailedHoweverLowItFlew() {
+    Fixture fixture = fixture(Arena.DEFAULT, any(List.of(FRONT, HOME)));
+    fixture.drones.fly("command", "takeoff");
+    fixture.drones.control(new Control.Power(1, false));
+    fixture.drones.advance(3);
+
+    assertThat(fixture.watch.progress().failure().orElseThrow().english())
+        .isEqualTo("drone 1 was switched off in flight");
+    double elapsed = fixture.watch.progress().elapsed();
+    fixture.drones.advance(5);
+    assertThat(fixture.watch.progress().elapsed()).as("the clock has stopped").isEqualTo(elapsed);
+  }
+
+  @Test
+  void whoIsSwitchedOffOnTheGroundCanGoOn() {
+    Fixture fixture = fixture(Arena.DEFAULT, any(List.of(FRONT, HOME)));
+    fixture.drones.fly("command", "takeoff", "land");
+    fixture.drones.control(new Control.Power(1, false));
+    fixture.drones.advance(3);
+
+    assertThat(fixture.watch.progress().status()).isEqualTo(Status.RUNNING);
   }
 
   @Test

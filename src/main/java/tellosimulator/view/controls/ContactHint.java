@@ -1,6 +1,7 @@
 package tellosimulator.view.controls;
 
 import java.net.InetSocketAddress;
+import java.util.Locale;
 import java.util.function.Consumer;
 import java.util.function.Function;
 import javafx.scene.control.Button;
@@ -11,6 +12,7 @@ import org.kordamp.ikonli.feather.Feather;
 import org.kordamp.ikonli.javafx.FontIcon;
 import tellosimulator.network.Silence;
 import tellosimulator.view.fx.Tooltips;
+import tellosimulator.view.model.FxDroneModel;
 import tellosimulator.view.model.ViewContext;
 import tellosimulator.view.text.Language;
 import tellosimulator.view.text.Messages;
@@ -25,6 +27,7 @@ public final class ContactHint extends HBox {
   private final Messages messages;
   private final Label sentence = new Label();
   private final Button close = new Button("", new FontIcon(Feather.X));
+  private Silence reason = Silence.NOTHING_CAME;
 
   /**
    * @param log takes the sentence, too
@@ -63,19 +66,23 @@ public final class ContactHint extends HBox {
     int drone = context.simulation().selected().number();
     InetSocketAddress first = context.actions().addresses(drone).get(0);
     String place = first.getAddress().getHostAddress() + ":" + first.getPort();
-    String key =
-        silence == Silence.PROGRAM_ELSEWHERE ? "contact.program-elsewhere" : "contact.nothing-came";
+    String key = "contact." + silence.name().toLowerCase(Locale.ROOT).replace('_', '-');
     sentence.textProperty().bind(messages.text(key, drone, place));
     log.accept(language -> language.messages(ContactHint.class).now(key, drone, place));
+    reason = silence;
     show(true);
   }
 
   private void hideWhenHeard() {
-    if (isVisible()
-        && context.simulation().drones().stream()
-            .anyMatch(drone -> context.actions().traffic(drone.number()).received() > 0)) {
+    if (isVisible() && context.simulation().drones().stream().anyMatch(this::isOver)) {
       show(false);
     }
+  }
+
+  private boolean isOver(FxDroneModel drone) {
+    return reason == Silence.VIDEO_NOT_ASKED
+        ? drone.snapshotProperty().get().state().video().on()
+        : context.actions().traffic(drone.number()).received() > 0;
   }
 
   private void show(boolean shown) {

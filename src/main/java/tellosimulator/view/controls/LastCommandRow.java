@@ -21,12 +21,16 @@ public final class LastCommandRow extends HBox {
   private static final PseudoClass REACHED = PseudoClass.getPseudoClass("reached");
   private static final PseudoClass FAILED = PseudoClass.getPseudoClass("failed");
 
+  /** Silence after which it is said how old the command is [s]. Decided: no pause of a program. */
+  private static final double SILENCE = 10;
+
   private final ViewContext context;
   private final Language language;
   private final Messages messages;
   private final Label command = new Label();
   private final Label outcome = new Label();
   private final Label reason = new Label();
+  private final Label heard = new Label();
 
   /**
    * @param id that of the row; its labels have it with {@code -text}, {@code -outcome} and {@code
@@ -49,11 +53,15 @@ public final class LastCommandRow extends HBox {
     reason.setId(id + "-reason");
     reason.getStyleClass().add("reason");
     reason.setMinWidth(0);
+    heard.setId(id + "-heard");
+    heard.getStyleClass().add("reason");
+    heard.setMinWidth(USE_PREF_SIZE);
+    heard.managedProperty().bind(heard.textProperty().isNotEmpty());
     if (explanation == Orientation.HORIZONTAL) {
-      getChildren().addAll(command, outcome, reason);
+      getChildren().addAll(command, outcome, reason, heard);
     } else {
       reason.setWrapText(true);
-      HBox said = new HBox(command, outcome);
+      HBox said = new HBox(command, outcome, heard);
       said.getStyleClass().add("said");
       getChildren().add(new VBox(said, reason));
     }
@@ -75,6 +83,19 @@ public final class LastCommandRow extends HBox {
     outcome.pseudoClassStateChanged(FAILED, shown.outcome() == Outcome.FAILED);
     reason.setText(shown.reason().map(language::say).orElse(""));
     reason.setManaged(shown.reason().isPresent());
+    heard.setText(
+        heard(context.lastCommand().silence(context.simulation().secondsProperty().get())));
+  }
+
+  /** How long ago something was heard, in steps in which an idle window need not be drawn often. */
+  private String heard(double silence) {
+    if (silence < SILENCE) {
+      return "";
+    }
+    int seconds = (int) silence;
+    return seconds < 60
+        ? messages.now("last-command.heard-seconds", seconds / 10 * 10)
+        : messages.now("last-command.heard-minutes", seconds / 60);
   }
 
   private String outcome(Shown shown) {

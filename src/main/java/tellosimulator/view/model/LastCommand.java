@@ -6,6 +6,7 @@ import tellosimulator.command.WireText;
 import tellosimulator.sim.Severity;
 import tellosimulator.sim.SimEvent;
 import tellosimulator.sim.SimListener;
+import tellosimulator.time.SimTime;
 import tellosimulator.words.Phrase;
 
 /**
@@ -42,9 +43,16 @@ public final class LastCommand implements SimListener {
 
   private final AtomicReference<Optional<Shown>> newest = new AtomicReference<>(Optional.empty());
 
+  private volatile SimTime heard = SimTime.ZERO;
+
   /** The command; empty if there was none yet. */
   public Optional<Shown> newest() {
     return newest.get();
+  }
+
+  /** Simulated time since something was heard of any program, reads and {@code rc} too [s]. */
+  public double silence(double nowSeconds) {
+    return Math.max(0, nowSeconds - heard.seconds());
   }
 
   /** Forgets it. */
@@ -54,6 +62,9 @@ public final class LastCommand implements SimListener {
 
   @Override
   public void event(SimEvent event) {
+    if (event instanceof SimEvent.FromPeer || event instanceof SimEvent.Restarted) {
+      heard = event.time();
+    }
     if (event instanceof SimEvent.FromPeer about && about.severity() != Severity.DETAIL) {
       outcome(about).ifPresent(this::show);
     }

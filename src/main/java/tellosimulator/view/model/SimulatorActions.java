@@ -184,7 +184,10 @@ public final class SimulatorActions implements AutoCloseable {
     }
   }
 
-  /** Tells somebody once, on the JavaFX thread, if drones are on and nothing comes to them. */
+  /**
+   * Sets a listener that is notified on the JavaFX thread, once for each reason why nothing comes
+   * to drones or from them.
+   */
   public void onSilence(Consumer<Silence> listener) {
     simulation.onSilence(silence -> Platform.runLater(() -> listener.accept(silence)));
   }

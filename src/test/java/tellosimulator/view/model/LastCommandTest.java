@@ -64,6 +64,18 @@ class LastCommandTest {
   }
 
   @Test
+  void readsAndSticksAreHeard() {
+    last.event(new SimEvent.CommandReceived(SimTime.ZERO.plus(1), 1, PEER, "land"));
+    assertThat(last.silence(41)).as("sent at 1 s").isEqualTo(40);
+
+    last.event(new SimEvent.CommandReceived(SimTime.ZERO.plus(40), 1, PEER, "battery?"));
+    assertThat(last.silence(41)).isEqualTo(1);
+
+    last.event(new SimEvent.Restarted(SimTime.ZERO));
+    assertThat(last.silence(0)).isZero();
+  }
+
+  @Test
   void whatIsRefusedOrIgnoredFailed() {
     Phrase reason = Phrase.of("because");
 
