@@ -16,12 +16,17 @@ public sealed interface Goal {
   /** The number of the drone that shall do it; empty if any may. */
   OptionalInt drone();
 
-  /** What to do, for people: {@code land on the mission pad 3}. */
+  /** What to do, for people: {@code land on mission pad 3}. */
   Phrase task();
 
   /** The same, and who shall do it. */
   default Phrase phrase() {
-    return drone().isPresent() ? Phrase.of("drone %d: %s", drone().getAsInt(), task()) : task();
+    return said(task());
+  }
+
+  /** A task in other words, and who shall do it. */
+  default Phrase said(Phrase task) {
+    return drone().isPresent() ? Phrase.of("drone %d: %s", drone().getAsInt(), task) : task;
   }
 
   /** How long the drone must do it without a break [s]. */
@@ -111,7 +116,7 @@ public sealed interface Goal {
 
     @Override
     public Phrase task() {
-      return Phrase.of("fly through the gate %s", gate);
+      return Phrase.of("fly through gate %s", gate);
     }
   }
 
@@ -164,7 +169,7 @@ public sealed interface Goal {
 
     @Override
     public Phrase task() {
-      return Phrase.of("land on the mission pad %d", pad);
+      return Phrase.of("land on mission pad %d", pad);
     }
   }
 }

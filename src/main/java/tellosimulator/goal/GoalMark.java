@@ -6,6 +6,7 @@ import java.util.Optional;
 import java.util.OptionalInt;
 import tellosimulator.math.Pose;
 import tellosimulator.math.Vec3;
+import tellosimulator.words.Phrase;
 import tellosimulator.world.Arena;
 import tellosimulator.world.MissionPad;
 import tellosimulator.world.Obstacle;
@@ -82,6 +83,49 @@ public record GoalMark(int number, OptionalInt drone, GoalState state, Place pla
           .ifPresent(marks::add);
     }
     return List.copyOf(marks);
+  }
+
+  /**
+   * What to do and where: that of a {@link Goal#task}, with place, height and direction of what a
+   * goal only names.
+   */
+  public static Phrase task(Goal goal, Arena arena) {
+    Optional<Place> place = place(goal, arena, Obstacles.of(arena));
+    if (place.isEmpty() || goal instanceof Goal.Reach || goal instanceof Goal.Hover) {
+      return goal.task();
+    }
+    Vec3 cm = place.get().middle().times(100);
+    if (place.get() instanceof Opening opening) {
+      return opening
+          .way()
+          .map(
+              way ->
+                  Phrase.of(
+                      "fly through gate %s at x %.0f, y %.0f, z %.0f cm, in the direction of %s",
+                      opening.name(), cm.x(), cm.y(), cm.z(), axis(way)))
+          .orElse(
+              Phrase.of(
+                  "fly through gate %s at x %.0f, y %.0f, z %.0f cm",
+                  opening.name(), cm.x(), cm.y(), cm.z()));
+    }
+    if (goal instanceof Goal.LandOn on) {
+      return Phrase.of("land on mission pad %d at x %.0f, y %.0f cm", on.pad(), cm.x(), cm.y());
+    }
+    return cm.z() < 1
+        ? goal.task()
+        : Phrase.of("land at x %.0f, y %.0f, z %.0f cm", cm.x(), cm.y(), cm.z());
+  }
+
+  /** The axis along which a level way leads, {@code x} or {@code -y}, or else its heading. */
+  private static String axis(Vec3 way) {
+    long degrees = Math.round(StrictMath.toDegrees(StrictMath.atan2(way.y(), way.x())));
+    return switch ((int) degrees) {
+      case 0 -> "x";
+      case 90 -> "y";
+      case 180, -180 -> "-x";
+      case -90 -> "-y";
+      default -> degrees + "°";
+    };
   }
 
   /** Where goals are, of those that are somewhere in a room. */

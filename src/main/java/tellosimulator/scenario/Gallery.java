@@ -36,6 +36,11 @@ public final class Gallery {
     return NAMES.contains(name) ? Optional.of(read(name)) : Optional.empty();
   }
 
+  /** The short name of the one after a scenario; empty after the last. */
+  public static Optional<String> next(String name) {
+    return NAMES.stream().skip(NAMES.indexOf(name) + 1L).findFirst();
+  }
+
   /** The name that was meant. */
   static Optional<String> meant(String name) {
     return Spelling.meant(name, NAMES);

@@ -11,8 +11,12 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.OptionalInt;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import tellosimulator.goal.Goal.Direction;
 import tellosimulator.math.Vec3;
+import tellosimulator.scenario.Gallery;
+import tellosimulator.scenario.Scenario;
 import tellosimulator.words.Phrase;
 import tellosimulator.world.Arena;
 import tellosimulator.world.MissionPad;
@@ -44,6 +48,49 @@ class GoalMarkTest {
           new Vec3(2, 0, 0),
           Math.PI / 2,
           ObstacleAppearance.DEFAULT);
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      textBlock =
+          """
+          gate-race          | 0 | fly through gate A at x -100, y -100, z 100 cm, in the direction of x
+          gate-race          | 2 | fly through gate C at x 150, y 50, z 120 cm, in the direction of y
+          gate-race          | 3 | land at x 150, y 150 cm
+          window-in-the-wall | 0 | fly through gate window at x 0, y 60, z 150 cm
+          pad-course         | 0 | reach x 0, y -150, z 80 cm
+          pad-course         | 2 | land on mission pad 4 at x 150, y 0 cm
+          table-landing      | 0 | land at x 150, y 100, z 60 cm
+          """)
+  void aTaskSaysWhereAndHowHighAndInWhichDirection(String name, int index, String task) {
+    Scenario scenario = Gallery.find(name).orElseThrow();
+    Goal goal = scenario.challenge().goals().get(index);
+
+    assertThat(GoalMark.task(goal, scenario.config().arena()).english()).isEqualTo(task);
+  }
+
+  @ParameterizedTest
+  @CsvSource({
+    "0, ALONG, x",
+    "180, ALONG, -x",
+    "90, AGAINST, -y",
+    "-90, ALONG, -y",
+    "30, ALONG, 30°"
+  })
+  void theDirectionOfAGateIsAnAxisOrAHeading(
+      double heading, Goal.Direction direction, String said) {
+    Obstacle gate =
+        new Obstacle(
+            "A",
+            new Shape.Ring(0.5, 0.05, 1),
+            Vec3.ZERO,
+            Math.toRadians(heading),
+            ObstacleAppearance.DEFAULT);
+    Goal pass = new Goal.Pass(OptionalInt.empty(), "A", direction);
+
+    assertThat(GoalMark.task(pass, Arena.DEFAULT.withObstacles(List.of(gate))).english())
+        .endsWith("in the direction of " + said);
+  }
 
   @Test
   void inOrderOneIsActiveAfterThoseThatAreDoneAndBeforeThoseThatFollow() {

@@ -256,8 +256,8 @@ class TelloSimulatorExtensionTest {
                 + " there is no such command, did you mean `forward 50`?",
             "drone 1: flies at x -200, y -100, z 30 cm, heading 0 degrees, battery 100 %; took off"
                 + " once, was up to 30 cm high and 0 cm from its start",
-            "goals: 0 of 4 goals reached; open: 1. fly through the gate A; 2. fly through the"
-                + " gate B; 3. fly through the gate C; 4. land at x 150, y 150 cm",
+            "goals: 0 of 4 goals reached; open: 1. fly through gate A; 2. fly through"
+                + " gate B; 3. fly through gate C; 4. land at x 150, y 150 cm",
             "",
             "what came to drone 1:",
             "# s  `command` → `ok` after # s",

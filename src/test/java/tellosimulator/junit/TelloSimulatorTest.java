@@ -150,13 +150,12 @@ class TelloSimulatorTest {
           .hasMessageContaining(
               "drone 1: stands at x -200, y -100, z 0 cm, heading 0 degrees, battery 100 %; never took"
                   + " off")
-          .hasMessageContaining("goals: 0 of 4 goals reached; open: 1. fly through the gate A");
+          .hasMessageContaining("goals: 0 of 4 goals reached; open: 1. fly through gate A");
 
       ScriptedOperator.fly(drone, "command", "takeoff", "up 70", "forward 200");
 
       assertThat(drone.truth().visited()).containsExactly("A");
-      assertThat(simulator.simulation().goals().done())
-          .containsExactly("1. fly through the gate A");
+      assertThat(simulator.simulation().goals().done()).containsExactly("1. fly through gate A");
     }
   }
 

@@ -77,6 +77,12 @@ class GalleryTest {
   }
 
   @Test
+  void eachIsFollowedByTheNextAndTheLastByNone() {
+    assertThat(Gallery.next("empty-room")).contains("over-the-wall");
+    assertThat(Gallery.next("swarm-stage")).isEmpty();
+  }
+
+  @Test
   void aNameThatIsNotThereIsGuessed() {
     assertThat(Gallery.find("slalon")).isEmpty();
     assertThat(Gallery.meant("slalon")).contains("slalom");

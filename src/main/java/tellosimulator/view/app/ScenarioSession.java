@@ -10,6 +10,7 @@ import javafx.util.Subscription;
 import tellosimulator.goal.Challenge;
 import tellosimulator.goal.GoalEvent;
 import tellosimulator.goal.GoalWatch;
+import tellosimulator.goal.Progress;
 import tellosimulator.network.AddressPlan;
 import tellosimulator.network.OnlineSimulation;
 import tellosimulator.recording.FlightRecorder;
@@ -137,6 +138,20 @@ final class ScenarioSession implements AutoCloseable {
     if (frames % FRAMES_BETWEEN_LOOKS == 0) {
       scenario.setUnsaved(unsaved());
     }
+  }
+
+  /** Runs something whenever all goals have been reached. */
+  void onSolved(Runnable action) {
+    context
+        .scenario()
+        .progressProperty()
+        .map(Progress::status)
+        .subscribe(
+            status -> {
+              if (status == Progress.Status.REACHED) {
+                action.run();
+              }
+            });
   }
 
   Pulse pulse() {

@@ -31,6 +31,7 @@ import tellosimulator.view.app.ScenarioSession.Wire;
 import tellosimulator.view.gallery.GalleryPane;
 import tellosimulator.view.gallery.RecentFiles;
 import tellosimulator.view.gallery.RoomPictures;
+import tellosimulator.view.gallery.SolvedScenarios;
 import tellosimulator.view.layout.QuestionPage.Question;
 import tellosimulator.view.layout.QuestionPage.Question.Answer;
 import tellosimulator.view.layout.WindowState;
@@ -84,6 +85,7 @@ public final class SimulatorApp implements AutoCloseable, ScenarioActions {
   private final RoomPictures pictures = new RoomPictures();
   private Frame frame;
   private RecentFiles recent;
+  private SolvedScenarios solved;
   private RecordingPlayers players;
   private boolean galleryFirst;
   private Optional<FileWatcher> watch = Optional.empty();
@@ -155,6 +157,7 @@ public final class SimulatorApp implements AutoCloseable, ScenarioActions {
     settings.bind("language", language.localeProperty(), Language.codec());
     frame = new Frame(stage, language, state, settings);
     recent = RecentFiles.remembered(settings);
+    solved = SolvedScenarios.remembered(settings);
     running.opened().file().ifPresent(recent::add);
     players =
         new RecordingPlayers(
@@ -184,6 +187,7 @@ public final class SimulatorApp implements AutoCloseable, ScenarioActions {
     watch = scenario.opened().file().map(FileWatcher::new);
     scenario.pulse().onBeat(this::lookAtFile);
     scenario.pulse().onBeat(nanos -> lookForFlight());
+    scenario.opened().known().ifPresent(name -> scenario.onSolved(() -> solved.add(name)));
   }
 
   private void lookForFlight() {
@@ -222,7 +226,7 @@ public final class SimulatorApp implements AutoCloseable, ScenarioActions {
 
   @Override
   public void choose() {
-    running.toggleGallery(new GalleryPane.Offer(pictures, recent));
+    running.toggleGallery(new GalleryPane.Offer(pictures, recent, solved));
   }
 
   @Override

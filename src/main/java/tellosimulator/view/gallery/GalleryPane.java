@@ -25,7 +25,7 @@ public final class GalleryPane extends VBox {
    * What there is to choose from, beside the scenarios of the program; stays when the scenario
    * changes.
    */
-  public record Offer(RoomPictures pictures, RecentFiles recent) {}
+  public record Offer(RoomPictures pictures, RecentFiles recent, SolvedScenarios solved) {}
 
   /**
    * What is done with what was chosen.
@@ -47,6 +47,7 @@ public final class GalleryPane extends VBox {
     for (ScenarioCard card : cards) {
       String name = card.getId().substring("scenario-".length());
       card.picture().imageProperty().bind(offer.pictures().picture(name));
+      card.setSolved(offer.solved().contains(name));
     }
     CardGrid grid = new CardGrid(cards);
     ScrollPane scroll = new ScrollPane(grid);

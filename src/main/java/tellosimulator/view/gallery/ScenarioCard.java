@@ -16,6 +16,8 @@ import javafx.scene.layout.HBox;
 import javafx.scene.layout.Region;
 import javafx.scene.layout.StackPane;
 import javafx.scene.layout.VBox;
+import org.kordamp.ikonli.feather.Feather;
+import org.kordamp.ikonli.javafx.FontIcon;
 import tellosimulator.scenario.Description;
 import tellosimulator.scenario.Difficulty;
 import tellosimulator.view.text.Language;
@@ -57,6 +59,12 @@ final class ScenarioCard extends VBox {
   /** What shows its picture. */
   ImageView picture() {
     return picture;
+  }
+
+  /** Shows whether its goals have been reached. */
+  void setSolved(boolean solved) {
+    name.setGraphic(solved ? new FontIcon(Feather.CHECK_CIRCLE) : null);
+    name.setAccessibleHelp(solved ? messages.now("solved") : null);
   }
 
   private void initializeSelf() {

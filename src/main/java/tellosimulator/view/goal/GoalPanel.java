@@ -20,9 +20,11 @@ import org.kordamp.ikonli.feather.Feather;
 import org.kordamp.ikonli.javafx.FontIcon;
 import tellosimulator.goal.Challenge;
 import tellosimulator.goal.Goal;
+import tellosimulator.goal.GoalMark;
 import tellosimulator.goal.GoalState;
 import tellosimulator.goal.Progress;
 import tellosimulator.goal.Progress.Status;
+import tellosimulator.profile.Behavior;
 import tellosimulator.scenario.Description;
 import tellosimulator.scenario.LocalizedText;
 import tellosimulator.sim.Control;
@@ -37,8 +39,8 @@ import tellosimulator.view.text.Messages;
 
 /**
  * What the scenario teaches, its goals with their numbers in the room and a time for each that is
- * reached, the time, and how it ended. When the goals have failed it folds itself to its name, the
- * reason and what one can try. Not there if nothing is asked for or said. For the JavaFX thread.
+ * reached, the time, and how it ended, with what one can try or fly next. Not there if nothing is
+ * asked for or said. For the JavaFX thread.
  */
 public final class GoalPanel extends VBox {
 
@@ -62,11 +64,12 @@ public final class GoalPanel extends VBox {
   private final Label advice = new Label();
   private final Label rules = new Label();
   private final Button again = new Button();
+  private final Button next = new Button();
   private final Button fold = new Button();
   private final VBox details = new VBox();
   private final VBox goals = new VBox();
 
-  /** Whether the details are wanted while nothing has failed. */
+  /** Whether the details are wanted. */
   private boolean open = true;
 
   /** Whether somebody has folded or unfolded the panel himself since the goals began. */
@@ -132,6 +135,9 @@ public final class GoalPanel extends VBox {
     again.setId("goal-again");
     again.setGraphic(new FontIcon(Feather.ROTATE_CCW));
     again.setMinWidth(USE_PREF_SIZE);
+    next.setId("goal-next");
+    next.setGraphic(new FontIcon(Feather.ARROW_RIGHT));
+    next.setMaxWidth(Double.MAX_VALUE);
     fold.setId("goal-fold");
     fold.getStyleClass().add("fold");
     goals.getStyleClass().add("goals");
@@ -152,11 +158,13 @@ public final class GoalPanel extends VBox {
     attempt.getStyleClass().add("attempt");
     ofGoals = List.of(scroll, attempt);
     details.getChildren().addAll(teaches, scroll, rules);
-    getChildren().addAll(head, attempt, banner, advice, details); // long names need the whole width
+    getChildren()
+        .addAll(head, attempt, banner, advice, next, details); // long names need the whole width
   }
 
   private void setupEventHandlers() {
     again.setOnAction(pressed -> again());
+    next.setOnAction(pressed -> scenario.next().ifPresent(scenario.actions()::openKnown));
     fold.setOnAction(pressed -> choose(!details.isVisible()));
   }
 
@@ -184,11 +192,9 @@ public final class GoalPanel extends VBox {
     showDetails();
   }
 
-  /** What has failed does not cover the room, unless somebody wants to see it. */
   private void showDetails() {
-    boolean shown = open && (chosen || progress.getValue().status() != Status.FAILED);
-    setShown(details, shown);
-    fold.setGraphic(new FontIcon(shown ? Feather.CHEVRON_UP : Feather.CHEVRON_DOWN));
+    setShown(details, open);
+    fold.setGraphic(new FontIcon(open ? Feather.CHEVRON_UP : Feather.CHEVRON_DOWN));
   }
 
   private void setupBindings() {
@@ -199,6 +205,7 @@ public final class GoalPanel extends VBox {
             following(description().teaches())
                 .map(what -> what.isEmpty() ? "" : messages.now("learn", what)));
     again.textProperty().bind(messages.text("again"));
+    next.textProperty().bind(messages.text("next"));
     Tooltips.install(again, messages.text("again.hint"));
     Tooltips.install(time, messages.text("time.hint"));
     time.accessibleHelpProperty().bind(messages.text("time.hint"));
@@ -207,10 +214,13 @@ public final class GoalPanel extends VBox {
         .textProperty()
         .bind(
             Bindings.createStringBinding(
-                this::rules, language.localeProperty(), scenario.challengeProperty()));
+                this::rules,
+                language.localeProperty(),
+                scenario.challengeProperty(),
+                simulation.selectedProperty()));
     scenario.challengeProperty().subscribe(this::showGoals);
     progress.addListener((property, before, now) -> follow(now));
-    progress.map(Progress::status).subscribe(status -> showDetails());
+    showDetails();
     language.localeProperty().addListener((property, before, now) -> show());
     show();
   }
@@ -232,13 +242,22 @@ public final class GoalPanel extends VBox {
     rows.clear();
     for (int i = 0; i < challenge.goals().size(); i++) {
       Goal goal = challenge.goals().get(i);
-      rows.add(new GoalRow(i, goal, DroneColors.of(goal, simulation.drones()), language));
+      rows.add(
+          new GoalRow(i, goal, DroneColors.of(goal, simulation.drones()), language, said(goal)));
     }
     goals.getChildren().setAll(rows);
     boolean asked = !rows.isEmpty();
     ofGoals.forEach(part -> setShown(part, asked));
     setShown(this, asked || !description().teaches().isEmpty());
     show();
+  }
+
+  /** What to do and where, as the room is now. */
+  private ObservableValue<String> said(Goal goal) {
+    return Bindings.createStringBinding(
+        () -> language.say(GoalMark.task(goal, simulation.arenaProperty().get())),
+        language.localeProperty(),
+        simulation.arenaProperty());
   }
 
   private static void setShown(Region part, boolean shown) {
@@ -253,6 +272,11 @@ public final class GoalPanel extends VBox {
     }
     if (challenge().untouched()) {
       all.add(messages.now("untouched"));
+    }
+    if (!challenge().goals().isEmpty()) {
+      Behavior behavior = simulation.selected().snapshotProperty().get().product().behavior();
+      all.add(messages.now("takeoff", Math.round(behavior.takeoffHeight() * 100)));
+      all.add(messages.now("plan"));
     }
     return String.join(" ", all);
   }
@@ -275,6 +299,7 @@ public final class GoalPanel extends VBox {
     banner.pseudoClassStateChanged(FAILED, status == Status.FAILED);
     banner.setVisible(status != Status.RUNNING);
     banner.setManaged(status != Status.RUNNING);
+    setShown(next, status == Status.REACHED && scenario.next().isPresent());
     banner.setText(
         now.failure()
             .map(reason -> messages.now("failed", language.say(reason)))
@@ -329,8 +354,14 @@ public final class GoalPanel extends VBox {
     /**
      * @param index of the goal, from 0
      * @param color of the only drone that may reach it
+     * @param said what to do
      */
-    GoalRow(int index, Goal goal, Optional<Color> color, Language language) {
+    GoalRow(
+        int index,
+        Goal goal,
+        Optional<Color> color,
+        Language language,
+        ObservableValue<String> said) {
       this.language = language;
       styleWhileNext = color.map(DroneColors::badge).orElse("");
       setId("goal-" + (index + 1));
@@ -341,7 +372,7 @@ public final class GoalPanel extends VBox {
       time.setGraphic(new FontIcon(Feather.CHECK));
       time.visibleProperty().bind(time.textProperty().isNotEmpty());
       time.managedProperty().bind(time.visibleProperty());
-      task.textProperty().bind(language.localeProperty().map(locale -> language.say(goal.task())));
+      task.textProperty().bind(said);
       task.getStyleClass().add("task");
       task.setWrapText(true);
       task.setMaxWidth(Double.MAX_VALUE);

@@ -14,6 +14,7 @@ import tellosimulator.goal.GoalWatch;
 import tellosimulator.goal.Progress;
 import tellosimulator.scenario.DroneOrigin;
 import tellosimulator.scenario.EditedScenario;
+import tellosimulator.scenario.Gallery;
 import tellosimulator.scenario.OpenedScenario;
 import tellosimulator.scenario.Scenario;
 
@@ -116,6 +117,11 @@ public final class FxScenario {
 
   public void setUnsaved(boolean newUnsaved) {
     unsaved.set(newUnsaved);
+  }
+
+  /** The short name of the scenario of the program that follows; empty if there is none. */
+  public Optional<String> next() {
+    return scenario.opened().known().flatMap(Gallery::next);
   }
 
   /** Where other scenarios are had. */

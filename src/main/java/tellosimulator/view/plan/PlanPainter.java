@@ -337,11 +337,13 @@ final class PlanPainter {
     }
   }
 
-  /** Its name, and how high the middle of a gate's opening is. */
+  /** Its name, and how high the middle of a gate's opening is, or the top of anything else. */
   static String text(Obstacle obstacle) {
     return obstacle.shape() instanceof Shape.Gate gate
         ? obstacle.name() + " · " + PlanLabels.height(obstacle.foot().z() + gate.middle())
-        : obstacle.name();
+        : obstacle.name()
+            + " · h "
+            + PlanLabels.centimeters(obstacle.foot().z() + obstacle.shape().height());
   }
 
   private void shape(PlanOutline outline) {

@@ -18,6 +18,8 @@ import javafx.scene.layout.VBox;
 import org.kordamp.ikonli.feather.Feather;
 import org.kordamp.ikonli.javafx.FontIcon;
 import tellosimulator.goal.Challenge;
+import tellosimulator.goal.Goal;
+import tellosimulator.goal.GoalMark;
 import tellosimulator.goal.Progress;
 import tellosimulator.goal.Progress.Status;
 import tellosimulator.view.controls.LastCommandRow;
@@ -25,6 +27,7 @@ import tellosimulator.view.drone.DroneColors;
 import tellosimulator.view.model.ViewContext;
 import tellosimulator.view.text.Language;
 import tellosimulator.view.text.Messages;
+import tellosimulator.words.Phrase;
 
 /**
  * Goals with their state, the clock, the drones, and the last command with its outcome, in type
@@ -208,8 +211,14 @@ public final class ProjectorPane extends BorderPane {
         switch (progress.status()) {
           case REACHED -> messages.now("reached");
           case FAILED -> progress.failure().map(language::say).orElse("");
-          case RUNNING -> first < 0 ? "" : language.say(challenge().goals().get(first).phrase());
+          case RUNNING -> first < 0 ? "" : said(challenge().goals().get(first));
         });
+  }
+
+  /** What to do and where, and which drone. */
+  private String said(Goal goal) {
+    Phrase task = GoalMark.task(goal, context.simulation().arenaProperty().get());
+    return language.say(goal.said(task));
   }
 
   /**

@@ -278,14 +278,14 @@ class PlanPaneFxTest {
   void aGoalThroughAGateIsDraggedToAnotherGate() {
     robot().clickOn("#plan-add-ring").clickOn("#plan-add-frame");
     addGoal("pass");
-    assertThat(goals()).extracting(Goal::task).hasToString("[fly through the gate frame 1]");
+    assertThat(goals()).extracting(Goal::task).hasToString("[fly through gate frame 1]");
     Vec3 ring = obstacles().get(0).foot();
     Vec3 frame = obstacles().get(1).foot();
 
     Point2D tag = at(frame).subtract(0, 6);
     robot().drag(tag).moveTo(at(ring.plus(frame).times(0.5))).dropTo(at(ring));
 
-    assertThat(goals()).extracting(Goal::task).hasToString("[fly through the gate ring 1]");
+    assertThat(goals()).extracting(Goal::task).hasToString("[fly through gate ring 1]");
     assertThat(obstacles()).extracting(Obstacle::foot).containsExactly(ring, frame);
     robot().clickOn(at(ring.plus(new Vec3(0, 0.3, 0)))).type(KeyCode.DELETE);
     assertThat(status()).startsWith("A goal names this");
