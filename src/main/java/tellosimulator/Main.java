@@ -253,9 +253,11 @@ public final class Main {
     Charset charset = Charset.defaultCharset();
     BufferedReader in = new BufferedReader(new InputStreamReader(System.in, charset));
     if (options.exitWhenDone()) {
-      return simulator.runUntilDone(options.timeout(), in, out) == Status.REACHED
-          ? ExitCode.DONE
-          : ExitCode.GOALS_MISSED;
+      Status status = simulator.runUntilDone(options.timeout(), in, out);
+      if (options.awaitsProgram()) {
+        simulator.awaitFinish();
+      }
+      return status == Status.REACHED ? ExitCode.DONE : ExitCode.GOALS_MISSED;
     }
     simulator.run(in, out);
     return ExitCode.DONE;

@@ -44,6 +44,7 @@ class MainTest {
     List<String> options =
         new Options()
             .commandLine(() -> new String[0]).getCommandSpec().options().stream()
+                .filter(option -> !option.hidden())
                 .map(OptionSpec::longestName)
                 .toList();
     assertThat(options).hasSize(36);
@@ -109,7 +110,9 @@ class MainTest {
           --exit-when-done --replay x | --exit-when-done does not go with --replay. Try --help.
           --headless --control 70000 | Invalid value for option '--control': expected a port from 1 to 65535, or 0 for a free one, found 70000. Try --help.
           --headless --control 0 --exit-when-done --scenario slalom | --control does not go with --exit-when-done. Try --help.
-          --headless --timeout 20 --scenario slalom | --timeout needs --exit-when-done. Try --help.
+          --headless --timeout 20 | --timeout needs --headless and a --scenario with goals. Try --help.
+          --timeout 20 --scenario slalom | --timeout needs --headless and a --scenario with goals. Try --help.
+          --headless --timeout 20 --scenario slalom --control 0 | --control does not go with --timeout. Try --help.
           """)
   void wrongOptionsAreOneSentenceAndExitCodeTwo(String line, String sentence) {
     assertThat(run(line)).isEqualTo(2);
@@ -303,9 +306,7 @@ class MainTest {
   void aProgramThatNeverTakesOffIsEndedByTheTimeout() throws Exception {
     try (ProgramProcess program =
         ProgramProcess.start(
-            Main.class,
-            "--headless --exit-when-done --time-factor 100 --scenario slalom --timeout 20",
-            "")) {
+            Main.class, "--headless --time-factor 100 --scenario slalom --timeout 20", "")) {
       assertThat(program.port()).isPositive();
 
       assertThat(program.line())

@@ -13,7 +13,9 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
+import java.util.stream.Stream;
 import tellosimulator.testing.Jvm;
+import tellosimulator.testing.Tool;
 
 /** The program in a process of its own, with drone 1 at a free port of 127.0.0.1. */
 final class ProgramProcess implements AutoCloseable {
@@ -103,6 +105,14 @@ final class ProgramProcess implements AutoCloseable {
     return launch(Main.class, words, "", "-XX:+IgnoreUnrecognizedVMOptions");
   }
 
+  /** Starts it with a program of its own. */
+  static ProgramProcess run(List<String> words) throws IOException {
+    List<String> all = new ArrayList<>(List.of("run", "--headless", "--log-level", "error"));
+    all.add("--");
+    all.addAll(words);
+    return launch(Main.class, all, "", "-XX:+IgnoreUnrecognizedVMOptions");
+  }
+
   /** Waits for the line that says that it is ready, and returns drone 1's port. */
   int port() throws IOException {
     String ready = String.valueOf(printed.readLine());
@@ -122,6 +132,11 @@ final class ProgramProcess implements AutoCloseable {
     process.outputWriter(StandardCharsets.UTF_8).append(text).close();
   }
 
+  /** Interrupts it, as Ctrl-C does. */
+  void interrupt() throws IOException, InterruptedException {
+    Tool.SH.command("-c", "kill -s INT " + process.pid()).start().waitFor();
+  }
+
   /** Asks it to end, as {@code kill} does; what it still prints can be read. */
   void terminate() {
     process.toHandle().destroy(); // the process itself would close its streams
@@ -131,6 +146,10 @@ final class ProgramProcess implements AutoCloseable {
   void kill() throws InterruptedException {
     process.destroyForcibly();
     process.waitFor();
+  }
+
+  Stream<ProcessHandle> descendants() {
+    return process.descendants();
   }
 
   boolean isAlive() {

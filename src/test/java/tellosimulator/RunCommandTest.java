@@ -24,6 +24,9 @@ import tellosimulator.testing.Tool;
 /** The subcommand {@code run} as people call it. */
 class RunCommandTest {
 
+  /** Seconds that a program sleeps which does not end by itself. */
+  private static final String NAP = "100000";
+
   private final ByteArrayOutputStream out = new ByteArrayOutputStream();
   private final ByteArrayOutputStream err = new ByteArrayOutputStream();
 
@@ -47,6 +50,8 @@ class RunCommandTest {
           --headless --lan -- fly            | --lan does not go with run, which decides that. Try --help.
           --headless --room 9000x9000x300 --drones 241 -- fly | Run has addresses for 240 drones, but there are 241. Try --help.
           --drones 2 --report x -- fly       | --report needs --headless. Try --help.
+          --headless --timeout 120 -- fly    | --timeout needs --headless and a --scenario with goals. Try --help.
+          --program-output -- fly            | Expected parameter for option '--program-output' but found '--'. Try --help.
           """)
   void mistakesAreOneSentence(String line, String sentence) {
     assertThat(run(List.of(line.split(" ")))).isEqualTo(2);
@@ -112,7 +117,7 @@ class RunCommandTest {
           .as(err.toString(StandardCharsets.UTF_8))
           .isZero();
       assertThat(out.toString(StandardCharsets.UTF_8))
-          .isEqualTo("ready: drone 1 at 192.168.10.1:8889\n");
+          .isEqualTo("ready: drone 1 at 192.168.10.1:8889\nprogram: exit code 0\n");
     }
 
     @Test
@@ -128,6 +133,110 @@ class RunCommandTest {
     void theProgramsExitCodeCounts() {
       assertThat(fly(List.of(), List.of("sh", "-c", "exit 5"))).isEqualTo(5);
       assertThat(fly(List.of(), List.of("no-such-program"))).isEqualTo(127);
+    }
+
+    /** The timeout of two simulated minutes is not waited for, nor the silence of any drone. */
+    @ParameterizedTest
+    @CsvSource(
+        delimiter = '|',
+        textBlock =
+            """
+            --scenario slalom                                | true   | 0 | 3
+            --scenario slalom --timeout 120                  | exit 7 | 7 | 7
+            --scenario slalom --exit-when-done --timeout 120 | fi     | 2 | 2
+            """)
+    void aProgramThatDiesAtOnceEndsTheFlight(
+        String options, String script, int program, int status) {
+      assertThat(fly(List.of(options.split(" ")), List.of("sh", "-c", script))).isEqualTo(status);
+      assertThat(out.toString(StandardCharsets.UTF_8))
+          .isEqualTo(
+              """
+              ready: drone 1 at 192.168.10.1:8889
+              program: exit code %d
+              goals: 0 of 4 reached after 0.0 s: the program has ended
+              """,
+              program);
+    }
+
+    @Test
+    void aDroneThatIsLeftInTheAirLandsBeforeTheVerdict() {
+      List<String> hovering = unchanged("1", "192.168.10.1", "command", "takeoff");
+
+      assertThat(fly(List.of("--scenario", "slalom"), hovering)).isEqualTo(3);
+      assertThat(out.toString(StandardCharsets.UTF_8))
+          .containsPattern("goals: 0 of 4 reached after [4-9]\\.. s: the program has ended\n");
+    }
+
+    @Test
+    void aProgramThatSleepsOnAfterTheVerdictIsEnded() {
+      List<String> words = shell("\"$@\" command takeoff land; exec sleep " + NAP);
+
+      assertThat(fly(List.of("--scenario", "slalom"), words)).isEqualTo(3);
+      assertThat(out.toString(StandardCharsets.UTF_8))
+          .containsPattern("goals: 0 of 4 .*\nprogram: ended by run\n");
+    }
+
+    @Test
+    void ctrlCGoesToTheProgramWhichLandsItsDrone() throws Exception {
+      String careful =
+          "trap '\"$@\" land && echo landed && exit 6' INT;"
+              + " \"$@\" command takeoff && echo in the air; while :; do sleep 1; done";
+      try (ProgramProcess process = ProgramProcess.run(shell(careful))) {
+        assertThat(process.line()).startsWith("ready: ");
+        assertThat(process.line()).isEqualTo("in the air");
+        process.interrupt();
+
+        assertThat(process.line()).isEqualTo("landed");
+        assertThat(process.line()).isEqualTo("program: exit code 6");
+        assertThat(process.exitCode()).isEqualTo(130);
+      }
+    }
+
+    @Test
+    void aSimulatorThatIsKilledGetsASentence() throws Exception {
+      try (ProgramProcess process = ProgramProcess.run(List.of("sleep", NAP))) {
+        assertThat(process.line()).startsWith("ready: ");
+        assertThat(process.descendants().filter(each -> has(each, "--bind")))
+            .singleElement()
+            .satisfies(ProcessHandle::destroyForcibly);
+
+        assertThat(process.line()).isEqualTo("program: ended by run");
+        assertThat(process.exitCode()).isEqualTo(70);
+        assertThat(process.errors())
+            .contains("The simulator ended before it was asked to, with exit code 137; ");
+      }
+    }
+
+    /** Deaf, forked and in a session of its own: with {@code run}, all are gone. */
+    @Test
+    void nothingIsLeftOfARunThatIsKilled() throws Exception {
+      String forking =
+          "trap '' TERM INT HUP; setsid sleep " + NAP + " & echo forked; exec sleep " + NAP;
+      try (ProgramProcess process = ProgramProcess.run(List.of("sh", "-c", forking))) {
+        assertThat(process.line()).startsWith("ready: ");
+        assertThat(process.line()).isEqualTo("forked");
+        List<ProcessHandle> all = process.descendants().toList();
+        process.kill();
+
+        assertThat(all).hasSizeGreaterThan(4);
+        for (ProcessHandle each : all) {
+          while (each.isAlive() && has(each, "")) { // a zombie has no words
+            Thread.onSpinWait();
+          }
+        }
+      }
+    }
+
+    private static boolean has(ProcessHandle process, String word) {
+      return Stream.of(process.info().arguments().orElse(new String[0]))
+          .anyMatch(each -> each.contains(word));
+    }
+
+    /** A script to which {@code "$@"} is an unchanged program that still needs its commands. */
+    private static List<String> shell(String script) {
+      return Stream.concat(
+              Stream.of("sh", "-c", script, "script"), unchanged("1", "192.168.10.1").stream())
+          .toList();
     }
 
     /** It lands where it began, which is no goal of this room. */

@@ -136,6 +136,12 @@ final class OptionList {
         false);
   }
 
+  /** An option without a value that the program gives to itself; the help leaves it out. */
+  OptionValue<Boolean> hiddenFlag(String name) {
+    return new OptionValue<>(
+        added(OptionSpec.builder(name).hidden(true).type(boolean.class).arity("0")), false);
+  }
+
   private OptionSpec added(OptionSpec.Builder builder) {
     OptionSpec option = builder.build();
     spec.addOption(option);

@@ -203,7 +203,12 @@ public final class Options {
   }
 
   public boolean exitWhenDone() {
-    return scenarioOptions.exitWhenDone();
+    return scenarioOptions.endsByItself().isPresent();
+  }
+
+  /** Whether the program may go on for a while after the verdict. */
+  public boolean awaitsProgram() {
+    return scenarioOptions.awaitsProgram();
   }
 
   /** After how much simulated time the goals are missed [s]. */
@@ -219,19 +224,14 @@ public final class Options {
   public Launch launch() {
     Scenario scenario = scenario();
     AddressPlan addresses = addressPlan(scenario);
-    if (exitWhenDone() && (!headless() || scenario.challenge().goals().isEmpty())) {
+    Optional<String> end = scenarioOptions.endsByItself();
+    if (end.isPresent() && (!headless() || scenario.challenge().goals().isEmpty())) {
       throw new IllegalArgumentException(
-          ScenarioOptions.EXIT_WHEN_DONE + " needs --headless and a --scenario with goals");
+          end.get() + " needs --headless and a --scenario with goals");
     }
-    if (timeout().isPresent() && !exitWhenDone()) {
+    if (control().isPresent() && (!headless() || end.isPresent())) {
       throw new IllegalArgumentException(
-          ScenarioOptions.TIMEOUT + " needs " + ScenarioOptions.EXIT_WHEN_DONE);
-    }
-    if (control().isPresent() && (!headless() || exitWhenDone())) {
-      throw new IllegalArgumentException(
-          headless()
-              ? CONTROL + " does not go with " + ScenarioOptions.EXIT_WHEN_DONE
-              : CONTROL + " needs --headless");
+          headless() ? CONTROL + " does not go with " + end.get() : CONTROL + " needs --headless");
     }
     ScenarioOptions.checkPictures(scenario.config().arena());
     recordingOptions.check(headless(), inputs(scenario));

@@ -6,11 +6,13 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.concurrent.atomic.AtomicInteger;
 import picocli.CommandLine;
 import picocli.CommandLine.IVersionProvider;
+import tellosimulator.concurrent.FatalExit;
+import tellosimulator.concurrent.TerminationSignals;
 import tellosimulator.files.IoReason;
 import tellosimulator.operator.ProgramRun;
-import tellosimulator.operator.ProgramRun.Ends;
 import tellosimulator.operator.ProgramRun.ExitCodes;
 import tellosimulator.operator.ProgramRun.Plan;
 import tellosimulator.operator.UnavailableException;
@@ -23,10 +25,14 @@ import tellosimulator.scenario.Scenario;
 final class RunSubcommand implements Subcommand {
 
   private static final String SEPARATOR = "--";
+  private static final String PROGRAM_OUTPUT = "--program-output";
 
   /** What this subcommand decides by itself. */
   private static final List<String> DECIDED =
       List.of("--bind", "--command-port", "--lan", "--port-per-drone", "--replay", "--scenarios");
+
+  /** Exit codes of a simulator that ended as it is meant to. */
+  private static final List<Integer> VERDICTS = List.of(ExitCode.DONE, ExitCode.GOALS_MISSED);
 
   private final OptionList optionList =
       OptionList.of(
@@ -34,8 +40,19 @@ final class RunSubcommand implements Subcommand {
           "Runs an unchanged program in a private network, in which the drone has 192.168.10.1:8889"
               + " and the program 192.168.10.2, as with a real drone; several drones have"
               + " 192.168.10.11, 192.168.10.12, and so on. Linux only.",
-          "Exit code: that of the program; if that is 0, the simulator's: 3 if goals were missed; 1:"
-              + " no private network can be had; 2: wrong options.");
+          "Exit code: that of the program, which the line \"program: exit code N\" says; if it is 0,"
+              + " or the program had to be ended, 0, or 3 if goals were missed, which the line"
+              + " \"goals: ...\" says. Without a line of the program: 1: no private network can be"
+              + " had; 2: wrong options. 70: the simulator ended too early; 130: Ctrl-C.");
+
+  private final OptionValue<Optional<Path>> output =
+      optionList
+          .option(
+              PROGRAM_OUTPUT,
+              "FILE",
+              "Write what your program prints into a file, of which it keeps the first 10 MB, and not"
+                  + " between the lines of the simulator.")
+          .readIfGiven(OptionTypes::fileOrFolder);
 
   private IVersionProvider version = () -> new String[0];
 
@@ -62,7 +79,8 @@ final class RunSubcommand implements Subcommand {
     return () -> run(plan, output);
   }
 
-  private Plan plan(List<String> words, List<String> program) {
+  private Plan plan(List<String> all, List<String> program) {
+    List<String> words = withoutOutput(all);
     Options options = new Options();
     List<String> given =
         options
@@ -85,16 +103,28 @@ final class RunSubcommand implements Subcommand {
     }
     List<String> simulator = new ArrayList<>(ownCommand());
     simulator.addAll(words);
-    Ends ends = Ends.WITH_WINDOW;
-    if (options.headless()) {
-      ends = scenario.challenge().goals().isEmpty() ? Ends.AT_ONCE : Ends.WITH_VERDICT;
-      if (ends == Ends.WITH_VERDICT && !options.exitWhenDone()) {
-        simulator.add(ScenarioOptions.EXIT_WHEN_DONE);
-      }
-    } else if (!options.on()) {
+    if (!options.headless() && !options.on()) {
       simulator.add("--on");
     }
-    return new Plan(simulator, program, drones, ends);
+    if (options.headless() && !scenario.challenge().goals().isEmpty()) {
+      simulator.add(ScenarioOptions.AWAIT_PROGRAM);
+      if (!options.exitWhenDone()) {
+        simulator.add(ScenarioOptions.EXIT_WHEN_DONE);
+      }
+    }
+    return new Plan(
+        simulator, program, drones, !options.headless(), output.value().map(Path::toAbsolutePath));
+  }
+
+  /** What the simulator gets to see. */
+  private static List<String> withoutOutput(List<String> words) {
+    List<String> left = new ArrayList<>(words);
+    left.removeIf(word -> word.startsWith(PROGRAM_OUTPUT + "="));
+    int index = left.indexOf(PROGRAM_OUTPUT);
+    if (index >= 0) {
+      left.subList(index, Math.min(index + 2, left.size())).clear();
+    }
+    return left;
   }
 
   /** The words that start this program once more. */
@@ -111,19 +141,45 @@ final class RunSubcommand implements Subcommand {
     return List.of(java, "-cp", String.join(File.pathSeparator, paths), "tellosimulator.Main");
   }
 
+  @SuppressWarnings("try") // the signals come by themselves
   private static int run(Plan plan, ProgramOutput to) throws InterruptedException {
-    try (ProgramRun run = new ProgramRun(plan, to.out())) {
+    AtomicInteger signal = new AtomicInteger();
+    try (ProgramRun run = new ProgramRun(plan, to.out());
+        TerminationSignals signals = TerminationSignals.take(number -> end(run, signal, number))) {
       to.input().atEnd().accept(run::close);
       Optional<ExitCodes> codes = run.run();
-      if (codes.isEmpty()) {
-        return ExitCode.FAILED;
-      }
-      return codes.get().program() != 0 ? codes.get().program() : codes.get().simulator();
+      return signal.get() != 0 ? 128 + signal.get() : exitCode(codes, to);
     } catch (UnavailableException e) {
       to.err().println(e.getMessage());
     } catch (IOException e) {
       to.err().println("The program was not run: " + IoReason.of(e) + ".");
     }
     return ExitCode.FAILED;
+  }
+
+  private static void end(ProgramRun run, AtomicInteger signal, int number) {
+    signal.compareAndSet(0, number);
+    try {
+      run.interrupt();
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+    }
+  }
+
+  private static int exitCode(Optional<ExitCodes> codes, ProgramOutput to) {
+    if (codes.isEmpty()) {
+      return ExitCode.FAILED;
+    }
+    int simulator = codes.get().simulator();
+    if (!VERDICTS.contains(simulator)) {
+      to.err()
+          .println(
+              "The simulator ended before it was asked to, with exit code "
+                  + simulator
+                  + "; it was killed, its display has gone, or its own message says why.");
+      return FatalExit.CODE;
+    }
+    int program = codes.get().program().orElse(0);
+    return program != 0 ? program : simulator;
   }
 }

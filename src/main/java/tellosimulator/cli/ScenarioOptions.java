@@ -21,12 +21,16 @@ public final class ScenarioOptions {
   static final String EXIT_WHEN_DONE = "--exit-when-done";
   static final String TIMEOUT = "--timeout";
 
+  /** Given by {@code run}, whose program may go on for a while after the verdict. */
+  static final String AWAIT_PROGRAM = "--await-program";
+
   private static final String SCENARIO = "--scenario";
 
   private final OptionValue<Optional<OpenedScenario>> scenario;
   private final OptionValue<Boolean> list;
   private final OptionValue<Boolean> exitWhenDone;
   private final OptionValue<Optional<Double>> timeout;
+  private final OptionValue<Boolean> awaitProgram;
 
   ScenarioOptions(OptionList optionList) {
     scenario =
@@ -52,11 +56,12 @@ public final class ScenarioOptions {
             .option(
                 TIMEOUT,
                 "SECONDS",
-                "With --exit-when-done: the goals are missed after so many simulated seconds, for"
+                "As --exit-when-done, and the goals are missed after so many simulated seconds, for"
                     + " programs that never take off. With --time-factor max these pass at once when"
                     + " a program that has sent a command sends no other for 3 s of real time"
                     + " before it takes off, or none at all for 30 s.")
             .readIfGiven(OptionTypes::seconds);
+    awaitProgram = optionList.hiddenFlag(AWAIT_PROGRAM);
   }
 
   /** Words of a command line; one that is a scenario file alone, as of a double click, opens it. */
@@ -81,8 +86,13 @@ public final class ScenarioOptions {
     return list.value();
   }
 
-  boolean exitWhenDone() {
-    return exitWhenDone.value();
+  /** The option that lets a run end by itself, as it was given; empty if none was. */
+  Optional<String> endsByItself() {
+    return exitWhenDone.value() ? Optional.of(EXIT_WHEN_DONE) : timeout().map(seconds -> TIMEOUT);
+  }
+
+  boolean awaitsProgram() {
+    return awaitProgram.value();
   }
 
   /** After how much simulated time the goals are missed [s]. */

@@ -130,6 +130,15 @@ public final class DroneController implements CommandTarget {
     observer.happened(new PutBack());
   }
 
+  /**
+   * Lands it, unless it stands or lands already; a caller that waits gets no answer.
+   *
+   * @param reason for people
+   */
+  public void landByItself(Phrase reason) {
+    flight.landByItself(reason);
+  }
+
   /** Forgets SDK mode and films no more; a flight goes on until the safety landing. */
   public void endSession() {
     model.setVideo(model.video().stopped());

@@ -105,8 +105,8 @@ final class FaultEffects {
     acting(FaultKind.OVERHEAT).ifPresent(this::overheat);
     acting(FaultKind.MOTOR_STOP).filter(fault -> flight.airborne()).ifPresent(this::stopMotors);
     acting(FaultKind.SILENT_LAND)
-        .filter(fault -> flight.airborne() && model.phase() != FlightPhase.LANDING)
-        .ifPresent(this::landSilently);
+        .filter(fault -> flight.airborne())
+        .ifPresent(fault -> flight.landByItself(cause(fault)));
     if (model.phase() == FlightPhase.FLYING && flight.answers()) {
       objectionToMove()
           .ifPresent(objection -> flight.gaveUp(objection.reply(), objection.reason()));
@@ -144,11 +144,6 @@ final class FaultEffects {
     flight.interrupt(Reply.MOTOR_STOP, reason);
     flight.motorsOff(FlightPhase.FALLING);
     observer.happened(new Fell(reason));
-  }
-
-  private void landSilently(Fault fault) {
-    flight.land(CompletionHandler.NOBODY);
-    observer.happened(new LandsByItself(cause(fault), false));
   }
 
   /** What it does not know its place by. */

@@ -189,6 +189,14 @@ final class Flight {
     model.setPhase(FlightPhase.LANDING);
   }
 
+  /** Lands it, unless it stands or lands already; a caller that waits gets no answer. */
+  void landByItself(Phrase reason) {
+    if (flying() && !landing()) {
+      land(CompletionHandler.NOBODY);
+      observer.happened(new LandsByItself(reason, false));
+    }
+  }
+
   /** Brakes and stays. */
   void hover() {
     Vec3 steered = rc.velocity().turned(model.motion().attitude().heading());

@@ -33,7 +33,7 @@ final class Console {
 
   private static final String HELP =
       "type reset [N], release [N], power on|off [N], battery PERCENT [N], fault TEXT|clear, faults,"
-          + " link PRESET, pause, resume, state, help or quit";
+          + " link PRESET, pause, resume, state, help, finish or quit";
 
   private static final String LONG_HELP =
       """
@@ -47,6 +47,7 @@ final class Console {
       faults            see what goes wrong
       link PRESET       how good the link is: ideal, lab, classroom or crowded
       pause, resume     let time stand still, and go on
+      finish            land all drones, then give the verdict on the goals and end
       quit              end the simulator
       N is a drone's number; without it, all drones.
       """;
@@ -73,9 +74,10 @@ final class Console {
   /**
    * Reads until {@code quit} or the end of input.
    *
-   * @param onQuit what is done on {@code quit}
+   * @param onFinish is called on {@code finish}, once all drones land
+   * @param onQuit is called on {@code quit}
    */
-  Agent agent(Runnable onQuit) {
+  Agent agent(Runnable onFinish, Runnable onQuit) {
     return new Agent() {
 
       private final ErrorPolicy failed = ErrorPolicy.goOn("What was typed could not be done");
@@ -84,7 +86,7 @@ final class Console {
 
       @Override
       public Outcome doWork() throws IOException {
-        return readLine(onQuit) ? Outcome.WORKED : Outcome.FINISHED;
+        return readLine(onFinish, onQuit) ? Outcome.WORKED : Outcome.FINISHED;
       }
 
       @Override
@@ -95,7 +97,7 @@ final class Console {
   }
 
   /** Returns whether there may be more. */
-  private boolean readLine(Runnable onQuit) throws IOException {
+  private boolean readLine(Runnable onFinish, Runnable onQuit) throws IOException {
     String line = in.readLine();
     if (line == null) {
       return false;
@@ -107,6 +109,9 @@ final class Console {
     }
     if (!typed.isEmpty()) {
       take(typed);
+    }
+    if (typed.equals("finish")) {
+      onFinish.run();
     }
     return true;
   }
@@ -139,10 +144,19 @@ final class Console {
       case "pause" -> pause(words, true);
       case "resume" -> pause(words, false);
       case "state" -> state(words);
+      case "finish" -> finish(words);
       case "quit" -> checkEnd(words, 1);
       case "help" -> out.print(LONG_HELP);
       default -> throw new IllegalArgumentException("there is no such command");
     }
+  }
+
+  private void finish(List<String> words) throws PortTakenException {
+    checkEnd(words, 1);
+    if (snapshots.get().clock().paused()) {
+      controls.carryOut(new Control.Pause(false)); // or no drone would ever be down
+    }
+    forDrones(words, 1, Control.Land::new);
   }
 
   private void pause(List<String> words, boolean paused) throws PortTakenException {

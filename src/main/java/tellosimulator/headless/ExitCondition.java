@@ -15,9 +15,9 @@ import tellosimulator.words.Phrase;
 
 /**
  * When a run ends by itself. It waits for the verdict on a program: until goals are reached or
- * missed, until nobody flies any more, or has flown, and no command comes, or until the timeout;
- * and then until the drones have come down, so that no program loses its drone on the way to the
- * ground.
+ * missed, until nobody flies any more, or has flown, and no command comes, until the timeout, or
+ * until the program has ended and all drones are down; and then until the drones have come down, so
+ * that no program loses its drone on the way to the ground.
  *
  * <p>Hears of steps and events on the simulation thread; the others wait on threads of their own.
  */
@@ -76,10 +76,12 @@ final class ExitCondition implements SimListener {
   private final CountDownLatch result = new CountDownLatch(1);
   private final CountDownLatch landed = new CountDownLatch(1);
   private final CountDownLatch answered = new CountDownLatch(1);
+  private final CountDownLatch finished = new CountDownLatch(1);
   private volatile Optional<Progress> progress = Optional.empty();
   private volatile Optional<Double> timeout = Optional.empty();
   private volatile boolean standing = true;
   private volatile boolean spoken;
+  private volatile boolean finishing;
   private volatile SimTime now = SimTime.ZERO;
 
   /** When something flew or a command came for the last time. */
@@ -143,6 +145,9 @@ final class ExitCondition implements SimListener {
     if (present.status() != Status.RUNNING) {
       return Optional.of(present);
     }
+    if (finishing && standing) {
+      return Optional.of(missed(Phrase.of("the program has ended")));
+    }
     if (begun() && now.since(quietSince) >= SILENCE) {
       return Optional.of(
           missed(Phrase.of("all drones have landed, and no command came for %.0f s", SILENCE)));
@@ -171,8 +176,30 @@ final class ExitCondition implements SimListener {
     return goals.progress().elapsed() > 0;
   }
 
+  /** No command comes any more, and all drones that are in the air land. */
+  void finish() {
+    finishing = true;
+    finished.countDown();
+  }
+
+  /** Waits for {@link #finish} or {@link #now}. */
+  void awaitFinish() throws InterruptedException {
+    finished.await();
+  }
+
+  /**
+   * Waits for {@link #finish} or {@link #now}.
+   *
+   * @param limitMs for how long [ms]
+   */
+  @SuppressWarnings("ReturnValueIgnored") // whichever comes first
+  void awaitFinish(long limitMs) throws InterruptedException {
+    finished.await(limitMs, TimeUnit.MILLISECONDS);
+  }
+
   /** Waits no longer. */
   void now() {
+    finished.countDown();
     result.countDown();
     landed.countDown();
     answered.countDown();
@@ -183,7 +210,7 @@ final class ExitCondition implements SimListener {
     int looks = 0;
     for (long before = -1; !result.await(LOOK_MS, TimeUnit.MILLISECONDS); before = steps.get()) {
       looks = steps.get() == before && standstill.possible() ? looks + 1 : 0;
-      boolean waits = spoken || timeout.isPresent();
+      boolean waits = spoken || timeout.isPresent() || finishing;
       if (waits && looks >= mostLooks()) {
         standstill.pass(silence());
         looks = 0;
@@ -193,6 +220,9 @@ final class ExitCondition implements SimListener {
   }
 
   private int mostLooks() {
+    if (finishing) {
+      return 1;
+    }
     if (begun()) {
       return standing ? limits.landed() : limits.busy();
     }
@@ -201,6 +231,9 @@ final class ExitCondition implements SimListener {
 
   /** What may pass before there is a verdict [s]. */
   private double silence() {
+    if (finishing) {
+      return REPLIES;
+    }
     if (begun()) {
       return SILENCE;
     }

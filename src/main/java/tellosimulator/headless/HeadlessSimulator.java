@@ -5,7 +5,6 @@ import java.io.PrintStream;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalInt;
-import java.util.concurrent.CountDownLatch;
 import tellosimulator.concurrent.Worker;
 import tellosimulator.control.ControlServer;
 import tellosimulator.goal.GoalWatch;
@@ -26,6 +25,12 @@ import tellosimulator.video.codec.H264Encoder;
 
 /** The program without a window: drones that are on, a console, and a line when it is ready. */
 public final class HeadlessSimulator implements AutoCloseable {
+
+  /**
+   * How long a program may go on after the verdict [ms]. Decided: it switches its stream off and
+   * says goodbye.
+   */
+  private static final long FAREWELL_MS = 5000;
 
   private final Scenario scenario;
   private final GoalWatch goals;
@@ -102,19 +107,23 @@ public final class HeadlessSimulator implements AutoCloseable {
     out.flush();
   }
 
-  /** Takes what is typed; returns after {@code quit}, and never if the input ends without it. */
+  /**
+   * Takes what is typed; returns after {@code quit}, or after {@code finish} when the drones are
+   * down, and never if the input ends without either.
+   */
   public void run(BufferedReader in, PrintStream out) throws InterruptedException {
-    CountDownLatch quit = new CountDownLatch(1);
-    startConsole(in, out, quit::countDown);
-    quit.await();
+    startConsole(in, out);
+    exitCondition.awaitFinish();
+    exitCondition.awaitResult(standstill);
+    exitCondition.awaitRest(standstill);
   }
 
   /**
    * Takes what is typed, and returns after {@code quit}, or when the goals are reached or missed
-   * and the drones have come down. They are missed, too, when all drones have landed and are silent
-   * for 15 s, or a program has spoken, let none take off, and is silent for a minute; with time
-   * factor {@code max} these pass by themselves when no command has come for a while of the wall
-   * clock.
+   * and the drones have come down, as they do on {@code finish}. They are missed, too, when all
+   * drones have landed and are silent for 15 s, or a program has spoken, let none take off, and is
+   * silent for a minute; with time factor {@code max} these pass by themselves when no command has
+   * come for a while of the wall clock.
    *
    * @param timeout after which the goals are missed in any case [simulated s]
    * @return whether the goals were reached; it still runs after {@code quit}
@@ -122,12 +131,17 @@ public final class HeadlessSimulator implements AutoCloseable {
   public Progress.Status runUntilDone(Optional<Double> timeout, BufferedReader in, PrintStream out)
       throws InterruptedException {
     exitCondition.limit(timeout);
-    startConsole(in, out, exitCondition::now);
+    startConsole(in, out);
     Progress result = exitCondition.awaitResult(standstill);
     out.println(result.phrase());
     out.flush();
     exitCondition.awaitRest(standstill);
     return result.status();
+  }
+
+  /** Lets a program go on after the verdict, until {@code finish} is typed or time is over. */
+  public void awaitFinish() throws InterruptedException {
+    exitCondition.awaitFinish(FAREWELL_MS);
   }
 
   /** Time stands still only as fast as possible. */
@@ -145,9 +159,11 @@ public final class HeadlessSimulator implements AutoCloseable {
     }
   }
 
-  private void startConsole(BufferedReader in, PrintStream out, Runnable onQuit) {
+  private void startConsole(BufferedReader in, PrintStream out) {
     Worker.start(
-        "console", new Console(simulation::snapshot, simulation::carryOut, in, out).agent(onQuit));
+        "console",
+        new Console(simulation::snapshot, simulation::carryOut, in, out)
+            .agent(exitCondition::finish, exitCondition::now));
   }
 
   /** A recent state of everything; for any thread. */

@@ -10,7 +10,8 @@ import java.util.stream.Stream;
  * Two network stacks with a link between them, seen by nobody else: one has the addresses of
  * drones, the other that of the machine that flies them. They are Linux namespaces, which an
  * ordinary user may make where the system lets him; they are gone when the last process in them has
- * ended. For one thread.
+ * ended. The program has a PID namespace, too, whose end the kernel makes the end of all processes
+ * in it, whatever they did to be left alone. For one thread.
  */
 final class OperatorNetwork implements AutoCloseable {
 
@@ -25,6 +26,29 @@ final class OperatorNetwork implements AutoCloseable {
 
   /** Drones that have an address. Decided: those of the network that are left. */
   static final int MOST_DRONES = 240;
+
+  /**
+   * The first process of the program's PID namespace. It starts the program, and when that has
+   * ended sends TERM to what the program has left running, and waits for it, for 2 s; with itself
+   * it ends all others. It ignores signals, as first processes do.
+   */
+  private static final String INIT =
+      """
+      mount -t proc proc /proc 2> /dev/null # or the program would see its process under another id
+      "$@"
+      code=$?
+      tenths=0
+      kill -s TERM -- -1 2> /dev/null
+      while [ $tenths -lt 20 ] && kill -s 0 -- -1 2> /dev/null; do
+        sleep 0.1
+        tenths=$((tenths + 1))
+      done
+      exit $code
+      """;
+
+  /** The words that give a command a PID namespace, which ends with the process that they start. */
+  private static final List<String> OWN_PROCESSES =
+      List.of("setsid", "unshare", "--pid", "--mount", "--fork", "--kill-child", "--");
 
   private final Namespace drones;
   private final Namespace program;
@@ -88,16 +112,26 @@ final class OperatorNetwork implements AutoCloseable {
     program.run("ip", "address", "add", PROGRAM + "/24", "dev", "program");
     drones.run("ip", "link", "set", "drone", "up");
     program.run("ip", "link", "set", "program", "up");
+    program.run(joined(OWN_PROCESSES, List.of("true")).toArray(String[]::new));
   }
 
-  /** The words that start a command where the drones are. */
+  /** The words that start a command where the drones are, out of reach of the terminal's Ctrl-C. */
   List<String> whereDronesAre(List<String> command) {
-    return drones.with(command);
+    return drones.with("TERM", joined(List.of("setsid"), command));
   }
 
-  /** The words that start a command where the operator program is. */
+  /**
+   * The words that start a command where the operator program is, out of reach of the terminal's
+   * Ctrl-C. The process that they start has one child, which starts the command; when that process
+   * ends, or this program does, so do all that have come from it.
+   */
   List<String> whereTheProgramIs(List<String> command) {
-    return program.with(command);
+    List<String> init = List.of("sh", "-c", INIT, "run");
+    return program.with("KILL", joined(OWN_PROCESSES, joined(init, command)));
+  }
+
+  private static List<String> joined(List<String> first, List<String> second) {
+    return Stream.of(first, second).flatMap(List::stream).toList();
   }
 
   /** Lets go of it; it is gone when the processes in it have ended, too. */
@@ -149,17 +183,20 @@ final class OperatorNetwork implements AutoCloseable {
           "--");
     }
 
-    /** The words that start a command in it, which is told to end if this program is killed. */
-    List<String> with(List<String> command) {
-      return Stream.of(command(), List.of("setpriv", "--pdeathsig", "TERM", "--"), command)
-          .flatMap(List::stream)
-          .toList();
+    /**
+     * The words that start a command in it.
+     *
+     * @param signal that it gets if this program is killed
+     */
+    List<String> with(String signal, List<String> command) {
+      List<String> inherit = List.of("setpriv", "--pdeathsig", signal, "--");
+      return joined(command(), joined(inherit, command));
     }
 
     void run(String... command) throws UnavailableException, InterruptedException {
       try {
         Process process =
-            new ProcessBuilder(with(List.of(command))).redirectErrorStream(true).start();
+            new ProcessBuilder(with("TERM", List.of(command))).redirectErrorStream(true).start();
         String said = process.inputReader().readLine();
         if (process.waitFor() != 0) {
           throw UnavailableException.because(said);

@@ -31,6 +31,9 @@ public sealed interface Control {
   /** Back to the start, as if it had just been put there. */
   record Reset(int drone) implements ForDrone {}
 
+  /** Lands a drone that is in the air, because its program has ended; others stay as they are. */
+  record Land(int drone) implements ForDrone {}
+
   /** Takes a drone from its operator: the next sender of {@code command} gets it. */
   record Release(int drone) implements ForDrone {}
 

@@ -217,6 +217,8 @@ final class SimDrone {
       handler.forgetCopies();
       session.release();
       settle(neighborhood.collisionWorld());
+    } else if (control instanceof Control.Land) {
+      controller.landByItself(Phrase.of("the program has ended"));
     } else if (control instanceof Control.Release) {
       Phrase free = Phrase.of("is free: who sends `command` next operates it");
       note(

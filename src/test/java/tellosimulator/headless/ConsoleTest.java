@@ -29,7 +29,7 @@ class ConsoleTest {
 
   private static final String HELP =
       "type reset [N], release [N], power on|off [N], battery PERCENT [N], fault TEXT|clear, faults,"
-          + " link PRESET, pause, resume, state, help or quit";
+          + " link PRESET, pause, resume, state, help, finish or quit";
 
   private final Simulation simulation =
       new Simulation(
@@ -38,6 +38,7 @@ class ConsoleTest {
           report -> {},
           List.of());
   private final ByteArrayOutputStream printed = new ByteArrayOutputStream();
+  private final AtomicBoolean finished = new AtomicBoolean();
 
   @Test
   void quitEndsItAndTheEndOfInputIsSomethingElse() throws Exception {
@@ -100,7 +101,7 @@ class ConsoleTest {
             present.drones());
     BufferedReader in = new BufferedReader(new StringReader("state\n"));
     PrintStream out = new PrintStream(printed, true, StandardCharsets.UTF_8);
-    Agent console = new Console(() -> late, control -> {}, in, out).agent(() -> {});
+    Agent console = new Console(() -> late, control -> {}, in, out).agent(() -> {}, () -> {});
     assertThat(console.doWork()).isEqualTo(Agent.Outcome.WORKED);
 
     assertThat(printed().lines()).allMatch(line -> line.endsWith(", 0.000 s, 12.3 s lost, paused"));
@@ -116,6 +117,16 @@ class ConsoleTest {
         .satisfiesExactly(
             first -> assertThat(first).startsWith("drone 1: standing"),
             second -> assertThat(second).startsWith("drone 2: off"));
+  }
+
+  @Test
+  void finishLetsTimeGoOnAndIsPassedOn() throws Exception {
+    assertThat(type("pause", "finish")).as("quit").isFalse();
+
+    assertThat(finished).isTrue();
+    assertThat(simulation.snapshot().clock().paused()).isFalse();
+    type("finish now");
+    assertThat(finished).isFalse();
   }
 
   @Test
@@ -167,6 +178,7 @@ class ConsoleTest {
           fly            | there is no such command
           QUIT           | there is no such command
           quit now       | there is a word too many, now
+          finish 1       | there is a word too many, 1
           state 1        | there is a word too many, 1
           pause 1        | there is a word too many, 1
           resume all     | there is a word too many, all
@@ -199,8 +211,10 @@ class ConsoleTest {
     PrintStream out = new PrintStream(printed, true, StandardCharsets.UTF_8);
     BufferedReader in = new BufferedReader(new StringReader(input));
     AtomicBoolean quit = new AtomicBoolean();
+    finished.set(false);
     Agent console =
-        new Console(simulation::snapshot, this::carryOut, in, out).agent(() -> quit.set(true));
+        new Console(simulation::snapshot, this::carryOut, in, out)
+            .agent(() -> finished.set(true), () -> quit.set(true));
     Agent.Outcome outcome = Agent.Outcome.WORKED;
     while (outcome == Agent.Outcome.WORKED) {
       outcome = console.doWork();

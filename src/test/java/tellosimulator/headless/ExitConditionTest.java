@@ -17,6 +17,7 @@ import tellosimulator.goal.GoalWatch;
 import tellosimulator.goal.Progress;
 import tellosimulator.goal.Progress.Status;
 import tellosimulator.math.Vec3;
+import tellosimulator.sim.Control;
 import tellosimulator.sim.SimConfig;
 import tellosimulator.testing.SimulatedDrones;
 
@@ -168,6 +169,57 @@ class ExitConditionTest {
 
     assertThat(result.status()).isEqualTo(Status.FAILED);
     assertThat(result.phrase().english()).endsWith(": the timeout of 20 s is over");
+  }
+
+  /** The drone lands in 2 s; by itself it would after 15 s of silence. */
+  @Test
+  void whenTheProgramEndsItsDroneLandsAndTheVerdictFollows() throws InterruptedException {
+    drones.fly("command", "takeoff");
+    drones.control(new Control.Land(1));
+    exitCondition.finish();
+    double begun = goals.progress().elapsed();
+    drones.advance(5);
+
+    Progress result = exitCondition.awaitResult(NEVER);
+    assertThat(result.phrase().english()).endsWith(": the program has ended");
+    assertThat(result.elapsed() - begun).isBetween(1.0, 4.0);
+    exitCondition.awaitRest(NEVER);
+  }
+
+  @Test
+  void aProgramThatEndsBeforeItsFirstCommandHasMissedTheGoals() throws InterruptedException {
+    exitCondition.finish();
+    Standing standing = new Standing();
+
+    Progress result = exitCondition.awaitResult(standing);
+
+    assertThat(result.phrase().english())
+        .isEqualTo("goals: 0 of 1 reached after 0.0 s: the program has ended");
+    assertThat(standing.looks).isLessThan(5);
+    exitCondition.awaitRest(standing);
+  }
+
+  @Test
+  void goalsThatAreReachedStaySoWhenTheProgramEnds() throws InterruptedException {
+    drones.fly("command", "takeoff", "forward 100", "land");
+    exitCondition.finish();
+    drones.advance(1);
+
+    assertThat(exitCondition.awaitResult(NEVER).status()).isEqualTo(Status.REACHED);
+  }
+
+  /** A takeoff is under way, but nothing has left the ground yet. */
+  @Test
+  void aDroneThatIsAboutToTakeOffStaysOnTheGround() throws InterruptedException {
+    drones.fly("command");
+    drones.send(1, "takeoff");
+    drones.control(new Control.Land(1));
+    exitCondition.finish();
+    drones.advance(1);
+
+    assertThat(exitCondition.awaitResult(NEVER).phrase().english())
+        .endsWith(": the program has ended");
+    exitCondition.awaitRest(NEVER);
   }
 
   @Test

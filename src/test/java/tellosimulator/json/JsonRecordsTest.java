@@ -42,6 +42,7 @@ class JsonRecordsTest {
         new Control.Power(1, true),
         new Control.Reset(2),
         new Control.Release(1),
+        new Control.Land(2),
         new Control.SetBattery(1, 33.3),
         new Control.SetStart(1, new Vec3(0.1, 0.7, 0), 1.0 / 3),
         new Control.Configure(1, Product.DEFAULT, new StreamPorts(1, 2)),

@@ -2,19 +2,20 @@ package tellosimulator.operator;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import java.io.BufferedReader;
+import java.io.ByteArrayOutputStream;
 import java.io.IOException;
-import java.io.OutputStream;
 import java.io.PrintStream;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Optional;
+import java.util.OptionalInt;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
-import tellosimulator.operator.ProgramRun.Ends;
 import tellosimulator.operator.ProgramRun.Plan;
 import tellosimulator.testing.NeedsTool;
 import tellosimulator.testing.Tool;
@@ -30,51 +31,137 @@ class ProgramRunTest {
   private static final List<String> SIMULATOR =
       List.of("sh", "-c", "echo ready; read typed; exit 3", "simulator");
 
+  /** An odd number of seconds, by which the processes of this test are told from others. */
+  private static final String NAP = "1" + System.nanoTime();
+
   @TempDir private Path folder;
 
   @Test
   void aProgramThatIgnoresSignalsIsEnded() throws Exception {
     Path told = pipe();
-    List<String> stubborn =
-        List.of("sh", "-c", "trap '' TERM INT; echo $$ > " + told + "; exec tail -f /dev/null");
-    ProgramRun run = new ProgramRun(new Plan(SIMULATOR, stubborn, 1, Ends.AT_ONCE), silent());
+    String stubborn = "trap '' TERM INT; echo ready > " + told + "; exec sleep " + NAP;
+    ProgramRun run = new ProgramRun(plan(SIMULATOR, stubborn), out());
     CompletableFuture<?> ended = CompletableFuture.runAsync(() -> flyOrAbort(run));
 
-    ProcessHandle program = ProcessHandle.of(pid(told)).orElseThrow();
+    Files.readString(told);
     run.close();
-    program.onExit().get(60, TimeUnit.SECONDS);
     ended.handle((result, failure) -> failure).get(60, TimeUnit.SECONDS);
 
-    assertThat(program.isAlive()).isFalse();
+    assertNothingIsLeft();
+  }
+
+  /** Neither a session of its own nor deaf ears keep a process alive. */
+  @Test
+  void whatTheProgramLeavesBehindIsEndedWithIt() throws Exception {
+    String forking =
+        "(setsid sh -c \"trap '' TERM INT HUP; sleep " + NAP + "; :\" &); sleep " + NAP + " &";
+
+    assertThat(new ProgramRun(plan(SIMULATOR, forking), out()).run()).isPresent();
+
+    assertNothingIsLeft();
   }
 
   @Test
   void theSimulatorEndsWithTheProgram() throws Exception {
-    ProgramRun run =
-        new ProgramRun(
-            new Plan(SIMULATOR, List.of("sh", "-c", "exit 5"), 1, Ends.AT_ONCE), silent());
-
-    assertThat(run.run()).contains(new ProgramRun.ExitCodes(5, 3));
+    assertThat(new ProgramRun(plan(SIMULATOR, "exit 5"), out()).run())
+        .contains(new ProgramRun.ExitCodes(OptionalInt.of(5), 3));
+    assertThat(printed()).isEqualTo("ready\nprogram: exit code 5\n");
   }
 
-  /** As where the program asked for nothing: the goals are neither reached nor missed. */
   @Test
-  void aVerdictThatDoesNotComeIsAskedFor() throws Exception {
-    Plan plan = new Plan(SIMULATOR, List.of("sh", "-c", "exit 9"), 1, Ends.WITH_VERDICT);
+  void aProgramThatGoesOnEndsWithTheSimulator() throws Exception {
+    List<String> verdict = List.of("sh", "-c", "echo ready; echo verdict; exit 3", "simulator");
 
-    assertThat(new ProgramRun(plan, silent(), 1).run()).contains(new ProgramRun.ExitCodes(9, 3));
+    assertThat(new ProgramRun(plan(verdict, "exec sleep " + NAP), out()).run())
+        .contains(new ProgramRun.ExitCodes(OptionalInt.empty(), 3));
+    assertThat(printed().lines())
+        .containsExactlyInAnyOrder("ready", "verdict", "program: ended by run");
+    assertNothingIsLeft();
+  }
+
+  /** As with Ctrl-C: it cleans up while the simulator is still there. */
+  @Test
+  void anInterruptedProgramMayCleanUp() throws Exception {
+    Path told = pipe();
+    String careful =
+        "trap 'test -d /proc/1 && exit 9' INT; echo ready > " + told + "; read forever < " + told;
+    ProgramRun run = new ProgramRun(plan(SIMULATOR, careful), out());
+    CompletableFuture<?> ended = CompletableFuture.runAsync(() -> flyOrAbort(run));
+
+    Files.readString(told);
+    run.interrupt();
+    ended.get(60, TimeUnit.SECONDS);
+
+    assertThat(printed()).isEqualTo("ready\nprogram: exit code 9\n");
+  }
+
+  @Test
+  void theSecondInterruptEndsBothAtOnce() throws Exception {
+    Path told = pipe();
+    String deaf = "trap '' TERM INT; echo ready > " + told + "; exec sleep " + NAP;
+    ProgramRun run = new ProgramRun(plan(SIMULATOR, deaf), out());
+    CompletableFuture<?> ended = CompletableFuture.runAsync(() -> flyOrAbort(run));
+    Files.readString(told);
+    CompletableFuture<?> first = CompletableFuture.runAsync(() -> interruptOrAbort(run));
+
+    while (!run.interrupted()) {
+      Thread.onSpinWait();
+    }
+    run.interrupt();
+
+    CompletableFuture.allOf(ended, first).get(10, TimeUnit.SECONDS);
+    assertThat(printed()).isEqualTo("ready\nprogram: ended by run\n");
+    assertNothingIsLeft();
+  }
+
+  @Test
+  void whatTheProgramPrintsGoesToItsFile() throws Exception {
+    Path file = folder.resolve("program.log");
+    Plan plan =
+        new Plan(
+            SIMULATOR,
+            List.of("sh", "-c", "echo goals; echo sighs >&2"),
+            1,
+            false,
+            Optional.of(file));
+
+    assertThat(new ProgramRun(plan, out()).run()).isPresent();
+
+    assertThat(printed()).isEqualTo("ready\nprogram: exit code 0\n");
+    assertThat(file).hasContent("goals\nsighs");
+  }
+
+  private static Plan plan(List<String> simulator, String script) {
+    return new Plan(simulator, List.of("sh", "-c", script), 1, false, Optional.empty());
+  }
+
+  /** The kernel takes a moment to end what was killed. */
+  private static void assertNothingIsLeft() {
+    while (ProcessHandle.allProcesses().anyMatch(ProgramRunTest::naps)) {
+      Thread.onSpinWait();
+    }
+  }
+
+  private static boolean naps(ProcessHandle process) {
+    return List.of(process.info().arguments().orElse(new String[0])).contains(NAP);
   }
 
   /** Through which the program says that it runs, however long that takes. */
   private Path pipe() throws IOException, InterruptedException {
-    Path pipe = folder.resolve("pid");
+    Path pipe = folder.resolve("pipe");
     assertThat(Tool.MKFIFO.command(pipe.toString()).start().waitFor()).isZero();
     return pipe;
   }
 
-  private static long pid(Path pipe) throws IOException {
-    try (BufferedReader lines = Files.newBufferedReader(pipe)) {
-      return Long.parseLong(lines.readLine().trim());
+  private String printed() {
+    return printed.toString(StandardCharsets.UTF_8);
+  }
+
+  private static void interruptOrAbort(ProgramRun run) {
+    try {
+      run.interrupt();
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
     }
   }
 
@@ -88,7 +175,7 @@ class ProgramRunTest {
     }
   }
 
-  private static PrintStream silent() {
-    return new PrintStream(OutputStream.nullOutputStream());
+  private PrintStream out() {
+    return new PrintStream(printed, true, StandardCharsets.UTF_8);
   }
 }
