@@ -30,7 +30,6 @@ class TerminationSignalsTest {
 
   private static void signal(String name) throws IOException, InterruptedException {
     String self = Long.toString(ProcessHandle.current().pid());
-    assertThat(Tool.SH.command("-c", "kill -s " + name + " " + self).start().waitFor())
-        .isZero();
+    assertThat(Tool.SH.command("-c", "kill -s " + name + " " + self).start().waitFor()).isZero();
   }
 }
