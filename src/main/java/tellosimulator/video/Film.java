@@ -61,6 +61,11 @@ final class Film {
     return source.view(snapshot, new CameraId(drone, format.downward()));
   }
 
+  /** Forgets all frames until now: the next ones are encoded as by a new encoder. */
+  void restart() {
+    output = Optional.empty();
+  }
+
   /** Renders the next frame; it is valid until the next call. */
   Picture shoot(SimSnapshot snapshot, VideoFormat format) {
     Picture picture = adopt(format).picture;

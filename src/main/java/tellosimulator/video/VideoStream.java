@@ -67,6 +67,12 @@ public final class VideoStream implements AutoCloseable {
   /** Whether the simulation has begun anew since the last picture. */
   private volatile boolean anew;
 
+  /** The step at which the newest stream begins. */
+  private volatile Optional<SimSnapshot> beginning = Optional.empty();
+
+  /** Which of the operator's requests that is; for the simulation thread. */
+  private int announced;
+
   /** Whether somebody looks who has seen no picture yet. */
   private volatile boolean unseen;
 
@@ -138,12 +144,28 @@ public final class VideoStream implements AutoCloseable {
 
   /** The simulation has begun anew: the next picture that is sent begins a stream. */
   void restart() {
+    announced = 0;
+    beginning = Optional.empty();
     anew = true;
   }
 
   /** The drone's operator has sent something. */
   void heard() {
     reachability.heard();
+  }
+
+  /**
+   * Something happened to the drone, perhaps that it was told to film: the first picture shows this
+   * step, however late the thread of the video wakes up. For the simulation thread.
+   */
+  void happened() {
+    SimSnapshot now = snapshots.get();
+    VideoSettings video = drone(now).state().video();
+    if (video.on() && video.starts() != announced) {
+      announced = video.starts();
+      beginning = Optional.of(now);
+    }
+    wake();
   }
 
   /** Lets it look at once whether something has changed. */
@@ -205,9 +227,22 @@ public final class VideoStream implements AutoCloseable {
     }
     VideoFormat format = VideoFormat.of(now.state().video());
     if (ticker.awaitTick(wish.encoded ? format.period() : PREVIEW_PERIOD)) {
-      film(snapshots.get());
+      film(due());
     }
     return true;
+  }
+
+  /** The step at which a stream begins, for its first picture; then the newest. */
+  private SimSnapshot due() {
+    SimSnapshot newest = snapshots.get();
+    int wanted = starts(newest);
+    return wanted == last.start
+        ? newest
+        : beginning.filter(step -> starts(step) == wanted).orElse(newest);
+  }
+
+  private int starts(SimSnapshot snapshot) {
+    return drone(snapshot).state().video().starts();
   }
 
   /** Requests are counted from the simulation's start, so the next one may look like the last. */
@@ -255,6 +290,9 @@ public final class VideoStream implements AutoCloseable {
 
   private void picture(SimSnapshot snapshot, Wish wish, VideoFormat format) {
     Film film = film();
+    if (wish.encoded && wish.start != last.start) {
+      film.restart();
+    }
     long start = ticker.nanos();
     Picture picture = film.shoot(snapshot, format);
     long filmed = ticker.nanos();

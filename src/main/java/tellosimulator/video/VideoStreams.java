@@ -88,7 +88,7 @@ public final class VideoStreams implements SimListener, AutoCloseable {
     if (event instanceof SimEvent.CommandReceived command && fromOperator(command)) {
       stream(one.drone()).heard();
     }
-    stream(one.drone()).wake();
+    stream(one.drone()).happened();
   }
 
   private boolean fromOperator(SimEvent.CommandReceived command) {

@@ -57,6 +57,22 @@ class FilmTest {
   }
 
   @Test
+  void afterARestartFramesAreEncodedAsByANewEncoder() {
+    VideoFormat format = VideoFormat.of(VideoSettings.DEFAULT);
+    film.shoot(snapshot, format);
+    film.encode(0, false);
+    film.encode(1, false);
+    film.restart();
+    film.shoot(snapshot, format);
+    film.encode(2, false);
+
+    assertThat(asked)
+        .containsExactly(
+            "encoder 960x720", "30/s 2500000", "key", "next",
+            "encoder 960x720", "30/s 2500000", "key");
+  }
+
+  @Test
   void aStreamBeginsWithAKeyPictureAndHasOneEachSecond() {
     VideoFormat format = VideoFormat.of(VideoSettings.DEFAULT.withFramesPerSecond(5));
     for (int i = 0; i < 11; i++) {

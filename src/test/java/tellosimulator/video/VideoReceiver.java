@@ -15,15 +15,15 @@ import org.jcodec.codecs.h264.H264Decoder;
 import org.jcodec.common.model.Picture;
 
 /** What an operator program does with video: takes datagrams, puts them together and decodes. */
-final class VideoReceiver implements AutoCloseable {
+public final class VideoReceiver implements AutoCloseable {
 
   /** Longest time until the next datagram [ms]. */
-  private static final int PATIENCE_MS = 10_000;
+  private static final int PATIENCE_MS = 60_000;
 
   /** A datagram's length by which a client knows that the NAL unit goes on. */
   private static final int FULL = 1460;
 
-  static final int IDR = 5;
+  public static final int IDR = 5;
   static final int SPS = 7;
   static final int PPS = 8;
 
@@ -42,7 +42,7 @@ final class VideoReceiver implements AutoCloseable {
    *
    * @param port 0 for a free one
    */
-  static VideoReceiver open(int port) throws IOException {
+  public static VideoReceiver open(int port) throws IOException {
     DatagramSocket socket =
         new DatagramSocket(new InetSocketAddress(InetAddress.getLoopbackAddress(), port));
     socket.setReceiveBufferSize(1 << 20);
@@ -50,7 +50,7 @@ final class VideoReceiver implements AutoCloseable {
     return new VideoReceiver(socket);
   }
 
-  int port() {
+  public int port() {
     return socket.getLocalPort();
   }
 
@@ -65,7 +65,7 @@ final class VideoReceiver implements AutoCloseable {
   }
 
   /** The next NAL unit with its start code. */
-  byte[] unit() throws IOException {
+  public byte[] unit() throws IOException {
     ByteArrayOutputStream unit = new ByteArrayOutputStream();
     byte[] packet;
     do {
@@ -80,7 +80,7 @@ final class VideoReceiver implements AutoCloseable {
    *
    * @return whether that happens; false if the stream goes on
    */
-  boolean fallsSilent() throws IOException {
+  public boolean fallsSilent() throws IOException {
     socket.setSoTimeout(333);
     try {
       for (int i = 0; i < 1000; i++) {
@@ -95,12 +95,12 @@ final class VideoReceiver implements AutoCloseable {
   }
 
   /** What kind of NAL unit it is. */
-  static int type(byte[] unit) {
+  public static int type(byte[] unit) {
     return unit[4] & 0x1f;
   }
 
   /** Leaves out everything before the next sequence parameters, which it returns. */
-  byte[] nextSps() throws IOException {
+  public byte[] nextSps() throws IOException {
     byte[] unit = unit();
     while (type(unit) != SPS) {
       unit = unit();
