@@ -17,7 +17,6 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.testfx.api.FxRobot;
 import tellosimulator.math.Attitude;
 import tellosimulator.math.Pose;
 import tellosimulator.math.Vec3;
@@ -28,6 +27,7 @@ import tellosimulator.testing.CompressedImage;
 import tellosimulator.time.TimeFactor;
 import tellosimulator.view.layout.Theme;
 import tellosimulator.view.testing.NeedsDisplay;
+import tellosimulator.view.testing.QuickRobot;
 import tellosimulator.view.world.ViewCamera;
 import tellosimulator.world.Room;
 
@@ -119,7 +119,7 @@ class ReadmePicturesDisplayTest {
   @Test
   void helpOverTheWindow() throws IOException {
     open(SimConfig.DEFAULT);
-    new FxRobot().type(KeyCode.F1);
+    new QuickRobot().type(KeyCode.F1);
     take("help.png");
   }
 
@@ -147,7 +147,7 @@ class ReadmePicturesDisplayTest {
         WholeWindow.open(scenario.withConfig(fast), folder.resolve("settings"), UPDATE ? PORT : 0);
     window.asAtFirst().switchOn();
     waitUntil(() -> window.stage().getWidth() == WIDTH && window.stage().getHeight() == HEIGHT);
-    new FxRobot().moveTo("#scene-3d"); // where the pointer lights up no button
+    new QuickRobot().moveTo("#scene-3d"); // where the pointer lights up no button
   }
 
   private void all(String first, String second, String third) {

@@ -20,6 +20,7 @@ import org.testfx.api.FxRobot;
 import tellosimulator.benchmark.Statistics;
 import tellosimulator.sim.SimConfig;
 import tellosimulator.view.testing.NeedsDisplay;
+import tellosimulator.view.testing.QuickRobot;
 
 /**
  * How soon the screen shows a room that is changed by its slider: at most 100 ms on a machine that
@@ -34,7 +35,7 @@ class RoomSliderDisplayTest {
 
   private static final int WARM_UP = 5;
 
-  private final FxRobot robot = new FxRobot();
+  private final FxRobot robot = new QuickRobot();
   @TempDir private Path folder;
   private WholeWindow window;
 

@@ -23,7 +23,6 @@ import org.junit.jupiter.api.extension.BeforeEachCallback;
 import org.junit.jupiter.api.extension.ExtensionContext;
 import org.testfx.api.FxRobot;
 import org.testfx.api.FxToolkit;
-import org.testfx.util.WaitForAsyncUtils;
 import tellosimulator.network.AddressPlan;
 import tellosimulator.recording.RecordingFolder;
 import tellosimulator.scenario.OpenedScenario;
@@ -32,6 +31,8 @@ import tellosimulator.sim.SimConfig;
 import tellosimulator.video.camera.DroneOptics;
 import tellosimulator.view.layout.WindowState;
 import tellosimulator.view.settings.Settings;
+import tellosimulator.view.testing.QuickRobot;
+import tellosimulator.view.testing.WindowFixture;
 
 /**
  * The program with its window, in which scenarios are opened and saved: one drone that is off, at a
@@ -42,7 +43,7 @@ final class AppFixture implements BeforeEachCallback, AfterEachCallback {
   static final InetAddress LOOPBACK = InetAddress.getLoopbackAddress();
 
   private final Supplier<Stage> stageMaker;
-  private final FxRobot robot = new FxRobot();
+  private final FxRobot robot = new QuickRobot();
   private final List<Path> openedReports = new CopyOnWriteArrayList<>();
   private volatile Predicate<Path> browser = file -> true;
   private Path settingsFile;
@@ -198,6 +199,6 @@ final class AppFixture implements BeforeEachCallback, AfterEachCallback {
           work.run();
           return true;
         });
-    WaitForAsyncUtils.waitForFxEvents();
+    WindowFixture.settle();
   }
 }

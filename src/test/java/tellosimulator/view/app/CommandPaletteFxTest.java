@@ -20,11 +20,12 @@ import org.testfx.api.FxRobot;
 import tellosimulator.math.Vec3;
 import tellosimulator.sim.SimSnapshot;
 import tellosimulator.view.layout.Theme;
+import tellosimulator.view.testing.QuickRobot;
 
 /** What one types into the palette of commands is done. */
 class CommandPaletteFxTest {
 
-  private final FxRobot robot = new FxRobot();
+  private final FxRobot robot = new QuickRobot();
   @TempDir private Path folder;
   private WholeWindow window;
 

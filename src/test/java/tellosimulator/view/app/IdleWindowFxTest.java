@@ -2,6 +2,7 @@ package tellosimulator.view.app;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static tellosimulator.view.testing.WindowFixture.onFxThread;
+import static tellosimulator.view.testing.WindowFixture.waitQuietlyUntil;
 import static tellosimulator.view.testing.WindowFixture.waitUntil;
 
 import java.nio.file.Path;
@@ -199,7 +200,7 @@ class IdleWindowFxTest {
 
   private void passSimulated(double seconds) {
     double until = window.simulation().snapshot().time().seconds() + seconds;
-    waitUntil(() -> window.simulation().snapshot().time().seconds() >= until);
+    waitQuietlyUntil(() -> window.simulation().snapshot().time().seconds() >= until);
   }
 
   /** What the window shows of the drone's lamp. */

@@ -23,6 +23,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.testfx.api.FxRobot;
 import tellosimulator.profile.Profile;
+import tellosimulator.view.testing.QuickRobot;
 
 /** Everything in the window can be reached, and is named for those who hear it. */
 class KeyboardWindowFxTest {
@@ -30,7 +31,7 @@ class KeyboardWindowFxTest {
   /** More than there are things to reach. */
   private static final int TURNS = 150;
 
-  private final FxRobot robot = new FxRobot();
+  private final FxRobot robot = new QuickRobot();
   @TempDir private Path folder;
   private WholeWindow window;
 

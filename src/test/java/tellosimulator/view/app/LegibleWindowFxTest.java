@@ -31,6 +31,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.testfx.api.FxRobot;
 import tellosimulator.view.layout.Theme;
+import tellosimulator.view.testing.QuickRobot;
 
 /**
  * Each text of the window can be read, in both themes: it is large enough, and its colour has
@@ -51,7 +52,7 @@ class LegibleWindowFxTest {
   /** By this contrast a result may be wrong, because pictures have whole steps of colour. */
   private static final double ROUNDING = 0.05;
 
-  private final FxRobot robot = new FxRobot();
+  private final FxRobot robot = new QuickRobot();
   @TempDir private Path folder;
   private WholeWindow window;
 

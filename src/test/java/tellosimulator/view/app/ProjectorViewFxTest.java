@@ -22,11 +22,12 @@ import tellosimulator.math.Pose;
 import tellosimulator.sim.Control;
 import tellosimulator.sim.SimConfig;
 import tellosimulator.sim.SimSnapshot.DroneSnapshot;
+import tellosimulator.view.testing.QuickRobot;
 
 /** The view for a class, and what makes the window ready for the next group. */
 class ProjectorViewFxTest {
 
-  private final FxRobot robot = new FxRobot();
+  private final FxRobot robot = new QuickRobot();
   @TempDir private Path folder;
   private WholeWindow window;
 

@@ -24,6 +24,7 @@ import tellosimulator.sim.Control;
 import tellosimulator.sim.SimConfig;
 import tellosimulator.time.TimeFactor;
 import tellosimulator.view.testing.NeedsDisplay;
+import tellosimulator.view.testing.QuickRobot;
 
 /** The whole window on a screen with a window manager. */
 @NeedsDisplay
@@ -35,7 +36,7 @@ class SimulatorWindowDisplayTest {
   /** Half the size of the square in the middle of the scene in which the drone must be [px]. */
   private static final int HALF = 60;
 
-  private final FxRobot robot = new FxRobot();
+  private final FxRobot robot = new QuickRobot();
   @TempDir private Path folder;
   private WholeWindow window;
 

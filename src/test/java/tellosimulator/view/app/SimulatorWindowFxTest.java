@@ -30,12 +30,13 @@ import tellosimulator.sim.Control;
 import tellosimulator.sim.SimConfig;
 import tellosimulator.time.TimeFactor;
 import tellosimulator.view.layout.Theme;
+import tellosimulator.view.testing.QuickRobot;
 import tellosimulator.view.world.ViewCamera;
 
 /** The window as a whole: what its buttons and keys do to its parts, and what it remembers. */
 class SimulatorWindowFxTest {
 
-  private final FxRobot robot = new FxRobot();
+  private final FxRobot robot = new QuickRobot();
   @TempDir private Path folder;
   private WholeWindow window;
 

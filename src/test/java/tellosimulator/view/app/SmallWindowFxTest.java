@@ -28,11 +28,12 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.testfx.api.FxRobot;
 import tellosimulator.sim.SimConfig;
+import tellosimulator.view.testing.QuickRobot;
 
 /** The window on the smallest screens: nothing is cut off, and what has no room is folded. */
 class SmallWindowFxTest {
 
-  private final FxRobot robot = new FxRobot();
+  private final FxRobot robot = new QuickRobot();
   @TempDir private Path folder;
   private WholeWindow window;
 

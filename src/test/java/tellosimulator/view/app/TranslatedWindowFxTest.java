@@ -24,8 +24,8 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.testfx.api.FxRobot;
 import tellosimulator.sim.SimConfig;
+import tellosimulator.view.testing.QuickRobot;
 
 /** All texts of the window change at once with its language, and none is forgotten. */
 class TranslatedWindowFxTest {
@@ -89,7 +89,7 @@ class TranslatedWindowFxTest {
 
   @Test
   void noTextStaysEnglish() {
-    new FxRobot().type(KeyCode.F1, KeyCode.F1);
+    new QuickRobot().type(KeyCode.F1, KeyCode.F1);
     IdentityHashMap<Object, List<String>> english = texts(Locale.ENGLISH);
     IdentityHashMap<Object, List<String>> german = texts(Locale.GERMAN);
 

@@ -33,6 +33,7 @@ import tellosimulator.sim.SimConfig;
 import tellosimulator.sim.SimConfig.Product;
 import tellosimulator.sim.SimConfig.StreamPorts;
 import tellosimulator.view.model.FxSimulation;
+import tellosimulator.view.testing.QuickRobot;
 import tellosimulator.view.video.VideoCapture;
 import tellosimulator.world.Room;
 
@@ -45,7 +46,7 @@ class WindowVideoFxTest {
           new Pose(Vec3.ZERO, Attitude.LEVEL),
           new Pose(new Vec3(0, 1, 0), Attitude.ofHeading(Math.PI)));
 
-  private final FxRobot robot = new FxRobot();
+  private final FxRobot robot = new QuickRobot();
   @TempDir private Path folder;
   private WholeWindow window;
 

@@ -13,14 +13,14 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.extension.ExtendWith;
 import org.testfx.api.FxRobot;
-import org.testfx.framework.junit5.ApplicationExtension;
 import org.testfx.framework.junit5.Start;
 import tellosimulator.model.FlightPhase;
 import tellosimulator.sim.Control;
 import tellosimulator.view.drone.DroneColors;
 import tellosimulator.view.model.ViewContext;
+import tellosimulator.view.testing.StageExtension;
 
-@ExtendWith(ApplicationExtension.class)
+@ExtendWith(StageExtension.class)
 class DroneComboBoxFxTest {
 
   private PanelWindow window;

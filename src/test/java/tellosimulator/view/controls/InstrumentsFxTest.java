@@ -21,12 +21,12 @@ import javafx.stage.Stage;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.extension.ExtendWith;
 import org.testfx.api.FxRobot;
-import org.testfx.framework.junit5.ApplicationExtension;
 import org.testfx.framework.junit5.Start;
+import tellosimulator.view.testing.StageExtension;
 import tellosimulator.view.text.Language;
 import tellosimulator.view.text.Messages;
 
-@ExtendWith(ApplicationExtension.class)
+@ExtendWith(StageExtension.class)
 class InstrumentsFxTest {
 
   private static final double SIZE = 100;

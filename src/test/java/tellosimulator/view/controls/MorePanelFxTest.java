@@ -13,13 +13,13 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.extension.ExtendWith;
 import org.junit.jupiter.api.io.TempDir;
 import org.testfx.api.FxRobot;
-import org.testfx.framework.junit5.ApplicationExtension;
 import org.testfx.framework.junit5.Start;
 import tellosimulator.sim.Control;
+import tellosimulator.view.testing.StageExtension;
 import tellosimulator.world.Surface;
 import tellosimulator.world.Walls;
 
-@ExtendWith(ApplicationExtension.class)
+@ExtendWith(StageExtension.class)
 class MorePanelFxTest {
 
   @TempDir private Path folder;

@@ -18,7 +18,6 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.extension.ExtendWith;
 import org.testfx.api.FxRobot;
-import org.testfx.framework.junit5.ApplicationExtension;
 import org.testfx.framework.junit5.Start;
 import tellosimulator.model.FlightPhase;
 import tellosimulator.network.Reach;
@@ -29,8 +28,9 @@ import tellosimulator.sim.SimConfig.Product;
 import tellosimulator.sim.SimSnapshot;
 import tellosimulator.time.TimeFactor;
 import tellosimulator.view.model.FxSimulation;
+import tellosimulator.view.testing.StageExtension;
 
-@ExtendWith(ApplicationExtension.class)
+@ExtendWith(StageExtension.class)
 class NetworkControlsFxTest {
 
   private PanelWindow window;

@@ -40,6 +40,8 @@ import tellosimulator.sim.SimSnapshot;
 import tellosimulator.sim.SimSnapshot.DroneSnapshot;
 import tellosimulator.video.camera.DroneOptics;
 import tellosimulator.view.model.ViewContext;
+import tellosimulator.view.testing.QuickRobot;
+import tellosimulator.view.testing.WindowFixture;
 import tellosimulator.view.text.Language;
 import tellosimulator.view.video.MediaFolder;
 import tellosimulator.view.video.WindowVideo;
@@ -53,7 +55,7 @@ final class PanelWindow implements AutoCloseable {
   private final OnlineSimulation simulation;
   private final Language language = new Language(Locale.ENGLISH);
   private final ViewContext context;
-  private final FxRobot robot = new FxRobot();
+  private final FxRobot robot = new QuickRobot();
 
   private PanelWindow(int drones) {
     InetAddress loopback = address("127.0.0.1", 0).getAddress();
@@ -160,12 +162,11 @@ final class PanelWindow implements AutoCloseable {
     }
   }
 
-  /** Waits until two more pulses are over, so that what was done has come back. */
+  /** Waits until what was done has come back, and is shown. */
   void settle() {
-    long[] pulses = {0};
-    robot.interact(() -> context.pulse().onBeat(nanos -> pulses[0]++));
-    until(() -> pulses[0] > 2 && !context.actions().pending());
-    WaitForAsyncUtils.waitForFxEvents();
+    until(() -> !context.actions().pending());
+    robot.interact(() -> context.pulse().wake()); // or it may beat but twice a second
+    WindowFixture.passFrames(2);
   }
 
   /** Sends commands one after the other and returns the last reply. */

@@ -9,13 +9,13 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.extension.ExtendWith;
 import org.testfx.api.FxRobot;
-import org.testfx.framework.junit5.ApplicationExtension;
 import org.testfx.framework.junit5.Start;
 import tellosimulator.math.Vec3;
 import tellosimulator.sim.Control;
+import tellosimulator.view.testing.StageExtension;
 import tellosimulator.world.Wind;
 
-@ExtendWith(ApplicationExtension.class)
+@ExtendWith(StageExtension.class)
 class WindPanelFxTest {
 
   private PanelWindow window;

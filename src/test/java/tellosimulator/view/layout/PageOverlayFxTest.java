@@ -1,7 +1,7 @@
 package tellosimulator.view.layout;
 
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.testfx.util.WaitForAsyncUtils.waitForFxEvents;
+import static tellosimulator.view.testing.WindowFixture.settle;
 
 import atlantafx.base.theme.PrimerLight;
 import java.util.ArrayList;
@@ -27,13 +27,13 @@ import org.junit.jupiter.api.extension.ExtendWith;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.testfx.api.FxRobot;
-import org.testfx.framework.junit5.ApplicationExtension;
 import org.testfx.framework.junit5.Start;
 import tellosimulator.sim.SimConfig;
 import tellosimulator.view.pilot.FlownWindow;
 import tellosimulator.view.pilot.SteeringKey;
+import tellosimulator.view.testing.StageExtension;
 
-@ExtendWith(ApplicationExtension.class)
+@ExtendWith(StageExtension.class)
 class PageOverlayFxTest {
 
   private final List<WindowKey> pressed = new ArrayList<>();
@@ -92,7 +92,7 @@ class PageOverlayFxTest {
       TabPane pages = robot.from(robot.lookup("#help-page")).lookup(".tab-pane").query();
       for (Tab page : pages.getTabs()) {
         robot.interact(() -> pages.getSelectionModel().select(page));
-        waitForFxEvents();
+        settle();
         for (Node node : page.getContent().lookupAll(".label")) {
           Label label = (Label) node;
           assertThat(label.getWidth()).as(label.getText()).isPositive();

@@ -32,7 +32,6 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.extension.ExtendWith;
 import org.junit.jupiter.api.io.TempDir;
 import org.testfx.api.FxRobot;
-import org.testfx.framework.junit5.ApplicationExtension;
 import org.testfx.framework.junit5.Start;
 import org.testfx.util.WaitForAsyncUtils;
 import tellosimulator.command.Peer;
@@ -47,6 +46,9 @@ import tellosimulator.sim.SimEvent;
 import tellosimulator.time.SimTime;
 import tellosimulator.video.camera.DroneOptics;
 import tellosimulator.view.model.ViewContext;
+import tellosimulator.view.testing.QuickRobot;
+import tellosimulator.view.testing.StageExtension;
+import tellosimulator.view.testing.WindowFixture;
 import tellosimulator.view.text.Language;
 import tellosimulator.view.video.MediaFolder;
 import tellosimulator.view.video.WindowVideo;
@@ -54,14 +56,14 @@ import tellosimulator.words.Phrase;
 import tellosimulator.world.Room;
 import tellosimulator.world.Surface;
 
-@ExtendWith(ApplicationExtension.class)
+@ExtendWith(StageExtension.class)
 class LogPaneFxTest {
 
   /** Cells that a list of this height can show at the most, and a few that the toolkit keeps. */
   private static final int MOST_CELLS = 40;
 
   private final LogQueue logQueue = new LogQueue();
-  private final FxRobot robot = new FxRobot();
+  private final FxRobot robot = new QuickRobot();
   private OnlineSimulation simulation;
   private ViewContext context;
   private LogPane box;
@@ -403,7 +405,7 @@ class LogPaneFxTest {
     assertThat(visibleWords()).first().asString().startsWith("Welcome.");
 
     robot.interact(() -> context.language().localeProperty().set(Locale.GERMAN));
-    WaitForAsyncUtils.waitForFxEvents();
+    WindowFixture.settle();
 
     assertThat(visibleWords()).hasSize(2);
     assertThat(visibleWords()).first().asString().startsWith("Willkommen.");

@@ -2,7 +2,7 @@ package tellosimulator.view.pilot;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.testfx.util.WaitForAsyncUtils.waitFor;
-import static org.testfx.util.WaitForAsyncUtils.waitForFxEvents;
+import static tellosimulator.view.testing.WindowFixture.settle;
 
 import atlantafx.base.theme.PrimerLight;
 import java.util.List;
@@ -26,7 +26,6 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.extension.ExtendWith;
 import org.testfx.api.FxRobot;
-import org.testfx.framework.junit5.ApplicationExtension;
 import org.testfx.framework.junit5.Start;
 import tellosimulator.math.Vec3;
 import tellosimulator.model.FlightPhase;
@@ -35,9 +34,10 @@ import tellosimulator.sim.Formation;
 import tellosimulator.sim.SimConfig;
 import tellosimulator.time.TimeFactor;
 import tellosimulator.view.model.FxSimulation;
+import tellosimulator.view.testing.StageExtension;
 import tellosimulator.world.Room;
 
-@ExtendWith(ApplicationExtension.class)
+@ExtendWith(StageExtension.class)
 class PilotControlsFxTest {
 
   private FlownWindow window;
@@ -260,7 +260,7 @@ class PilotControlsFxTest {
     robot.interact(() -> robot.lookup("#field").query().requestFocus());
 
     robot.type(KeyCode.W, KeyCode.F, KeyCode.X);
-    waitForFxEvents();
+    settle();
 
     assertThat(robot.lookup("#field").queryAs(TextField.class).getText()).isEqualTo("wfx");
     assertThat(window.commands().subList(before, window.commands().size()))
@@ -278,7 +278,7 @@ class PilotControlsFxTest {
   }
 
   private static Bounds onScreen(FxRobot robot) {
-    waitForFxEvents();
+    settle();
     Button emergency = button(robot, "#pilot-emergency");
     return emergency.localToScreen(emergency.getBoundsInLocal());
   }
@@ -286,7 +286,7 @@ class PilotControlsFxTest {
   @Test
   void keysDoNothingUnlessSwitchedOn(FxRobot robot) {
     robot.type(KeyCode.W, KeyCode.X);
-    waitForFxEvents();
+    settle();
 
     assertThat(controls.keyboard().pressed()).isEmpty();
     assertThat(window.commands()).isEmpty();
@@ -320,6 +320,6 @@ class PilotControlsFxTest {
 
   private static void await(Callable<Boolean> reached) throws TimeoutException {
     waitFor(20, TimeUnit.SECONDS, reached);
-    waitForFxEvents();
+    settle();
   }
 }

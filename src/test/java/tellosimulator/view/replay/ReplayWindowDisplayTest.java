@@ -36,6 +36,7 @@ import tellosimulator.view.layout.Theme;
 import tellosimulator.view.replay.ReplayWindow.Appearance;
 import tellosimulator.view.testing.FxFailures;
 import tellosimulator.view.testing.NeedsDisplay;
+import tellosimulator.view.testing.QuickRobot;
 import tellosimulator.view.text.Language;
 
 /** The player on a screen: a recording from 1 to 15 s, and a ghost that took off 1 s earlier. */
@@ -43,7 +44,7 @@ import tellosimulator.view.text.Language;
 class ReplayWindowDisplayTest {
 
   @TempDir private Path folder;
-  private final FxRobot robot = new FxRobot();
+  private final FxRobot robot = new QuickRobot();
   private ReplayWindow window;
   private Stage stage;
   private FxFailures failures;

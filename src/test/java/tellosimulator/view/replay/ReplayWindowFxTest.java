@@ -30,13 +30,14 @@ import tellosimulator.report.ReportEntry;
 import tellosimulator.video.camera.DroneOptics;
 import tellosimulator.view.layout.Theme;
 import tellosimulator.view.replay.ReplayWindow.Appearance;
+import tellosimulator.view.testing.QuickRobot;
 import tellosimulator.view.text.Language;
 
 /** The player on a recording from 1 to 15 s: takeoff at 4 s, 100 cm forward from 8 s on. */
 class ReplayWindowFxTest {
 
   @TempDir private Path folder;
-  private final FxRobot robot = new FxRobot();
+  private final FxRobot robot = new QuickRobot();
   private ReplayWindow window;
   private Stage stage;
 

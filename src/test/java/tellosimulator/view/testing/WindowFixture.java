@@ -12,6 +12,7 @@ import java.util.concurrent.TimeoutException;
 import java.util.function.Function;
 import javafx.animation.AnimationTimer;
 import javafx.application.Application;
+import javafx.application.Platform;
 import javafx.scene.Node;
 import javafx.scene.Parent;
 import javafx.scene.Scene;
@@ -56,7 +57,7 @@ public final class WindowFixture implements BeforeEachCallback, AfterEachCallbac
 
   private final SimConfig config;
   private final Function<ViewContext, ? extends Parent> viewMaker;
-  private final FxRobot robot = new FxRobot();
+  private final FxRobot robot = new QuickRobot();
   private OnlineSimulation simulation;
   private WindowVideo video;
   private ViewContext context;
@@ -103,7 +104,7 @@ public final class WindowFixture implements BeforeEachCallback, AfterEachCallbac
           context.pulse().start();
           return view;
         });
-    WaitForAsyncUtils.waitForFxEvents();
+    settle();
   }
 
   @Override
@@ -161,14 +162,34 @@ public final class WindowFixture implements BeforeEachCallback, AfterEachCallbac
     return WaitForAsyncUtils.waitForAsyncFx(PATIENCE_SECONDS * 1000L, work);
   }
 
-  /** Waits until something is true, asking on the JavaFX thread; a failure after a minute. */
+  /**
+   * Waits until something is true, asking on the JavaFX thread, and the windows are laid out; a
+   * failure after a minute.
+   */
   public static void waitUntil(Callable<Boolean> condition) {
+    waitQuietlyUntil(condition);
+    settle();
+  }
+
+  /** The same, but asks the toolkit for no frame, which would be seen in an idle window. */
+  public static void waitQuietlyUntil(Callable<Boolean> condition) {
     try {
       WaitForAsyncUtils.waitFor(PATIENCE_SECONDS, TimeUnit.SECONDS, () -> onFxThread(condition));
     } catch (TimeoutException e) {
       throw new AssertionError("not within " + PATIENCE_SECONDS + " s", e);
     }
-    WaitForAsyncUtils.waitForFxEvents();
+  }
+
+  /**
+   * Waits until input that is under way has been handled, and all windows are laid out. A real
+   * display brings input through its server, which takes some frames; Monocle brings it at once. On
+   * the JavaFX thread there is nothing to wait for.
+   */
+  public static void settle() {
+    if (!Platform.isFxApplicationThread()) {
+      onFxThread(() -> true); // the robot's events are put behind what is done already
+      passFrames(Boolean.getBoolean("testfx.headless") ? 1 : 4);
+    }
   }
 
   /** Waits until the toolkit has shown some more frames. */

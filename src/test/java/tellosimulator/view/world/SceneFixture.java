@@ -26,7 +26,6 @@ import org.junit.jupiter.api.extension.AfterEachCallback;
 import org.junit.jupiter.api.extension.BeforeEachCallback;
 import org.junit.jupiter.api.extension.ExtensionContext;
 import org.testfx.api.FxToolkit;
-import org.testfx.util.WaitForAsyncUtils;
 import tellosimulator.fault.ActiveFaults;
 import tellosimulator.fault.Fault;
 import tellosimulator.fault.LinkPreset;
@@ -48,6 +47,7 @@ import tellosimulator.view.model.FxMarks;
 import tellosimulator.view.model.FxSimulation;
 import tellosimulator.view.model.Pulse;
 import tellosimulator.view.model.SceneContext;
+import tellosimulator.view.testing.WindowFixture;
 import tellosimulator.view.text.Language;
 import tellosimulator.view.video.MediaFolder;
 import tellosimulator.view.video.WindowVideo;
@@ -169,7 +169,7 @@ public final class SceneFixture implements BeforeEachCallback, AfterEachCallback
           what.run();
           return true;
         });
-    WaitForAsyncUtils.waitForFxEvents();
+    WindowFixture.settle();
   }
 
   /** Puts the first drone somewhere; the next beat shows it. */
