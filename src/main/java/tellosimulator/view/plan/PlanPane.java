@@ -76,7 +76,6 @@ public final class PlanPane extends BorderPane {
     legend = messages.label("legend", "legend");
     initializeSelf();
     initializeParts();
-    layoutParts();
     setupBindings();
     Runnable edit = properties::edit;
     PlanGestures.install(
@@ -129,6 +128,10 @@ public final class PlanPane extends BorderPane {
             tool("leave", Feather.X, () -> shown.set(false), never));
   }
 
+  /**
+   * When it is shown for the first time. Measured: its parts are a quarter of the window's nodes,
+   * and opening the window would take a quarter longer to style them.
+   */
   private void layoutParts() {
     palette.getStyleClass().add("palette");
     tools.getStyleClass().add("tools");
@@ -148,6 +151,9 @@ public final class PlanPane extends BorderPane {
     shown.addListener(
         (property, before, now) -> {
           if (now) {
+            if (getCenter() == null) {
+              layoutParts();
+            }
             advance();
             view.requestFocus();
           }
