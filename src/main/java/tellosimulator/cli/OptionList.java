@@ -105,6 +105,27 @@ final class OptionList {
   }
 
   /**
+   * Files, at least one.
+   *
+   * @param label what stands for each in the help
+   */
+  Supplier<List<Path>> files(String label, String description) {
+    PositionalParamSpec files =
+        PositionalParamSpec.builder()
+            .paramLabel(label)
+            .description(description)
+            .type(List.class)
+            .auxiliaryTypes(Path.class)
+            .converters((ITypeConverter<Path>) OptionTypes::fileOrFolder)
+            .index("0..*")
+            .arity("1..*")
+            .required(true)
+            .build();
+    spec.addPositional(files);
+    return files::getValue;
+  }
+
+  /**
    * Lets any words follow, also such as look like options; {@link #words} has them.
    *
    * @param label what stands for them in the help

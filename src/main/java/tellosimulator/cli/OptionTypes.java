@@ -17,6 +17,7 @@ import java.util.stream.Collectors;
 import picocli.CommandLine.TypeConversionException;
 import tellosimulator.command.OperatorRule;
 import tellosimulator.export.ExportFormat;
+import tellosimulator.fault.FaultParameter;
 import tellosimulator.goal.Challenge;
 import tellosimulator.math.Frames;
 import tellosimulator.math.Vec3;
@@ -272,9 +273,10 @@ final class OptionTypes {
   }
 
   static Double seconds(String word) {
-    double seconds = word.matches(NUMBER) ? Double.parseDouble(word) : 0;
+    double seconds = FaultParameter.Unit.SECONDS.read(word).orElse(0.0);
     if (!(seconds > 0 && seconds <= Challenge.LONGEST)) {
-      throw diagnostic("a number of seconds from more than 0 to " + plain(Challenge.LONGEST), word);
+      throw diagnostic(
+          "a time such as 90 or 90s, of at most " + plain(Challenge.LONGEST) + " s", word);
     }
     return seconds;
   }

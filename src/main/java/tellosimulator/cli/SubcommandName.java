@@ -13,6 +13,7 @@ public enum SubcommandName {
   EXPORT("writes a recording for Wireshark, Foxglove or PlotJuggler", ExportSubcommand::new),
   PROXY("stands between programs and a real drone, and records", ProxySubcommand::new),
   REPLAY("flies a recording again, and compares", ReplaySubcommand::new),
+  CHECK("says what is wrong with scenario files", CheckSubcommand::new),
   RUN("flies an unchanged program where the drone is 192.168.10.1", RunSubcommand::new);
 
   private final String does;

@@ -69,7 +69,7 @@ public enum FaultParameter {
     }
 
     /** A quantity in SI; empty if it is none. Without a unit, this one is meant. */
-    Optional<Double> read(String word) {
+    public Optional<Double> read(String word) {
       Matcher parts = QUANTITY.matcher(word);
       if (!parts.matches()) {
         return Optional.empty();

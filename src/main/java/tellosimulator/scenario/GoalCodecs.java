@@ -51,14 +51,7 @@ final class GoalCodecs {
         hover
             .key("seconds", "How long without a break.")
             .need(
-                NumberCodec.of(
-                    Phrase.of(
-                        "seconds from %s to %s",
-                        NumberCodec.plain(Goal.SHORTEST_HOVER),
-                        NumberCodec.plain(Goal.LONGEST_HOVER)),
-                    Goal.SHORTEST_HOVER,
-                    Goal.LONGEST_HOVER),
-                Goal.Hover::seconds);
+                NumberCodec.seconds(Goal.SHORTEST_HOVER, Goal.LONGEST_HOVER), Goal.Hover::seconds);
     return hover.madeFor((in, drone) -> new Goal.Hover(drone, region.apply(in), in.get(seconds)));
   }
 

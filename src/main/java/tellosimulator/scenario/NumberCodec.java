@@ -12,6 +12,7 @@ import org.snakeyaml.engine.v2.nodes.Node;
 import org.snakeyaml.engine.v2.nodes.ScalarNode;
 import org.snakeyaml.engine.v2.nodes.SequenceNode;
 import org.snakeyaml.engine.v2.nodes.Tag;
+import tellosimulator.fault.FaultParameter;
 import tellosimulator.math.Frames;
 import tellosimulator.math.Vec3;
 import tellosimulator.words.Phrase;
@@ -30,6 +31,9 @@ record NumberCodec(Unit unit, Phrase expected, double least, double most) implem
   private static final Pattern FORM =
       Pattern.compile("(?=.{1,40}$)[+-]?([0-9]+\\.?[0-9]*|\\.[0-9]+)([eE][+-]?[0-9]+)?");
 
+  /** A time with its unit. */
+  private static final String TIME = "^[0-9]{1,9}(\\.[0-9]{1,9})?(ms|s|min)$";
+
   /** Numbers are read to the millionth, so that they are the same after they were written. */
   private static final double PRECISION = 1e6;
 
@@ -40,7 +44,9 @@ record NumberCodec(Unit unit, Phrase expected, double least, double most) implem
     /** A length or a speed, which becomes one of metres. */
     CENTIMETER,
     /** Degrees counter-clockwise, which become radians within ±π. */
-    DEGREE
+    DEGREE,
+    /** A time, which may also be written with its unit, such as 90s. */
+    SECOND
   }
 
   /** Degrees counter-clockwise, as radians within ±π. */
@@ -50,6 +56,12 @@ record NumberCodec(Unit unit, Phrase expected, double least, double most) implem
   /** A number as it is. */
   static NumberCodec of(Phrase expected, double least, double most) {
     return new NumberCodec(Unit.ONE, expected, least, most);
+  }
+
+  /** A time in seconds. */
+  static NumberCodec seconds(double least, double most) {
+    Phrase expected = Phrase.of("seconds from %s to %s", plain(least), plain(most));
+    return new NumberCodec(Unit.SECOND, expected, least, most);
   }
 
   /** A length in centimetres, as metres. */
@@ -76,7 +88,7 @@ record NumberCodec(Unit unit, Phrase expected, double least, double most) implem
   @Override
   public Node write(Double value, Path folder) {
     return switch (unit) {
-      case ONE -> Yaml.number(value);
+      case ONE, SECOND -> Yaml.number(value);
       case CENTIMETER -> Yaml.number(value * 100);
       case DEGREE -> Yaml.number(degrees(value));
     };
@@ -87,13 +99,17 @@ record NumberCodec(Unit unit, Phrase expected, double least, double most) implem
     Map<String, Object> schema = Codec.object("type", "number");
     schema.put("minimum", new BigDecimal(plain(least)));
     schema.put("maximum", new BigDecimal(plain(most)));
-    return schema;
+    return unit == Unit.SECOND
+        ? Codec.object("anyOf", List.of(schema, Codec.object("type", "string", "pattern", TIME)))
+        : schema;
   }
 
   /** The number that a node is, or NaN. */
-  private static double number(Node node) {
+  private double number(Node node) {
     String word = node instanceof ScalarNode scalar && scalar.isPlain() ? scalar.getValue() : "";
-    return FORM.matcher(word).matches() ? rounded(Double.parseDouble(word)) : Double.NaN;
+    double number = FORM.matcher(word).matches() ? Double.parseDouble(word) : Double.NaN;
+    boolean time = unit == Unit.SECOND && word.matches(TIME);
+    return rounded(time ? FaultParameter.Unit.SECONDS.read(word).orElse(number) : number);
   }
 
   private double inSi(double value) {

@@ -199,10 +199,7 @@ final class ScenarioCodec extends RecordCodec<ScenarioCodec.Noted> {
   private final Field<Noted, Double> timeLimit =
       key("time-limit", "Seconds from the first takeoff on.")
           .optional(
-              NumberCodec.of(
-                  Phrase.of("seconds from 1 to %s", NumberCodec.plain(Challenge.LONGEST)),
-                  1,
-                  Challenge.LONGEST),
+              NumberCodec.seconds(1, Challenge.LONGEST),
               noted -> boxed(noted.scenario().challenge().timeLimit()));
   private final Field<Noted, Boolean> untouched =
       key(
@@ -273,6 +270,7 @@ final class ScenarioCodec extends RecordCodec<ScenarioCodec.Noted> {
     checks.addresses(flying(in));
     List<Item<Goal>> wanted = in.find(goals).orElse(List.of());
     checks.places(wanted);
+    checks.reachable(wanted, Item.values(placed), Item.values(named));
     if (in.sound(obstacles)) {
       checks.gates(wanted, Item.values(named));
     }

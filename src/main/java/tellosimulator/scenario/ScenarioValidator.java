@@ -1,6 +1,7 @@
 package tellosimulator.scenario;
 
 import java.net.InetAddress;
+import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.HashSet;
 import java.util.List;
@@ -9,6 +10,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Collectors;
 import tellosimulator.goal.Goal;
+import tellosimulator.goal.GoalRegion;
 import tellosimulator.math.Vec3;
 import tellosimulator.model.DroneSpec;
 import tellosimulator.scenario.Diagnostic.Place;
@@ -30,12 +32,36 @@ import tellosimulator.world.Surface;
 /** Looks whether what was read fits together. */
 final class ScenarioValidator {
 
+  /** Part of a radius that is within it whatever the rounding. */
+  private static final double INSIDE = 0.999;
+
+  /** Unit vectors to all sides, 45 degrees apart. */
+  private static final List<Vec3> BALL = directions(-1, 1);
+
+  /** The same on the level. */
+  private static final List<Vec3> DISC = directions(0, 0);
+
   private final Room room;
   private final Diagnostics diagnostics;
 
   ScenarioValidator(Room room, Diagnostics diagnostics) {
     this.room = room;
     this.diagnostics = diagnostics;
+  }
+
+  private static List<Vec3> directions(int lowest, int highest) {
+    List<Vec3> directions = new ArrayList<>();
+    for (int x = -1; x <= 1; x++) {
+      for (int y = -1; y <= 1; y++) {
+        for (int z = lowest; z <= highest; z++) {
+          Vec3 direction = new Vec3(x, y, z);
+          if (direction.norm() > 0) {
+            directions.add(direction.times(1 / direction.norm()));
+          }
+        }
+      }
+    }
+    return directions;
   }
 
   /** Whether the names are different. */
@@ -136,6 +162,38 @@ final class ScenarioValidator {
           && !Footprint.inside(place.region().place(), room)) {
         diagnostics.add(goal.place(), Phrase.of("this place is not in the room"));
       }
+    }
+  }
+
+  /** Whether a drone can be where goals want it: obstacles may fill all of a place. */
+  void reachable(List<Item<Goal>> goals, List<MissionPad> pads, List<Obstacle> obstacles) {
+    Obstacles around = Obstacles.of(Arena.empty(room, Decor.DEFAULT).withObstacles(obstacles));
+    for (Item<Goal> goal : goals) {
+      if (goal.value() instanceof Goal.Reach || goal.value() instanceof Goal.Hover) {
+        GoalRegion region = ((Goal.InRegion) goal.value()).region();
+        reachable(goal, region.place(), around, INSIDE * region.radius(), BALL);
+      } else if (goal.value() instanceof Goal.LandOn land) {
+        pads.stream()
+            .filter(pad -> pad.id() == land.pad() && pad.surface() == Surface.FLOOR)
+            .forEach(
+                pad ->
+                    reachable(goal, pad.pose(room).position(), around, MissionPad.EDGE / 2, DISC));
+      }
+    }
+  }
+
+  private void reachable(
+      Item<Goal> goal, Vec3 place, Obstacles around, double radius, List<Vec3> directions) {
+    Optional<Obstacle> obstacle = around.around(place, DroneSpec.COLLIDER);
+    boolean free =
+        directions.stream()
+            .map(direction -> place.plusScaled(direction, radius))
+            .filter(each -> room.contains(each, DroneSpec.COLLIDER))
+            .anyMatch(each -> around.around(each, DroneSpec.COLLIDER).isEmpty());
+    if (obstacle.isPresent() && !free) {
+      diagnostics.add(
+          goal.place(),
+          Phrase.of("no drone can reach this place: it is in %s", obstacle.get().phrase()));
     }
   }
 

@@ -10,6 +10,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Optional;
+import java.util.regex.Pattern;
 import org.snakeyaml.engine.v2.api.LoadSettings;
 import org.snakeyaml.engine.v2.common.SpecVersion;
 import org.snakeyaml.engine.v2.composer.Composer;
@@ -33,6 +34,10 @@ final class Source {
 
   /** Longest sentence of the library that is shown [characters]. Decided. */
   private static final int LONGEST_SHOWN = 120;
+
+  /** What the library says of text that is taken for something else. */
+  private static final Pattern NEEDS_QUOTES =
+      Pattern.compile("mapping values are not allowed|cannot start any token");
 
   private static final char BYTE_ORDER_MARK = '\uFEFF';
 
@@ -102,8 +107,15 @@ final class Source {
     } catch (MarkedYamlEngineException e) {
       Place place =
           e.getProblemMark().or(e::getContextMark).map(Diagnostics::place).orElse(Place.WHOLE);
+      String problem = shortened(String.valueOf(e.getProblem()).replaceFirst("\\. \\(.*", ""));
       diagnostics.add(
-          place, Phrase.of("this is not YAML: %s", shortened(String.valueOf(e.getProblem()))));
+          place,
+          NEEDS_QUOTES.matcher(problem).find()
+              ? Phrase.of(
+                  "this is not YAML: %s; text with a colon or a sign such as @ needs quotes, as in"
+                      + " name: \"Slalom: the race\"",
+                  problem)
+              : Phrase.of("this is not YAML: %s", problem));
     } catch (YamlVersionException e) {
       SpecVersion version = e.getSpecVersion();
       diagnostics.add(
