@@ -294,7 +294,7 @@ final class Flight {
       autopilot.observe(model.motion(), normal, model.pushed());
       switch (autopilot.outcome()) {
         case ARRIVED -> arrived();
-        case HELD -> gaveUp(Reply.ERROR, Phrase.of("it was held by %s for a second", obstacle()));
+        case HELD -> gaveUp(Reply.ERROR, Phrase.of("it was blocked by %s for 1 s", obstacle()));
         case RESTLESS -> gaveUp(Reply.ERROR, Phrase.of("it did not come to rest"));
         case LOST -> gaveUp(Reply.RUN_TIMEOUT, autopilot.maneuver().lost().orElseThrow());
         case RUNNING -> {}

@@ -28,7 +28,7 @@ public sealed interface FlightEvent {
     @Override
     public Phrase phrase() {
       return on instanceof Obstacle obstacle
-          ? Phrase.of("landed on \"%s\"", obstacle.name())
+          ? Phrase.of("landed on \"%s\"", obstacle.label())
           : Phrase.of("landed");
     }
   }

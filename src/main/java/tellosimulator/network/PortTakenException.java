@@ -91,7 +91,7 @@ public final class PortTakenException extends IOException {
     int port = address.getPort();
     String who =
         port == AddressPlan.REAL_COMMAND_PORT
-            ? "probably by an operator program, which needs that port for itself"
+            ? "probably by a drone program, which needs that port for itself"
             : "probably by a Tello simulator that is still running";
     return new PortTakenException(
         address,

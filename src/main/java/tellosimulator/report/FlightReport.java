@@ -8,6 +8,7 @@ import java.util.stream.Collectors;
 import tellosimulator.files.AtomicFile;
 import tellosimulator.json.Json;
 import tellosimulator.recording.RecordedFlight;
+import tellosimulator.scenario.Gallery;
 
 /**
  * A report of a flight: one HTML file that holds everything it shows, and loads nothing. For any
@@ -57,6 +58,6 @@ public final class FlightReport {
 
   private String heading() {
     String scenario = flight.run().setting().scenario();
-    return scenario.isEmpty() ? texts.of("no-scenario") : scenario;
+    return scenario.isEmpty() ? texts.of("no-scenario") : Gallery.nameIn(scenario, texts.locale());
   }
 }

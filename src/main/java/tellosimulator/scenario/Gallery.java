@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.io.UncheckedIOException;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import tellosimulator.words.Spelling;
 
@@ -34,6 +35,16 @@ public final class Gallery {
   /** The same, to change and to save it. */
   public static Optional<ScenarioDocument> open(String name) {
     return NAMES.contains(name) ? Optional.of(read(name)) : Optional.empty();
+  }
+
+  /** What a scenario is called in a language whose English name is known; that name if unknown. */
+  public static String nameIn(String english, Locale locale) {
+    return NAMES.stream()
+        .map(name -> read(name).scenario().description().name())
+        .filter(name -> name.english().equals(english))
+        .findFirst()
+        .map(name -> name.in(locale))
+        .orElse(english);
   }
 
   /** The short name of the one after a scenario; empty after the last. */

@@ -81,7 +81,7 @@ final class ScenarioValidator {
       if (!Footprint.inside(obstacle.value(), room)) {
         diagnostics.add(
             obstacle.place(),
-            Phrase.of("the obstacle %s is not in the room", obstacle.value().name()));
+            Phrase.of("the obstacle \"%s\" is not in the room", obstacle.value().name()));
       }
     }
   }
@@ -211,7 +211,7 @@ final class ScenarioValidator {
         obstacles.stream().filter(obstacle -> obstacle.name().equals(name)).findFirst();
     if (named.isPresent()) {
       if (!(named.get().shape() instanceof Shape.Gate)) {
-        diagnostics.add(place, Phrase.of("the obstacle %s is no gate", name));
+        diagnostics.add(place, Phrase.of("the obstacle \"%s\" is no gate", name));
       }
       return;
     }

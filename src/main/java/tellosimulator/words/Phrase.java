@@ -27,6 +27,11 @@ public record Phrase(String template, List<Object> values) {
     return new Phrase(template, List.of(values));
   }
 
+  /** A name of something; of those that come with the program there are translations. */
+  public static Phrase name(String name) {
+    return new Phrase(name, List.of());
+  }
+
   /** Said in English. */
   public String english() {
     return in(Translation.ENGLISH);

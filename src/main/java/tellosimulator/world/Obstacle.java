@@ -19,7 +19,12 @@ public record Obstacle(
 
   @Override
   public Phrase phrase() {
-    return Phrase.of("the obstacle %s", name);
+    return Phrase.of("the obstacle \"%s\"", label());
+  }
+
+  /** Its name, for people. */
+  public Phrase label() {
+    return Phrase.name(name);
   }
 
   /** Where its frame is. */

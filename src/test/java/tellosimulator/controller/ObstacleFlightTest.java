@@ -47,8 +47,8 @@ class ObstacleFlightTest {
     double front = 1.5 - 0.01 - DroneSpec.COLLIDER.radius();
     assertThat(drone.state().motion().position().x()).isCloseTo(front, within(0.01));
     assertThat(words(drone))
-        .anyMatch(line -> line.startsWith("touched the obstacle screen at"))
-        .anyMatch(line -> line.contains("failed: it was held by the obstacle screen"));
+        .anyMatch(line -> line.startsWith("touched the obstacle \"screen\" at"))
+        .anyMatch(line -> line.contains("failed: it was blocked by the obstacle \"screen\""));
     assertThat(drone.ask("back 50")).isEqualTo("ok");
   }
 
@@ -71,7 +71,7 @@ class ObstacleFlightTest {
     assertThat(words(drone))
         .filteredOn(line -> line.startsWith("touched"))
         .satisfiesExactlyInAnyOrder(
-            line -> assertThat(line).startsWith("touched the obstacle screen"),
+            line -> assertThat(line).startsWith("touched the obstacle \"screen\""),
             line -> assertThat(line).startsWith("touched the left wall"));
   }
 
@@ -88,7 +88,8 @@ class ObstacleFlightTest {
     assertThat(drone.ask("forward 500")).isEqualTo("error Motor stop");
 
     assertThat(drone.state().phase()).isEqualTo(FlightPhase.CRASHED);
-    assertThat(words(drone)).anyMatch(line -> line.startsWith("crashed into the obstacle screen"));
+    assertThat(words(drone))
+        .anyMatch(line -> line.startsWith("crashed into the obstacle \"screen\""));
     drone.advance(2);
     assertThat(drone.state().motion().position().z()).isZero();
     assertThat(drone.state().motion().position().x()).isLessThan(5);

@@ -35,7 +35,7 @@ class ObstructedFlightTest {
     double wall = Room.DEFAULT.depth() / 2 - DroneSpec.COLLIDER.radius();
     assertThat(drone.state().motion().position().x()).isCloseTo(wall, within(0.01));
     assertThat(drone.state().phase()).isEqualTo(FlightPhase.FLYING);
-    assertThat(lastWords(drone)).contains("`forward 300` failed: it was held by the front wall");
+    assertThat(lastWords(drone)).contains("`forward 300` failed: it was blocked by the front wall");
     assertThat(drone.ask("back 50")).isEqualTo("ok");
   }
 

@@ -57,7 +57,7 @@ class GoalMarkTest {
           gate-race          | 0 | fly through gate A at x -100, y -100, z 100 cm, in the direction of x
           gate-race          | 2 | fly through gate C at x 150, y 50, z 120 cm, in the direction of y
           gate-race          | 3 | land at x 150, y 150 cm
-          window-in-the-wall | 0 | fly through gate window at x 0, y 60, z 150 cm
+          window-in-the-wall | 0 | fly through gate A at x 0, y 60, z 150 cm
           pad-course         | 0 | reach x 0, y -150, z 80 cm
           pad-course         | 2 | land on mission pad 4 at x 150, y 0 cm
           table-landing      | 0 | land at x 150, y 100, z 60 cm

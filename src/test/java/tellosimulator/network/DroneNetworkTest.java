@@ -90,7 +90,7 @@ class DroneNetworkTest {
   void port8889IsTakenByAnOperatorProgram() {
     assertThat(PortTakenException.taken(address("127.0.0.1", 8889), new IOException("in use")))
         .hasMessage(
-            "Port 8889 of 127.0.0.1 is taken, probably by an operator program, which needs that"
+            "Port 8889 of 127.0.0.1 is taken, probably by a drone program, which needs that"
                 + " port for itself: end that program, or choose another port with"
                 + " --command-port.");
   }

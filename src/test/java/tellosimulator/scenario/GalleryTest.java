@@ -77,6 +77,13 @@ class GalleryTest {
   }
 
   @Test
+  void aScenarioIsCalledInTheLanguageOfTheReader() {
+    assertThat(Gallery.nameIn("First square", Locale.GERMAN)).isEqualTo("Das erste Quadrat");
+    assertThat(Gallery.nameIn("First square", Locale.ENGLISH)).isEqualTo("First square");
+    assertThat(Gallery.nameIn("My room", Locale.GERMAN)).isEqualTo("My room");
+  }
+
+  @Test
   void eachIsFollowedByTheNextAndTheLastByNone() {
     assertThat(Gallery.next("empty-room")).contains("over-the-wall");
     assertThat(Gallery.next("swarm-stage")).isEmpty();
@@ -100,7 +107,7 @@ class GalleryTest {
   @Test
   void overTheWall() {
     reaches("over-the-wall", "takeoff; up 120; forward 300; land");
-    fails("over-the-wall", "takeoff; forward 300; land", "drone 1 touched the obstacle wall");
+    fails("over-the-wall", "takeoff; forward 300; land", "drone 1 touched the obstacle \"wall\"");
   }
 
   @Test
@@ -108,7 +115,7 @@ class GalleryTest {
     reaches(
         "slalom",
         "takeoff; go 100 60 0 60; go 100 -120 0 60; go 100 120 0 60; go 100 -60 0 60; land");
-    fails("slalom", "takeoff; forward 400; land", "drone 1 touched the obstacle first pole");
+    fails("slalom", "takeoff; forward 400; land", "drone 1 touched the obstacle \"first pole\"");
   }
 
   @Test
@@ -118,7 +125,7 @@ class GalleryTest {
     fails(
         "table-landing",
         "takeoff; forward 150; left 100; land",
-        "drone 1 touched the obstacle foot of the table");
+        "drone 1 touched the obstacle \"foot of the table\"");
   }
 
   @Test
@@ -127,7 +134,7 @@ class GalleryTest {
     fails(
         "window-in-the-wall",
         "takeoff; up 110; forward 300; land",
-        "drone 1 touched the obstacle window");
+        "drone 1 touched the obstacle \"A\"");
   }
 
   @Test

@@ -371,8 +371,8 @@ class ScenarioFileTest {
           obstacles: [{}]                     | 1:13: expected one of box, cylinder, wall, gate, found 0 of them
           obstacles: [{bx: {}}]               | 1:14: an obstacle has no key "bx", did you mean box?
           obstacles: [{box: {at: [0, 0], size: [0, 1, 1]}}] | 1:39: expected a length in cm from 0.1 to 20000, found "0"
-          obstacles: [{box: {at: [240, 0], size: [40, 40, 40]}}] | 1:13: the obstacle box 1 is not in the room
-          obstacles: [{cylinder: {at: [99, 0], radius: 5, height: 301}}] | 1:13: the obstacle cylinder 1 is not in the room
+          obstacles: [{box: {at: [240, 0], size: [40, 40, 40]}}] | 1:13: the obstacle "box 1" is not in the room
+          obstacles: [{cylinder: {at: [99, 0], radius: 5, height: 301}}] | 1:13: the obstacle "cylinder 1" is not in the room
           obstacles: [{wall: {from: [0, 0], to: [0, 0], height: 5}}] | 1:39: expected another place than that of from
           obstacles: [{gate: {at: [0, 0], shape: ring, diameter: 80, centre: 20}}] | 1:68: the centre of this opening must be at least 45 cm high
           obstacles: [{gate: {at: [0, 0], shape: ring, diameter: 80, centre: 90, width: 5}}] | 1:79: the key width does not go with ring
@@ -433,7 +433,7 @@ class ScenarioFileTest {
     assertThat(diagnostics(text))
         .containsExactly(
             "5:5: there is no gate \"frist\", did you mean first?",
-            "6:5: the obstacle table is no gate");
+            "6:5: the obstacle \"table\" is no gate");
   }
 
   @Test
@@ -443,11 +443,11 @@ class ScenarioFileTest {
 
     assertThat(diagnostics(table.replace("base: 50", "base: 2")))
         .as("the usual drone")
-        .containsExactly("1:1: drone 1 is in the obstacle table");
+        .containsExactly("1:1: drone 1 is in the obstacle \"table\"");
     assertThat(diagnostics("# a comment\n" + table.replace("base: 50", "base: 2")))
-        .containsExactly("2:1: drone 1 is in the obstacle table");
+        .containsExactly("2:1: drone 1 is in the obstacle \"table\"");
     String chest = table.replace("base: 50", "base: 2") + "drones: [{start: [40, 0]}]\n";
-    assertThat(diagnostics(chest)).containsExactly("2:10: drone 1 is in the obstacle table");
+    assertThat(diagnostics(chest)).containsExactly("2:10: drone 1 is in the obstacle \"table\"");
   }
 
   @Test

@@ -19,8 +19,10 @@ import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
+import tellosimulator.scenario.Gallery;
 import tellosimulator.view.text.Language;
 import tellosimulator.words.Phrase;
+import tellosimulator.world.Obstacle;
 
 class PhraseCatalogTest {
 
@@ -42,7 +44,18 @@ class PhraseCatalogTest {
 
   @Test
   void everyPhraseOfTheSourcesHasAGermanTranslationAndNoOther() throws IOException {
-    assertThat(GERMAN.translations().keySet()).containsExactlyInAnyOrderElementsOf(templates());
+    Set<String> all = templates();
+    all.addAll(namesInTheGallery());
+    assertThat(GERMAN.translations().keySet()).containsExactlyInAnyOrderElementsOf(all);
+  }
+
+  /** What stands in the scenarios of the program; gates have letters. */
+  private static List<String> namesInTheGallery() {
+    return Gallery.NAMES.stream()
+        .flatMap(name -> Gallery.find(name).orElseThrow().config().arena().obstacles().stream())
+        .map(Obstacle::name)
+        .filter(name -> name.length() > 1)
+        .toList();
   }
 
   @Test

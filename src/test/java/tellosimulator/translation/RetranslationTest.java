@@ -57,7 +57,7 @@ class RetranslationTest {
       textBlock =
           """
           took off                                       | ist gestartet
-          touched the obstacle gate 2 at 0.4 m/s         | hat das Hindernis gate 2 mit 0,4 m/s berührt
+          touched the obstacle "gate 2" at 0.4 m/s         | hat das Hindernis „gate 2“ mit 0,4 m/s berührt
           crashed into the front wall at 1.9 m/s; its motors stay off until reset or power cycle | ist mit 1,9 m/s gegen die vordere Wand geprallt; ihre Motoren bleiben aus, bis sie zurückgesetzt oder neu eingeschaltet wird
           `took off` answered `took off`                 | `took off` beantwortet mit `took off`
           `cw 90` refused: `forward 100` is still running, 20 of 100 cm flown; answered `error Not joystick` | `cw 90` abgelehnt: `forward 100` läuft noch, 20 von 100 cm geflogen; Antwort `error Not joystick`

@@ -36,7 +36,7 @@ class ObstaclesTest {
     assertThat(hit.speed()).isEqualTo(1);
     assertThat(hit.velocity()).isEqualTo(Vec3.ZERO);
     assertThat(hit.onGround()).isFalse();
-    assertThat(hit.touched().phrase().english()).isEqualTo("the obstacle thing");
+    assertThat(hit.touched().phrase().english()).isEqualTo("the obstacle \"thing\"");
   }
 
   @Test

@@ -22,7 +22,7 @@ public final class LastCommandRow extends HBox {
   private static final PseudoClass FAILED = PseudoClass.getPseudoClass("failed");
 
   /** Silence after which it is said how old the command is [s]. Decided: no pause of a program. */
-  private static final double SILENCE = 10;
+  private static final double SILENCE = 20;
 
   private final ViewContext context;
   private final Language language;

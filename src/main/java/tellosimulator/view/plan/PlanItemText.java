@@ -45,7 +45,7 @@ final class PlanItemText {
     if (item instanceof Pad pad) {
       return messages.now("piece-pad", pad.id());
     } else if (item instanceof ObstacleItem body) {
-      String name = plan.obstacle(body).name();
+      String name = language.say(plan.obstacle(body).label());
       return messages.now("piece-thing", name, size(plan.obstacle(body).shape()));
     }
     return messages.now("piece-start", ((PlanItem.Start) item).drone());

@@ -2,6 +2,7 @@ package tellosimulator.view.plan;
 
 import java.util.List;
 import java.util.OptionalInt;
+import java.util.function.Function;
 import java.util.function.IntFunction;
 import java.util.stream.IntStream;
 import javafx.scene.canvas.GraphicsContext;
@@ -16,6 +17,7 @@ import tellosimulator.view.plan.PlanItem.GoalItem;
 import tellosimulator.view.plan.PlanItem.ObstacleItem;
 import tellosimulator.view.plan.PlanItem.Pad;
 import tellosimulator.view.plan.PlanItem.Start;
+import tellosimulator.words.Phrase;
 import tellosimulator.world.MissionPad;
 import tellosimulator.world.Obstacle;
 import tellosimulator.world.Room;
@@ -59,16 +61,19 @@ final class PlanPainter {
 
   private final GraphicsContext pen;
   private final IntFunction<Color> colors;
+  private final Function<Phrase, String> said;
   private final PlanLabels labels;
   private final MarkPainter marks;
   private PlanViewport scale;
 
   /**
    * @param colors gives that of the drone of a number
+   * @param said puts names into the language of the window
    */
-  PlanPainter(GraphicsContext pen, IntFunction<Color> colors) {
+  PlanPainter(GraphicsContext pen, IntFunction<Color> colors, Function<Phrase, String> said) {
     this.pen = pen;
     this.colors = colors;
+    this.said = said;
     labels = new PlanLabels(pen);
     marks = new MarkPainter(pen, colors);
   }
@@ -331,19 +336,20 @@ final class PlanPainter {
     double x = scale.screenX(placement.place());
     double y = below ? lowest + 10 : scale.screenY(placement.place());
     if (obstacle.shape() instanceof Shape.Gate) {
-      labels.writeInFront(text(obstacle), x + BESIDE_ARROW, y, TextAlignment.LEFT);
+      labels.writeInFront(
+          said.apply(obstacle.label()) + height(obstacle), x + BESIDE_ARROW, y, TextAlignment.LEFT);
     } else {
-      labels.writeInFront(text(obstacle), x, y, TextAlignment.CENTER);
+      labels.writeInFront(
+          said.apply(obstacle.label()) + height(obstacle), x, y, TextAlignment.CENTER);
     }
   }
 
-  /** Its name, and how high the middle of a gate's opening is, or the top of anything else. */
-  static String text(Obstacle obstacle) {
+  /** How high the middle of a gate's opening is, or the top of anything else. */
+  static String height(Obstacle obstacle) {
+    double foot = obstacle.foot().z();
     return obstacle.shape() instanceof Shape.Gate gate
-        ? obstacle.name() + " · " + PlanLabels.height(obstacle.foot().z() + gate.middle())
-        : obstacle.name()
-            + " · h "
-            + PlanLabels.centimeters(obstacle.foot().z() + obstacle.shape().height());
+        ? " · " + PlanLabels.height(foot + gate.middle())
+        : " · h " + PlanLabels.centimeters(foot + obstacle.shape().height());
   }
 
   private void shape(PlanOutline outline) {

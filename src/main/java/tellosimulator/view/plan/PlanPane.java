@@ -70,7 +70,7 @@ public final class PlanPane extends BorderPane {
     additions = new PlanAdditions(editor);
     IntFunction<Color> colors =
         drone -> DroneColors.of(context.simulation().drones().get(drone - 1));
-    view = new PlanView(editor, colors);
+    view = new PlanView(editor, colors, language::say);
     text = new PlanItemText(language, messages);
     properties = new PlanProperties(editor, language, colors);
     legend = messages.label("legend", "legend");

@@ -2,6 +2,7 @@ package tellosimulator.view.plan;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Function;
 import java.util.function.IntFunction;
 import javafx.scene.AccessibleRole;
 import javafx.scene.canvas.Canvas;
@@ -10,6 +11,7 @@ import javafx.scene.paint.Color;
 import tellosimulator.goal.Goal;
 import tellosimulator.math.Vec3;
 import tellosimulator.view.plan.PlanItem.GoalItem;
+import tellosimulator.words.Phrase;
 
 /** The plan itself: all that is in the room, seen from above. For the JavaFX thread. */
 final class PlanView extends Region {
@@ -35,10 +37,11 @@ final class PlanView extends Region {
 
   /**
    * @param colors gives that of the drone of a number
+   * @param said puts names into the language of the window
    */
-  PlanView(PlanEditor editor, IntFunction<Color> colors) {
+  PlanView(PlanEditor editor, IntFunction<Color> colors, Function<Phrase, String> said) {
     this.editor = editor;
-    this.painter = new PlanPainter(canvas.getGraphicsContext2D(), colors);
+    this.painter = new PlanPainter(canvas.getGraphicsContext2D(), colors, said);
     this.scale = PlanViewport.whole(editor.plan().arena().room(), 1, 1);
     setId("plan");
     getStyleClass().add("plan");

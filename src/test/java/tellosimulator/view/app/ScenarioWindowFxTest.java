@@ -329,7 +329,7 @@ class ScenarioWindowFxTest {
     fly("command", "takeoff", "forward 100");
 
     waitUntil(
-        () -> window.label("goal-banner").equals("Failed: drone 1 touched the obstacle pole"));
+        () -> window.label("goal-banner").equals("Failed: drone 1 touched the obstacle \"pole\""));
     assertThat(detailsShown()).isTrue();
     assertThat(window.label("goal-advice")).startsWith("The red mark shows where");
     assertThat(robot.lookup("#scenario-name").query().isVisible()).isTrue();

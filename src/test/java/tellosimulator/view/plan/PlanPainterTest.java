@@ -27,7 +27,7 @@ class PlanPainterTest {
     Obstacle gate = new Obstacle("A", new Shape.Ring(0.4, 0.03, 1.2), Vec3.ZERO, 0, cover);
     Obstacle box = new Obstacle("box 1", new Shape.Box(1, 1, 1), Vec3.ZERO, 0, cover);
 
-    assertThat(PlanPainter.text(gate)).isEqualTo("A · z 120");
-    assertThat(PlanPainter.text(box)).isEqualTo("box 1 · h 100");
+    assertThat(PlanPainter.height(gate)).isEqualTo(" · z 120");
+    assertThat(PlanPainter.height(box)).isEqualTo(" · h 100");
   }
 }
