@@ -2,6 +2,7 @@ package tellosimulator.operator;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
@@ -34,6 +35,8 @@ class ProgramRunTest {
   private static final String NAP = "1" + System.nanoTime();
 
   @TempDir private Path folder;
+
+  private final ByteArrayOutputStream printed = new ByteArrayOutputStream();
 
   @Test
   void aProgramThatIgnoresSignalsIsEnded() throws Exception {
