@@ -22,8 +22,6 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.CsvSource;
 import org.testfx.api.FxRobot;
 import tellosimulator.command.Peer;
 import tellosimulator.sim.Control;
@@ -50,9 +48,13 @@ class SimulatorWindowFxTest {
     window.close();
   }
 
-  @ParameterizedTest
-  @CsvSource({"show-controls, F2, simulator-controls", "show-network, F3, network-controls"})
-  void buttonAndKeyHideAPartAndShowItAgain(String button, KeyCode key, String part) {
+  @Test
+  void buttonAndKeyHideAPartAndShowItAgain() {
+    assertHidesAndShows("show-controls", KeyCode.F2, "simulator-controls");
+    assertHidesAndShows("show-network", KeyCode.F3, "network-controls");
+  }
+
+  private void assertHidesAndShows(String button, KeyCode key, String part) {
     double before = sceneArea();
 
     robot.clickOn("#" + button);

@@ -24,8 +24,6 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.CsvSource;
 import org.testfx.api.FxRobot;
 import tellosimulator.sim.SimConfig;
 import tellosimulator.view.testing.QuickRobot;
@@ -40,6 +38,7 @@ class SmallWindowFxTest {
   @BeforeEach
   void open() {
     window = WholeWindow.ofDrones(3, folder);
+    window.passFrames(80); // for more than a second it keeps the size with which it was opened
   }
 
   @AfterEach
@@ -47,24 +46,31 @@ class SmallWindowFxTest {
     window.close();
   }
 
-  @ParameterizedTest
-  @CsvSource({"1024, 768, en", "1024, 768, de", "1280, 800, en", "1280, 800, de"})
-  void nothingIsCutOff(double width, double height, Locale language) {
-    window.change(() -> window.context().language().localeProperty().set(language));
-    resize(width, height);
-    window.passFrames(5);
-
-    assertThat(problems()).as("while all is off").isEmpty();
+  @Test
+  void nothingIsCutOff() {
+    assertNothingIsCutOff("while all is off");
 
     window.switchOn();
     assertThat(window.fly("command", "battery?")).isNotBlank();
     robot.clickOn("#keyboard-flight");
-    window.passFrames(5);
-    assertThat(problems()).as("while all is on").isEmpty();
+    assertNothingIsCutOff("while all is on");
 
     window.asAtFirst();
+    assertNothingIsCutOff("while parts are folded away");
+  }
+
+  private void assertNothingIsCutOff(String when) {
+    for (Locale language : List.of(Locale.ENGLISH, Locale.GERMAN)) {
+      window.change(() -> window.context().language().localeProperty().set(language));
+      assertNothingIsCutOff(1024, 768, when);
+      assertNothingIsCutOff(1280, 800, when);
+    }
+  }
+
+  private void assertNothingIsCutOff(double width, double height, String when) {
+    resize(width, height);
     window.passFrames(5);
-    assertThat(problems()).as("while parts are folded away").isEmpty();
+    assertThat(problems()).as("%s, at a width of %s", when, width).isEmpty();
   }
 
   @Test
@@ -123,9 +129,13 @@ class SmallWindowFxTest {
     waitUntil(() -> shown("pilot-power") == ContentDisplay.GRAPHIC_ONLY);
   }
 
-  @ParameterizedTest
-  @CsvSource({"en, Scenarios, Follow", "de, Szenarien, Folgen"})
-  void asManyButtonsOfTheBarHaveWordsAsThereIsRoomFor(Locale language, String first, String other) {
+  @Test
+  void asManyButtonsOfTheBarHaveWordsAsThereIsRoomFor() {
+    assertWordsHaveRoom(Locale.ENGLISH, "Scenarios", "Follow");
+    assertWordsHaveRoom(Locale.GERMAN, "Szenarien", "Folgen");
+  }
+
+  private void assertWordsHaveRoom(Locale language, String first, String other) {
     window.change(() -> window.context().language().localeProperty().set(language));
     resize(1280, 800);
     waitUntil(() -> shown("view-follow") == ContentDisplay.LEFT);
@@ -153,7 +163,6 @@ class SmallWindowFxTest {
   }
 
   private void resize(double width, double height) {
-    window.passFrames(80); // for more than a second it keeps the size with which it was opened
     window.change(
         () -> {
           window.stage().setWidth(width);

@@ -65,7 +65,7 @@ import tellosimulator.world.Room;
 final class WholeWindow implements AutoCloseable {
 
   /** Longest wait for a reply, or for a first window on a slow machine [ms]. */
-  private static final int PATIENCE_MS = 30_000;
+  private static final int PATIENCE_MS = 60_000;
 
   /** Where nobody takes what is sent. */
   static final StreamPorts NOWHERE = new StreamPorts(9, 9);

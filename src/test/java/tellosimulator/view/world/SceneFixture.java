@@ -237,7 +237,13 @@ public final class SceneFixture implements BeforeEachCallback, AfterEachCallback
   /** Lets time pass in the window and shows what is then. */
   public void pass(double seconds) {
     nanos += Math.round(seconds * 1e9);
-    change(() -> pulse.beat(nanos));
+    onFxThread(
+        () -> {
+          pulse.beat(nanos);
+          scene.applyCss();
+          scene.layout();
+          return true;
+        });
   }
 
   /** Lets the camera follow the selected drone, from nearby. */
