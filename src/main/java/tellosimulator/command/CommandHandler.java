@@ -128,6 +128,10 @@ public final class CommandHandler {
 
   private Optional<Refusal> refusal(Parsed parsed) {
     CommandSyntax syntax = parsed.syntax();
+    Optional<Phrase> unactivated = target.unactivated();
+    if (unactivated.isPresent() && syntax != CommandSyntax.COMMAND) {
+      return unactivated.map(reason -> new Refusal(Reply.ERROR, reason));
+    }
     Optional<Phrase> running = target.running();
     if (running.isPresent() && !syntax.busyRule().allows(behavior)) {
       return running.map(reason -> new Refusal(Reply.NOT_JOYSTICK, reason));

@@ -18,6 +18,11 @@ public interface CommandTarget {
   /** Why it does not fly, and what to do; only while it does not. */
   Phrase notFlying();
 
+  /** Why it carries out nothing but {@code command}; empty if it does. */
+  default Optional<Phrase> unactivated() {
+    return Optional.empty();
+  }
+
   /** Something arrived, whatever it was: the link is alive. */
   void linkAlive();
 

@@ -85,6 +85,11 @@ public final class DroneController implements CommandTarget {
     restart.advance(now, this::powerOff, this::powerOn);
   }
 
+  /** It has answered {@code ok}. */
+  public void saidOk() {
+    faultEffects.provoke(now);
+  }
+
   /** Whether somebody waits for the answer to a command. */
   public boolean answers() {
     return flight.answers();
@@ -150,6 +155,11 @@ public final class DroneController implements CommandTarget {
   @Override
   public Optional<Phrase> running() {
     return flight.running();
+  }
+
+  @Override
+  public Optional<Phrase> unactivated() {
+    return faultEffects.unactivated();
   }
 
   @Override
@@ -322,6 +332,7 @@ public final class DroneController implements CommandTarget {
   @Override
   public void rc(Command.Rc command, Responder responder) {
     flight.steer(command.sticks());
+    faultEffects.provoke(now);
   }
 
   @Override
@@ -400,7 +411,7 @@ public final class DroneController implements CommandTarget {
     if (refusedForBattery(responder)) {
       return true;
     }
-    Optional<Preflight.Objection> objection = faultEffects.objectionToMove();
+    Optional<Preflight.Objection> objection = faultEffects.objectionToNewMove(now);
     objection.ifPresent(found -> responder.refuse(found.reply(), found.reason()));
     return objection.isPresent();
   }

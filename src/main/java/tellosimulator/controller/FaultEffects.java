@@ -31,6 +31,11 @@ final class FaultEffects {
   private final SeededNoise noise;
   private boolean restarted;
 
+  /** When the last {@code rc} or {@code ok} was. */
+  private Optional<SimTime> provoked = Optional.empty();
+
+  private long moves;
+
   /** How long it has flown in the dark [s]. */
   private double dark;
 
@@ -59,6 +64,34 @@ final class FaultEffects {
   /** Why it does not move; empty if no fault keeps it. */
   Optional<Objection> objectionToMove() {
     return lost().map(fault -> new Objection(Reply.NO_VALID_IMU, cause(fault)));
+  }
+
+  /** Why it takes no move now; empty if no fault keeps it. Draws once for each move. */
+  Optional<Objection> objectionToNewMove(SimTime now) {
+    return objectionToMove()
+        .or(
+            () ->
+                acting(FaultKind.NOT_JOYSTICK)
+                    .filter(fault -> refusesMove(fault, now))
+                    .map(fault -> new Objection(Reply.NOT_JOYSTICK, cause(fault))));
+  }
+
+  private boolean refusesMove(Fault fault, SimTime now) {
+    boolean soon =
+        provoked.isPresent() && now.since(provoked.get()) <= fault.value(FaultParameter.TIME);
+    return soon
+        && noise.between(0, 1, SeededNoise.Channel.REFUSED_MOVE, moves++)
+            < fault.value(FaultParameter.SHARE);
+  }
+
+  /** It was steered, or has said {@code ok}. */
+  void provoke(SimTime now) {
+    provoked = Optional.of(now);
+  }
+
+  /** Why it carries out nothing but {@code command}; empty if it does. */
+  Optional<Phrase> unactivated() {
+    return acting(FaultKind.UNACTIVATED).map(FaultEffects::cause);
   }
 
   /** How high a takeoff gets, if that is less than usual [m]. */

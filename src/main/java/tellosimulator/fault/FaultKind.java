@@ -48,6 +48,11 @@ public enum FaultKind {
       "The camera below sees nothing: it drifts, and after a while it is as with `no-valid-imu`.",
       new Range(FaultParameter.SPEED, 0, 1, 0.2),
       new Range(FaultParameter.TIME, 0, 60, 5)),
+  NOT_JOYSTICK(
+      "A move shortly after `rc` or an `ok` answers `error Not joystick`.",
+      new Range(FaultParameter.SHARE, 0, 1, 0.2),
+      new Range(FaultParameter.TIME, 0, 60, 0.5)),
+  UNACTIVATED("Only `command` is answered with `ok`, every other command with `error`."),
   SENSOR_ERROR("A takeoff answers `error`."),
   LOW_BATTERY(
       "The battery falls to a level, at which it lands by itself; it stays there.",

@@ -9,8 +9,8 @@ import java.util.regex.Pattern;
 
 /** How much of a fault there is; each has a word and a unit. */
 public enum FaultParameter {
-  /** The part of all datagrams that is concerned. */
-  SHARE(Unit.PERCENT, "part of the datagrams that is concerned"),
+  /** The part of all datagrams, or of all moves, that is concerned. */
+  SHARE(Unit.PERCENT, "part of the datagrams, or of the moves, that is concerned"),
   /** Mean number of datagrams that are lost in a row. */
   BURST(Unit.NUMBER, "mean number of datagrams that are lost in a row"),
   /** How long it takes. */

@@ -33,7 +33,8 @@ public final class SeededNoise {
     MOVE_Y,
     MOVE_Z,
     MOVE_HEADING,
-    BOARD_TOF
+    BOARD_TOF,
+    REFUSED_MOVE
   }
 
   private final long seed;

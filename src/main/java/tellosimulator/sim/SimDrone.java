@@ -7,6 +7,7 @@ import java.util.function.Consumer;
 import tellosimulator.command.CommandHandler;
 import tellosimulator.command.OperatorSession;
 import tellosimulator.command.Peer;
+import tellosimulator.command.Reply;
 import tellosimulator.command.ReplyPort;
 import tellosimulator.controller.ControllerContext;
 import tellosimulator.controller.DroneController;
@@ -96,7 +97,7 @@ final class SimDrone {
     this.replies = replies;
     this.profile = setup.product().profile();
     this.behavior = setup.product().behavior();
-    this.events = new DroneEvents(number, () -> now, neighborhood.events());
+    this.events = new DroneEvents(number, () -> now, this::happened);
     SeededNoise noise = new SeededNoise(neighborhood.seed(), number);
     this.stateLines = new StateLines(behavior, noise);
     this.instruments =
@@ -393,6 +394,13 @@ final class SimDrone {
       controller.reset();
       settle(neighborhood.collisionWorld());
     }
+  }
+
+  private void happened(SimEvent event) {
+    if (event instanceof SimEvent.ReplySent sent && sent.reply().equals(Reply.OK)) {
+      controller.saidOk();
+    }
+    neighborhood.events().accept(event);
   }
 
   private void note(Phrase phrase) {

@@ -401,9 +401,9 @@ class ScenarioFileTest {
           name: @b                            | 1:7: this is not YAML: found character '@' that cannot start any token; text with a colon or a sign such as @ needs quotes, as in name: "Slalom: the race"
           time-limit: 90 km                   | 1:13: expected seconds from 1 to 86400, found "90 km"
           time-limit: 0.5s                    | 1:13: expected seconds from 1 to 86400, found "0.5s"
-          {obstacles: [{box: {name: crate, at: [100, 0], size: [100, 100, 100]}}], goals: [{reach: {at: [100, 0, 50]}}]} | 1:82: no drone can reach this place: it is in the obstacle crate
-          {obstacles: [{wall: {name: w, from: [50, -100], to: [50, 100], height: 200}}], goals: [{hover: {at: [50, 0, 100], radius: 2, seconds: 3s}}]} | 1:88: no drone can reach this place: it is in the obstacle w
-          {obstacles: [{box: {name: crate, at: [100, 0], size: [100, 100, 100]}}], pads: [{id: 3, at: [100, 0]}], goals: [{land-on: {pad: 3}}]} | 1:113: no drone can reach this place: it is in the obstacle crate
+          {obstacles: [{box: {name: crate, at: [100, 0], size: [100, 100, 100]}}], goals: [{reach: {at: [100, 0, 50]}}]} | 1:82: no drone can reach this place: it is in the obstacle "crate"
+          {obstacles: [{wall: {name: w, from: [50, -100], to: [50, 100], height: 200}}], goals: [{hover: {at: [50, 0, 100], radius: 2, seconds: 3s}}]} | 1:88: no drone can reach this place: it is in the obstacle "w"
+          {obstacles: [{box: {name: crate, at: [100, 0], size: [100, 100, 100]}}], pads: [{id: 3, at: [100, 0]}], goals: [{land-on: {pad: 3}}]} | 1:113: no drone can reach this place: it is in the obstacle "crate"
           room: *hall                         | 1:7: this is not YAML: found undefined alias hall
           ? [a, b]                            | 1:3: expected a key, found a list of 2
           """)

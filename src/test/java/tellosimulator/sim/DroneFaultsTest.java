@@ -3,6 +3,7 @@ package tellosimulator.sim;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -93,6 +94,58 @@ class DroneFaultsTest {
     assertThat(drone.state().motion().velocity().norm()).isGreaterThan(0.05);
     drone.advance(4);
     assertThat(drone.ask("cw 90")).isEqualTo("error No valid imu");
+  }
+
+  @Test
+  void aMoveShortlyAfterAnOkOrSticksIsRefused() {
+    SteppedDrone drone = flying("not-joystick 100% time 1s");
+
+    assertThat(drone.ask("forward 50")).isEqualTo("error Not joystick");
+    assertThat(lastWords(drone)).contains("the fault not-joystick 100% time 1s acts");
+    drone.advance(1.1);
+    assertThat(drone.ask("forward 50")).isEqualTo("ok");
+    drone.advance(1.1);
+    drone.send("rc 0 0 0 0");
+    assertThat(drone.ask("flip l")).isEqualTo("error Not joystick");
+    assertThat(drone.ask("battery?")).isEqualTo("99\r\n");
+    assertThat(drone.ask("land")).isEqualTo("ok");
+  }
+
+  @Test
+  void aShareOfTheMovesIsRefused() {
+    SteppedDrone drone = flying("not-joystick 50%");
+
+    List<String> replies = new ArrayList<>();
+    for (int i = 0; i < 40; i++) {
+      replies.add(drone.ask(i % 2 == 0 ? "cw 90" : "ccw 90"));
+      drone.ask("speed 50"); // an `ok`
+    }
+
+    assertThat(replies).filteredOn("error Not joystick"::equals).hasSizeBetween(10, 30);
+    assertThat(replies).filteredOn("ok"::equals).hasSizeBetween(10, 30);
+  }
+
+  @Test
+  void aTriggerRefusesTheMoveAfterIt() {
+    SteppedDrone drone = flying("not-joystick 100% after \"rc\" for 2s");
+
+    assertThat(drone.ask("up 20")).isEqualTo("ok");
+    drone.send("rc 0 0 0 0");
+    assertThat(drone.ask("up 20")).isEqualTo("error Not joystick");
+    drone.advance(2.1);
+    assertThat(drone.ask("up 20")).isEqualTo("ok");
+  }
+
+  @ParameterizedTest
+  @ValueSource(
+      strings = {"takeoff", "land", "battery?", "streamon", "speed 50", "rc 0 0 0 0", "mon", "go"})
+  void aDroneThatWasNeverActivatedKnowsCommandAlone(String command) {
+    SteppedDrone drone = connected("unactivated");
+
+    assertThat(drone.ask(command))
+        .isEqualTo(command.equals("go") ? "unknown command: go" : "error");
+    assertThat(drone.ask("command")).isEqualTo("ok");
+    assertThat(drone.state().phase()).isEqualTo(FlightPhase.GROUNDED);
   }
 
   @Test
