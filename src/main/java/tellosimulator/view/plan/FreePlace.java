@@ -14,6 +14,9 @@ final class FreePlace {
   /** How far from a place something new is tried, in rasters. Decided: seven metres. */
   private static final int MOST_RINGS = 28;
 
+  /** What stays free around something new [m]. Decided: its name and that of its neighbour. */
+  private static final double AIR = 0.15;
+
   private FreePlace() {}
 
   /**
@@ -53,7 +56,7 @@ final class FreePlace {
   /** Whether a new item is clear of all others, however they are turned. */
   private static boolean apart(FloorPlan wanted, PlanItem item) {
     Vec3 place = wanted.placement(item).place();
-    double reach = wanted.outline(item).reach();
+    double reach = wanted.outline(item).reach() + AIR;
     return wanted.items().stream()
         .filter(other -> !other.equals(item))
         .noneMatch(other -> wanted.outline(other).covers(place, wanted.placement(other), reach));

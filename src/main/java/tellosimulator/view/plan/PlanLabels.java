@@ -1,10 +1,12 @@
 package tellosimulator.view.plan;
 
+import javafx.geometry.Rectangle2D;
 import javafx.geometry.VPos;
 import javafx.scene.canvas.GraphicsContext;
 import javafx.scene.paint.Color;
 import javafx.scene.text.Font;
 import javafx.scene.text.FontWeight;
+import javafx.scene.text.Text;
 import javafx.scene.text.TextAlignment;
 import tellosimulator.math.Frames;
 
@@ -19,7 +21,13 @@ final class PlanLabels {
   /** The color of the floor, a little of which is around what is written on things. */
   private static final Color HALO = Color.web("#f4f0e8", 0.75);
 
+  /** Height of a line [px]. */
+  private static final double LINE = 14;
+
   private final GraphicsContext pen;
+  private final LabelSpace space = new LabelSpace();
+  private double left;
+  private double right = Double.MAX_VALUE;
 
   PlanLabels(GraphicsContext pen) {
     this.pen = pen;
@@ -41,14 +49,33 @@ final class PlanLabels {
     pen.fillText(text, x, y);
   }
 
-  /** Writes what can be read on everything. */
-  void writeInFront(String text, double x, double y, TextAlignment alignment) {
+  /** Begins a drawing without labels, which must be between the walls at the left and right. */
+  void clear(double newLeft, double newRight) {
+    space.clear();
+    left = newLeft;
+    right = newRight;
+  }
+
+  /** Writes what can be read on everything, below what is written there already. */
+  void writeInFront(String text, double wantedX, double wantedY, TextAlignment alignment) {
     prepare(SIZE, alignment);
+    Rectangle2D wanted = bounds(text, wantedX, wantedY, alignment);
+    double aside = Math.max(0, left - wanted.getMinX()) - Math.max(0, wanted.getMaxX() - right);
+    double x = wantedX + aside;
+    double y = wantedY + space.take(bounds(text, x, wantedY, alignment));
     pen.setStroke(HALO);
     pen.setLineWidth(3);
     pen.strokeText(text, x, y);
     pen.setFill(INK);
     pen.fillText(text, x, y);
+  }
+
+  private Rectangle2D bounds(String text, double x, double y, TextAlignment alignment) {
+    Text measured = new Text(text);
+    measured.setFont(pen.getFont());
+    double width = measured.getLayoutBounds().getWidth();
+    double start = alignment == TextAlignment.CENTER ? x - width / 2 : x;
+    return new Rectangle2D(start, y - LINE / 2, width, LINE);
   }
 
   private void prepare(double size, TextAlignment alignment) {

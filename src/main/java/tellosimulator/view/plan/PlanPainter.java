@@ -93,6 +93,8 @@ final class PlanPainter {
   /** Draws everything anew. */
   void paint(FloorPlan plan, PlanViewport newScale, Remarks remarks) {
     scale = newScale;
+    Vec3 left = new Vec3(0, plan.arena().room().width() / 2, 0);
+    labels.clear(scale.screenX(left), scale.screenX(left.times(-1)));
     pen.clearRect(0, 0, scale.width(), scale.height());
     paintRoom(plan.arena().room(), plan.arena().decor().grid());
     pen.setFill(WALL);
@@ -344,12 +346,14 @@ final class PlanPainter {
     }
   }
 
-  /** How high the middle of a gate's opening is, or the top of anything else. */
+  /** How high the middle of a gate's opening is, or else the top, and the bottom if it hangs. */
   static String height(Obstacle obstacle) {
     double foot = obstacle.foot().z();
-    return obstacle.shape() instanceof Shape.Gate gate
-        ? " · " + PlanLabels.height(foot + gate.middle())
-        : " · h " + PlanLabels.centimeters(foot + obstacle.shape().height());
+    if (obstacle.shape() instanceof Shape.Gate gate) {
+      return " · " + PlanLabels.height(foot + gate.middle());
+    }
+    String top = PlanLabels.centimeters(foot + obstacle.shape().height());
+    return foot < 0.005 ? " · h " + top : " · " + PlanLabels.height(foot) + "–" + top;
   }
 
   private void shape(PlanOutline outline) {

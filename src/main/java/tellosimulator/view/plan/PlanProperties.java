@@ -134,7 +134,6 @@ final class PlanProperties extends VBox {
 
   private void setupBindings() {
     visibleProperty().bind(editor.selectionProperty().map(items -> !items.isEmpty()));
-    managedProperty().bind(visibleProperty());
     editor.selectionProperty().addListener((property, before, now) -> show());
     editor.planProperty().addListener((property, before, now) -> show());
   }

@@ -29,5 +29,6 @@ class PlanPainterTest {
 
     assertThat(PlanPainter.height(gate)).isEqualTo(" · z 120");
     assertThat(PlanPainter.height(box)).isEqualTo(" · h 100");
+    assertThat(PlanPainter.height(box.movedTo(Vec3.UP, 0))).isEqualTo(" · z 100–200");
   }
 }
