@@ -58,7 +58,10 @@ class OptionsPageTest {
     PAGE.check(text, OptionsPageTest.class);
     assertThat(options)
         .containsExactlyInAnyOrderElementsOf(
-            simulator.options().stream().map(OptionSpec::longestName).toList());
+            simulator.options().stream()
+                .filter(option -> !option.hidden())
+                .map(OptionSpec::longestName)
+                .toList());
     assertThat(subcommands).containsExactlyInAnyOrderElementsOf(SubcommandName.words());
   }
 

@@ -68,8 +68,13 @@ class FilmTest {
 
     assertThat(asked)
         .containsExactly(
-            "encoder 960x720", "30/s 2500000", "key", "next",
-            "encoder 960x720", "30/s 2500000", "key");
+            "encoder 960x720",
+            "30/s 2500000",
+            "key",
+            "next",
+            "encoder 960x720",
+            "30/s 2500000",
+            "key");
   }
 
   @Test
