@@ -73,6 +73,7 @@ class SimulationLoopTest {
             List.of(listener));
     simulation.control(new Control.Power(1, true));
     try (SimulationLoop loop = new SimulationLoop(simulation)) {
+      assertThat(loop).isNotNull();
       assertThat(begun.await(20, TimeUnit.SECONDS)).isTrue();
       assertThat(List.copyOf(losses)).containsOnly(0.0);
 

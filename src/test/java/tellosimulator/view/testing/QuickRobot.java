@@ -95,7 +95,8 @@ public final class QuickRobot extends FxRobot {
   @Override
   public QuickRobot write(String text) {
     Scene scene = window(Window::isFocused).getScene();
-    for (char character : text.toCharArray()) {
+    for (int i = 0; i < text.length(); i++) {
+      char character = text.charAt(i);
       KeyCode key = character == '\n' ? KeyCode.ENTER : KeyCode.UNDEFINED;
       robotContext().getBaseRobot().typeKeyboard(scene, key, Character.toString(character));
     }
