@@ -107,7 +107,7 @@ class DroneFaultsTest {
     drone.advance(1.1);
     drone.send("rc 0 0 0 0");
     assertThat(drone.ask("flip l")).isEqualTo("error Not joystick");
-    assertThat(drone.ask("battery?")).isEqualTo("99\r\n");
+    assertThat(drone.ask("sdk?")).as("no move").isEqualTo("20\r\n");
     assertThat(drone.ask("land")).isEqualTo("ok");
   }
 
