@@ -26,6 +26,7 @@ import java.util.List;
 import java.util.OptionalInt;
 import java.util.Set;
 import java.util.concurrent.TimeUnit;
+import java.util.function.Consumer;
 import java.util.regex.MatchResult;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
@@ -462,7 +463,7 @@ class ExamplesTest {
               OptionalInt.empty(),
               new SoftwareCameras(DroneOptics.DEFAULT));
       simulator.switchOn();
-      addresses = ADDRESS.matcher(type("")).results().map(MatchResult::group).toList();
+      addresses = ADDRESS.matcher(printed(simulator::sayReady)).results().map(MatchResult::group).toList();
     }
 
     List<String> addresses() {
@@ -487,17 +488,21 @@ class ExamplesTest {
       return Integer.toString(videoPort);
     }
 
-    List<Place> places() throws IOException, InterruptedException {
-      return Place.FORM.matcher(type("state\n")).results().map(Place::of).toList();
+    /** Where the drones are; ends the console, so only once. */
+    List<Place> places() throws InterruptedException {
+      BufferedReader typed = new BufferedReader(new StringReader("state\nquit\n"));
+      ByteArrayOutputStream printed = new ByteArrayOutputStream();
+      simulator.run(typed, new PrintStream(printed, true, StandardCharsets.UTF_8));
+      return Place.FORM
+          .matcher(printed.toString(StandardCharsets.UTF_8))
+          .results()
+          .map(Place::of)
+          .toList();
     }
 
-    /** What the simulator prints when it is ready, and then to what is typed. */
-    private String type(String lines) throws IOException, InterruptedException {
+    private static String printed(Consumer<PrintStream> printer) {
       ByteArrayOutputStream printed = new ByteArrayOutputStream();
-      simulator.sayReady(new PrintStream(printed, true, StandardCharsets.UTF_8));
-      simulator.run(
-          new BufferedReader(new StringReader(lines + "quit\n")),
-          new PrintStream(printed, true, StandardCharsets.UTF_8));
+      printer.accept(new PrintStream(printed, true, StandardCharsets.UTF_8));
       return printed.toString(StandardCharsets.UTF_8);
     }
 

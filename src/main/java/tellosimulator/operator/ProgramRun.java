@@ -12,7 +12,6 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalInt;
-import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.stream.Stream;
@@ -27,6 +26,9 @@ import tellosimulator.concurrent.Worker;
  * writes is passed on. {@link #run} works on the calling thread; the other methods are for any.
  */
 public final class ProgramRun implements AutoCloseable {
+
+  /** Longest time after which the end of the simulator is noticed [ms]. Decided. */
+  private static final long NOTICE_MS = 50;
 
   /** With which a simulator says that it is ready. */
   private static final String READY = "ready";
@@ -177,10 +179,9 @@ public final class ProgramRun implements AutoCloseable {
   /** Waits until one has ended, and ends the other. */
   private ExitCodes end(Process flying, Process flown) throws InterruptedException {
     program = Optional.of(flying);
-    CountDownLatch oneHasEnded = new CountDownLatch(1);
-    flying.onExit().thenRun(oneHasEnded::countDown);
-    flown.onExit().thenRun(oneHasEnded::countDown);
-    oneHasEnded.await();
+    while (flown.isAlive() && !flying.waitFor(NOTICE_MS, TimeUnit.MILLISECONDS)) {
+      // both run
+    }
     if (flying.isAlive()) {
       terminate(flying);
     }

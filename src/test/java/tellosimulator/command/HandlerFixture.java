@@ -24,7 +24,7 @@ final class HandlerFixture {
 
   /** What a target is asked or told besides the commands themselves. */
   private static final Set<String> NO_COMMANDS =
-      Set.of("running", "flying", "notFlying", "linkAlive", "commandArrived");
+      Set.of("running", "flying", "notFlying", "unactivated", "linkAlive", "commandArrived");
 
   /** A reply that went out. */
   record Sent(Peer peer, String text) {}
