@@ -4,7 +4,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Consumer;
-import javafx.application.Platform;
+import javafx.geometry.Orientation;
 import javafx.scene.Node;
 import javafx.scene.control.Label;
 import javafx.scene.control.ScrollPane;
@@ -50,9 +50,7 @@ public final class GalleryPane extends VBox {
       card.setSolved(offer.solved().contains(name));
     }
     CardGrid grid = new CardGrid(cards);
-    ScrollPane scroll = new ScrollPane(grid);
-    grid.heightProperty() // without it, as high as if the cards were narrow
-        .subscribe(() -> Platform.runLater(() -> fit(scroll, grid)));
+    ScrollPane scroll = new FittingScrollPane(grid);
     scroll.setFitToWidth(true);
     scroll.setHbarPolicy(ScrollPane.ScrollBarPolicy.NEVER);
     VBox.setVgrow(scroll, Priority.ALWAYS);
@@ -65,9 +63,24 @@ public final class GalleryPane extends VBox {
     }
   }
 
-  /** Not at once: the height changes while everything is laid out, and nobody would look again. */
-  private static void fit(ScrollPane scroll, CardGrid grid) {
-    scroll.setPrefViewportHeight(grid.getHeight());
+  /** As high as its content is in its width, from the first layout on. */
+  private static final class FittingScrollPane extends ScrollPane {
+
+    FittingScrollPane(CardGrid grid) {
+      super(grid);
+    }
+
+    @Override
+    public Orientation getContentBias() {
+      return Orientation.HORIZONTAL;
+    }
+
+    @Override
+    protected double computePrefHeight(double width) {
+      return width < 0
+          ? super.computePrefHeight(width)
+          : Math.ceil(getContent().prefHeight(width) + snappedTopInset() + snappedBottomInset());
+    }
   }
 
   private static ScenarioCard card(

@@ -1,6 +1,7 @@
 package tellosimulator.view.gallery;
 
 import java.util.Locale;
+import javafx.animation.PauseTransition;
 import javafx.css.PseudoClass;
 import javafx.geometry.Orientation;
 import javafx.scene.AccessibleAction;
@@ -16,6 +17,7 @@ import javafx.scene.layout.HBox;
 import javafx.scene.layout.Region;
 import javafx.scene.layout.StackPane;
 import javafx.scene.layout.VBox;
+import javafx.util.Duration;
 import org.kordamp.ikonli.feather.Feather;
 import org.kordamp.ikonli.javafx.FontIcon;
 import tellosimulator.scenario.Description;
@@ -30,6 +32,10 @@ import tellosimulator.view.text.Messages;
 final class ScenarioCard extends VBox {
 
   private static final PseudoClass FILLED = PseudoClass.getPseudoClass("filled");
+  private static final PseudoClass CHOSEN = PseudoClass.getPseudoClass("chosen");
+
+  /** Time in which it is drawn as chosen. */
+  private static final Duration A_FRAME_OR_TWO = Duration.millis(50);
 
   private final Language language;
   private final Messages messages;
@@ -105,7 +111,7 @@ final class ScenarioCard extends VBox {
         MouseEvent.MOUSE_CLICKED,
         click -> {
           if (click.getButton() == MouseButton.PRIMARY) {
-            chosen.run();
+            choose();
           }
         });
     addEventHandler(
@@ -113,9 +119,21 @@ final class ScenarioCard extends VBox {
         key -> {
           if (key.getCode() == KeyCode.ENTER || key.getCode() == KeyCode.SPACE) {
             key.consume();
-            chosen.run();
+            choose();
           }
         });
+  }
+
+  /** Shows that it was chosen before the scenario is opened, which takes a while. */
+  private void choose() {
+    pseudoClassStateChanged(CHOSEN, true);
+    PauseTransition shown = new PauseTransition(A_FRAME_OR_TWO);
+    shown.setOnFinished(
+        over -> {
+          pseudoClassStateChanged(CHOSEN, false);
+          chosen.run();
+        });
+    shown.play();
   }
 
   private void setupBindings() {
@@ -142,7 +160,7 @@ final class ScenarioCard extends VBox {
   @Override
   public void executeAccessibleAction(AccessibleAction action, Object... parameters) {
     if (action == AccessibleAction.FIRE) {
-      chosen.run();
+      choose();
     } else {
       super.executeAccessibleAction(action, parameters);
     }

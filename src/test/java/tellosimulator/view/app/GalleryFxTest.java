@@ -62,8 +62,8 @@ class GalleryFxTest {
     assertThat(focused()).isEqualTo("scenario-empty-room");
     robot.type(KeyCode.END, KeyCode.ENTER);
 
+    waitUntil(() -> window.stage().getTitle().equals("Swarm stage – Tello Simulator"));
     assertThat(shown()).isFalse();
-    assertThat(window.stage().getTitle()).isEqualTo("Swarm stage – Tello Simulator");
   }
 
   @Test
@@ -76,7 +76,7 @@ class GalleryFxTest {
 
     robot.clickOn("#scenario-over-the-wall");
 
-    assertThat(window.stage().getTitle()).isEqualTo("Über die Mauer – Tello Simulator");
+    waitUntil(() -> window.stage().getTitle().equals("Über die Mauer – Tello Simulator"));
     assertThat(window.label("scenario-name")).isEqualTo("Über die Mauer");
   }
 

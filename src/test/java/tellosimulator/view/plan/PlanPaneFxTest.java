@@ -400,6 +400,14 @@ class PlanPaneFxTest {
   }
 
   @Test
+  void thePlanStaysWhereItIsWhenSomethingIsSelected() {
+    double before = onFxThread(() -> window.find("plan", PlanView.class).getWidth());
+
+    robot().clickOn("#plan-add-box");
+    assertThat(onFxThread(() -> window.find("plan", PlanView.class).getWidth())).isEqualTo(before);
+  }
+
+  @Test
   void escapeLetsGoAndThenClosesThePlan() {
     robot().clickOn("#plan-add-box").type(KeyCode.ESCAPE);
     assertThat(status()).startsWith("Drag with the mouse");
