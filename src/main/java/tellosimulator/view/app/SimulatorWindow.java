@@ -152,6 +152,7 @@ final class SimulatorWindow implements AutoCloseable {
                     report.good() ? LogLevel.INFO : LogLevel.ERROR,
                     report.drone(),
                     report.phrase()));
+    follow(state.themeProperty().subscribe(theme -> scene.setFill(theme.background())));
     follow(context.scenario().fileProperty().subscribe(file -> stage.setTitle(title())));
     follow(context.scenario().unsavedProperty().subscribe(unsaved -> stage.setTitle(title())));
     follow(context.language().localeProperty().subscribe(locale -> stage.setTitle(title())));

@@ -337,8 +337,8 @@ public final class GoalPanel extends VBox {
   }
 
   /**
-   * A goal: a square with its number in the room, the drone that shall reach it if that is one, the
-   * task, and when it was reached. For the JavaFX thread.
+   * A goal: a square with its number in the room, the task, the drone that must reach it if that is
+   * one, and when it was reached. For the JavaFX thread.
    */
   private static final class GoalRow extends HBox {
 
@@ -380,9 +380,9 @@ public final class GoalPanel extends VBox {
       time.setMinWidth(USE_PREF_SIZE);
       time.getStyleClass().add("time");
       HBox.setHgrow(task, Priority.ALWAYS);
-      getChildren().add(mark);
+      getChildren().addAll(mark, task);
       goal.drone().ifPresent(number -> getChildren().add(drone(number, color)));
-      getChildren().addAll(task, time);
+      getChildren().add(time);
     }
 
     /** In full and round, as drones have it in the room, so that it is no goal's number. */

@@ -17,9 +17,9 @@ public class LabeledToolBar extends ToolBar {
   private static final List<List<String>> GROUPS =
       List.of(
           List.of("scenarios"),
+          List.of("settings", "help"),
           List.of("view-fit", "view-follow"),
           List.of("show-inset", "show-trail", "show-goal-line", "show-drones", "show-plan"),
-          List.of("settings", "help"),
           List.of("scenario-file"));
 
   /** What stays free between the buttons at the left and at the right [px]. Decided: by eye. */

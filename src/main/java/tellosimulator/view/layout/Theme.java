@@ -2,16 +2,24 @@ package tellosimulator.view.layout;
 
 import atlantafx.base.theme.PrimerDark;
 import atlantafx.base.theme.PrimerLight;
+import javafx.scene.paint.Color;
 
 /** How the window looks. */
 public enum Theme {
-  LIGHT(new PrimerLight().getUserAgentStylesheet()),
-  DARK(new PrimerDark().getUserAgentStylesheet());
+  LIGHT(new PrimerLight().getUserAgentStylesheet(), Color.WHITE),
+  DARK(new PrimerDark().getUserAgentStylesheet(), Color.web("#0d1117"));
 
   private final String stylesheet;
+  private final Color background;
 
-  Theme(String stylesheet) {
+  Theme(String stylesheet, Color background) {
     this.stylesheet = stylesheet;
+    this.background = background;
+  }
+
+  /** What the window shows before it is drawn for the first time: the theme's background. */
+  public Color background() {
+    return background;
   }
 
   /** For {@code Application.setUserAgentStylesheet}. */
