@@ -2,6 +2,8 @@ package tellosimulator.goal;
 
 import java.util.Comparator;
 import java.util.Optional;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import tellosimulator.goal.Observation.Course.Gate;
 import tellosimulator.goal.Observation.Crossing;
 import tellosimulator.math.Vec3;
@@ -39,18 +41,11 @@ final class NearMiss {
 
   /** A landing is meant for the next landing goal; without an order, for the nearest one. */
   private Optional<Phrase> landing() {
-    Landing nearest = null;
-    for (int i = 0; i < progress.reached().size(); i++) {
-      Optional<Landing> landing = isOpen(i) ? landing(i) : Optional.empty();
-      if (landing.isPresent()
-          && (nearest == null || Landing.BY_DISTANCE.compare(landing.get(), nearest) < 0)) {
-        nearest = landing.get();
-      }
-      if (nearest != null && progress.challenge().inOrder()) {
-        break;
-      }
-    }
-    return Optional.ofNullable(nearest).flatMap(this::landing);
+    Stream<Landing> landings = open().mapToObj(this::landing).flatMap(Optional::stream);
+    return (progress.challenge().inOrder()
+            ? landings.findFirst()
+            : landings.min(Comparator.comparingDouble(Landing::distance)))
+        .flatMap(this::landing);
   }
 
   private Optional<Phrase> landing(Landing landing) {
@@ -79,9 +74,7 @@ final class NearMiss {
    * @param distance of the drone from the goal's middle, level [m]
    * @param limit up to which it counts [m]
    */
-  private record Landing(int index, double distance, double limit) {
-    static final Comparator<Landing> BY_DISTANCE = Comparator.comparingDouble(Landing::distance);
-  }
+  private record Landing(int index, double distance, double limit) {}
 
   private Optional<Landing> landing(int index) {
     Goal goal = goal(index);
@@ -100,17 +93,13 @@ final class NearMiss {
   }
 
   private Optional<Phrase> gate() {
-    for (int i = 0; i < progress.reached().size(); i++) {
-      if (isOpen(i) && goal(i) instanceof Goal.Pass pass) {
-        int index = i;
-        Optional<Phrase> miss =
-            seen.course().gate(pass.gate()).flatMap(gate -> gate(index, pass, gate));
-        if (miss.isPresent()) {
-          return miss;
-        }
-      }
-    }
-    return Optional.empty();
+    return open().mapToObj(this::gate).flatMap(Optional::stream).findFirst();
+  }
+
+  private Optional<Phrase> gate(int index) {
+    return goal(index) instanceof Goal.Pass pass
+        ? seen.course().gate(pass.gate()).flatMap(gate -> gate(index, pass, gate))
+        : Optional.empty();
   }
 
   private Optional<Phrase> gate(int index, Goal.Pass pass, Gate gate) {
@@ -146,10 +135,11 @@ final class NearMiss {
     return progress.challenge().goals().get(index);
   }
 
-  /** Whether a goal is still to be reached, by this drone. */
-  private boolean isOpen(int index) {
-    return progress.reached().get(index).isEmpty()
-        && goal(index).drone().orElse(seen.drone()) == seen.drone();
+  /** The indices of the goals that are still to be reached, by this drone. */
+  private IntStream open() {
+    return IntStream.range(0, progress.reached().size())
+        .filter(index -> progress.reached().get(index).isEmpty())
+        .filter(index -> goal(index).drone().orElse(seen.drone()) == seen.drone());
   }
 
   /** The number of the goal that must be reached before one; empty if there is none. */
