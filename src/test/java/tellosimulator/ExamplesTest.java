@@ -69,7 +69,7 @@ class ExamplesTest {
   private static final Room HALL = new Room(100, 100, 10);
 
   private static final Pattern ADDRESS = Pattern.compile("127\\.0\\.0\\.1:[0-9]+");
-  private static final int PATIENCE_SECONDS = 60;
+  private static final int PATIENCE_SECONDS = 300;
 
   @TempDir private Path scratch;
 

@@ -144,7 +144,7 @@ class TestingPageTest {
     void theFilmBegins(SimulatedDrone drone) throws IOException {
       try (DatagramSocket film = new DatagramSocket(drone.videoPort());
           Tello tello = new Tello(drone.address(), Duration.ofSeconds(10))) {
-        film.setSoTimeout(10_000);
+        film.setSoTimeout(60_000);
         tello.send("command");
         tello.send("streamon");
 
