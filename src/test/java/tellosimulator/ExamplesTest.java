@@ -463,7 +463,8 @@ class ExamplesTest {
               OptionalInt.empty(),
               new SoftwareCameras(DroneOptics.DEFAULT));
       simulator.switchOn();
-      addresses = ADDRESS.matcher(printed(simulator::sayReady)).results().map(MatchResult::group).toList();
+      addresses =
+          ADDRESS.matcher(printed(simulator::sayReady)).results().map(MatchResult::group).toList();
     }
 
     List<String> addresses() {
