@@ -30,18 +30,20 @@ final class BoundedCopy implements Agent {
     this.to = to;
   }
 
+  /** Copies to the end; otherwise the last output is lost when the worker is ended. */
   @Override
   public Outcome doWork() throws IOException {
-    int count = from.read(buffer);
-    if (count < 0) {
-      return Outcome.FINISHED;
+    boolean cut = false;
+    for (int count = from.read(buffer); count >= 0; count = from.read(buffer)) {
+      int copied = Math.min(count, left);
+      left -= copied;
+      to.write(buffer, 0, copied);
+      if (copied < count && !cut) {
+        to.write(CUT);
+        cut = true;
+      }
     }
-    to.write(buffer, 0, Math.min(count, left));
-    if (left > 0 && count > left) {
-      to.write(CUT);
-    }
-    left -= Math.min(count, left);
-    return Outcome.WORKED;
+    return Outcome.FINISHED;
   }
 
   @Override

@@ -229,12 +229,10 @@ public final class ProgramRun implements AutoCloseable {
 
     @Override
     public Outcome doWork() throws IOException {
-      String line = lines.readLine();
-      if (line == null) {
-        return Outcome.FINISHED;
+      for (String line = lines.readLine(); line != null; line = lines.readLine()) {
+        out.println(line); // to the end, or the last lines are lost when the worker is ended
       }
-      out.println(line);
-      return Outcome.WORKED;
+      return Outcome.FINISHED;
     }
 
     @Override

@@ -131,15 +131,15 @@ class SmallWindowFxTest {
 
   @Test
   void asManyButtonsOfTheBarHaveWordsAsThereIsRoomFor() {
-    assertWordsHaveRoom(Locale.ENGLISH, "Scenarios", "Follow");
-    assertWordsHaveRoom(Locale.GERMAN, "Szenarien", "Folgen");
+    assertWordsHaveRoom(Locale.ENGLISH, "Scenarios", "Settings");
+    assertWordsHaveRoom(Locale.GERMAN, "Szenarien", "Einstellungen");
   }
 
   private void assertWordsHaveRoom(Locale language, String first, String other) {
     window.change(() -> window.context().language().localeProperty().set(language));
     resize(1280, 800);
-    waitUntil(() -> shown("view-follow") == ContentDisplay.LEFT);
-    assertThat(window.text("view-follow")).isEqualTo(other);
+    waitUntil(() -> shown("settings") == ContentDisplay.LEFT);
+    assertThat(window.text("settings")).isEqualTo(other);
     assertThat(shown("scenarios")).as("more important").isEqualTo(ContentDisplay.LEFT);
     assertThat(window.text("scenarios")).isEqualTo(first);
     assertThat(shown("show-plan")).as("all of a group or none").isEqualTo(shown("show-inset"));
@@ -153,7 +153,7 @@ class SmallWindowFxTest {
     assertThat(overflows()).isFalse();
 
     resize(1280, 800);
-    waitUntil(() -> shown("view-follow") == ContentDisplay.LEFT);
+    waitUntil(() -> shown("settings") == ContentDisplay.LEFT);
   }
 
   /** Whether buttons of the bar have gone into a menu at its end. */

@@ -55,13 +55,13 @@ class DroneComboBoxFxTest {
     robot.clickOn("#power");
     window.until(() -> window.drone(2).state().phase() == FlightPhase.GROUNDED);
     window.until(() -> window.drone(1).state().phase() == FlightPhase.OFF);
-    window.until(() -> entry(robot).getText().equals("Drone 2 · on the ground · 42 %"));
+    window.until(() -> entry(robot).getText().equals("Drone 2 · standing · 42 %"));
 
     robot.clickOn("#battery-charge");
     assertThat(window.drone(2).state().energy().battery().percent()).isEqualTo(100);
 
     window.speak(Locale.GERMAN);
-    assertThat(entry(robot).getText()).isEqualTo("Drohne 2 · am Boden · 100 %");
+    assertThat(entry(robot).getText()).isEqualTo("Drohne 2 · steht · 100 %");
   }
 
   @Test
