@@ -319,7 +319,7 @@ class PilotControlsFxTest {
   }
 
   private static void await(Callable<Boolean> reached) throws TimeoutException {
-    waitFor(20, TimeUnit.SECONDS, reached);
+    waitFor(60, TimeUnit.SECONDS, reached);
     settle();
   }
 }
