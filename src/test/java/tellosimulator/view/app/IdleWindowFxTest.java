@@ -150,9 +150,13 @@ class IdleWindowFxTest {
     waitUntil(() -> frames.get() > 0);
     becomeIdle();
     passSimulated(LONGEST_PERIOD_SECONDS); // what changed last is drawn
-    frames.set(0);
 
-    passSimulated(2 * LONGEST_PERIOD_SECONDS);
+    int spans = 0;
+    do { // a tooltip below the mouse has frames drawn for up to six seconds
+      frames.set(0);
+      passSimulated(2 * LONGEST_PERIOD_SECONDS);
+      spans++;
+    } while (frames.get() > 0 && spans < 4);
 
     assertThat(idle()).isTrue();
     assertThat(frames).hasValue(0);

@@ -126,9 +126,13 @@ public final class QuickRobot extends FxRobot {
     return moveTo(point, motion).clickOn(buttons);
   }
 
+  /** Waits for nothing between the clicks, which must not be far apart. */
   @Override
   public QuickRobot doubleClickOn(PointQuery point, Motion motion, MouseButton... buttons) {
-    return clickOn(point, motion, buttons).clickOn(buttons);
+    moveTo(point, motion);
+    mouse.pressNoWait(buttons);
+    mouse.releaseNoWait(buttons);
+    return clickOn(buttons);
   }
 
   @Override
